@@ -144,7 +144,9 @@ std::vector<Argument> arguments_of(const Command& command) {
     output.doc = std::ranges::all_of(command.documents, &Document::folder)
                      ? "write into this folder"
                      : output.doc + "; a folder if the format has several files";
-  if (!command.journal.empty()) {
+  if (!command.journal_option.empty()) {
+    arguments.push_back(path_argument(Role::journal, command.journal_option, {}, command.journal));
+  } else if (!command.journal.empty()) {
     output = path_argument(Role::journal, "output", {}, command.journal);
     output.required = true;
   }

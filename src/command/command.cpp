@@ -72,7 +72,8 @@ Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
       throw OptionError(what, fmt::format("must be given; {} needs a {}", command.name, what));
   };
   require(drive || command.takes == Takes::nothing, "drive");
-  require(host.journal != nullptr || command.journal.empty(), "journal");
+  require(host.journal != nullptr || command.journal.empty() || !command.journal_option.empty(),
+          "journal");
   static const auto no_drive = std::make_shared<const Drive>();
   return {command, drive ? drive : no_drive, options, texts, progress, host};
 }

@@ -221,17 +221,20 @@ class Growing {
 /// Integrates the path and fills the report.
 class Path {
  public:
+  /// @param pass  0: the path; 1: a path with half steps, which only checks the time and fills no
+  ///              series, events and notes
   Path(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
-       const Progress& progress, double step_factor)
-      : growing_(gear, options, report, step_factor),
+       const Progress& progress, GrowthCheckpoint& checkpoint, int pass)
+      : growing_(gear, options, report, pass == 0 ? 1.0 : 0.5),
         options_(options),
         report_(report),
         progress_(progress),
-        step_factor_(step_factor) {}
+        checkpoint_(checkpoint),
+        pass_(pass),
+        step_factor_(pass == 0 ? 1.0 : 0.5),
+        told_(pass == 0) {}
 
-  /// @param told  whether to fill series, events and notes of the report
-  void run(bool told) {
-    told_ = told;
+  void run() {
     if (growing_.none()) {
       report_.end = DriveEnd::not_known;
       return;
@@ -273,6 +276,17 @@ class Path {
         since_assessment = 0.0;
         if (const auto failed = failing(state)) return assessment_end(state, *failed);
         acceptable_ = state;
+      }
+      if (std::optional<PathStep> stored = checkpoint_.next(pass_)) {
+        if (stored->state.size() != state.size())
+          throw InputError("--resume", "has a step of another drive; remove the file");
+        since_assessment += h;
+        state = std::move(stored->state);
+        h = stored->next_length;
+        report_.steps = stored->tried;
+        system(state, slope, 0.0);
+        record(state);
+        continue;
       }
       stepper.do_step(system, state, slope, 0.0, next, next_slope, h, error);
       const double excess = error_of(error, state, next, slope, h);
@@ -502,8 +516,10 @@ class Path {
   const GrowthOptions& options_;
   GrowthReport& report_;
   const Progress& progress_;
+  GrowthCheckpoint& checkpoint_;
+  int pass_;
   double step_factor_;
-  bool told_ = true;
+  bool told_;
   std::vector<bool> stands_still_;
   State acceptable_;
   double first_positive_ = 0.0;
@@ -523,7 +539,7 @@ void thin(std::vector<Row>& rows, int n) {
 }  // namespace
 
 GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
-                         const Progress& progress) {
+                         const Progress& progress, GrowthCheckpoint* checkpoint) {
   require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "1",
           "between 0 and 1");
   require(options.points >= 2, "points", options.points, "1", ">= 2");
@@ -538,10 +554,14 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   if (options.interaction.rule != InteractionRule::none) report.equations.emplace_back("GR-27");
   if (gear.duty && gear.duty->resonance) report.equations.emplace_back("GR-28");
   if (gear.duty) report.rainflow = std::string(enum_name(gear.duty->residue));
-  Path(gear, options, report, progress.part(0, 0.7), 1.0).run(true);
+  GrowthCheckpoint none;
+  GrowthCheckpoint& stored = checkpoint != nullptr ? *checkpoint : none;
+  const Progress coarse = progress.part(0, 0.3);
+  Path(gear, options, report, coarse, stored, 0).run();
   if (!report.cracks.empty() && report.time > 0) {
     GrowthReport fine;
-    Path(gear, options, fine, progress.part(0.7, 1), 0.5).run(false);
+    const Progress halved = progress.part(0.3, 1);
+    Path(gear, options, fine, halved, stored, 1).run();
     report.step_error = std::abs(fine.time / report.time - 1);
   }
   complete(report, gear, options.rate);

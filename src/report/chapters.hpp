@@ -43,6 +43,8 @@ struct Draft {
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);
+[[nodiscard]] ReportSection life_chapter(Draft& draft);
+[[nodiscard]] ReportSection growth_chapter(Draft& draft);
 [[nodiscard]] ReportSection notes_chapter(const Draft& draft);
 [[nodiscard]] ReportSection accuracy_chapter(const Draft& draft);
 [[nodiscard]] ReportSection equations_chapter(const Draft& draft);

@@ -174,6 +174,9 @@ struct Command {
   std::string_view description;
   std::string_view example;  ///< a command line
   std::string_view journal;  ///< content of its journal; empty: the command keeps no journal
+  /// Option of the command line that names the journal, which may then be left out.  Empty:
+  /// `--output` names it, and it must be given.
+  std::string_view journal_option;
   /// Option whose result stands neither in the CSV of one drive nor in the text of several.  Empty:
   /// there is none.
   std::string_view not_in_tables;
@@ -203,6 +206,7 @@ struct CommandOf {
   std::string_view description;
   std::string_view example;
   std::string_view journal = {};
+  std::string_view journal_option = {};
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
   std::function<Result(const Request& request, const Options& options)> function;
@@ -220,6 +224,7 @@ template <class Options, class Result>
       .description = of.description,
       .example = of.example,
       .journal = of.journal,
+      .journal_option = of.journal_option,
       .not_in_tables = of.not_in_tables,
       .takes = of.takes,
       .options = options_type<Options>(),

@@ -10,6 +10,7 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/drive_growth/checkpoint.hpp"
 #include "strainwave/drive_growth/growing_crack.hpp"
 #include "strainwave/drive_growth/interaction.hpp"
 #include "strainwave/model/input/gear_set.hpp"
@@ -226,9 +227,11 @@ struct GrowthReport {
 ///
 /// @param gear  has passed `check`, with a duty; cracks that act in the coupled drive are named in
 ///              a note and keep their size
+/// @param checkpoint   steps of a run before, and the place for further ones; null: none
 /// @throws InputError  if the duty or the law of a crack is missing
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options = {},
-                                       const Progress& progress = {});
+                                       const Progress& progress = {},
+                                       GrowthCheckpoint* checkpoint = nullptr);
 
 }  // namespace strainwave

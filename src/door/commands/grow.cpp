@@ -6,7 +6,9 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/sha256.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/version.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/layouts/growth.hpp"
@@ -89,6 +91,51 @@ Interaction interaction_of(const GrowOptions& o) {
   return interaction;
 }
 
+constexpr std::string_view kCheckpointFormat = "strainwave-growth/1";
+
+/// First line of a checkpoint: the program and all that the result depends on.
+std::string checkpoint_head(const Request& request, const GrowOptions& o) {
+  std::string history;
+  if (const auto& record = request.drive.gear.duty_record)
+    for (const DutyRow& row : record->rows)
+      history += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
+  const std::string asked = fmt::format(
+      "{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law, enum_name(o.mixed_mode),
+      enum_name(o.interaction), o.zone_factor.value_or(0), o.wheeler_exponent.value_or(-1),
+      request.drive.text, history);
+  return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
+}
+
+/// The steps of a run before, from its checkpoint.
+GrowthCheckpoint checkpoint_of(const Request& request, const GrowOptions& o) {
+  Journal* const journal = request.journal;
+  if (journal == nullptr) return {};
+  const std::string head = checkpoint_head(request, o);
+  const auto append = [journal](const std::string& line) { journal->append(line); };
+  const std::optional<std::string> text = journal->text();
+  if (!text || text->empty()) {
+    journal->begin(head + "\n");
+    return {"", append};
+  }
+  const std::size_t end = text->find('\n');
+  const std::string found = text->substr(0, end);
+  if (!found.starts_with(kCheckpointFormat) || end == std::string::npos)
+    throw OptionError("--resume", fmt::format("{} is not a checkpoint of strainwave grow; name "
+                                              "another file",
+                                              journal->name()));
+  if (found != head)
+    throw OptionError("--resume",
+                      fmt::format("{} is a checkpoint of another drive, of other options or of "
+                                  "another version; name another file or remove it",
+                                  journal->name()));
+  const std::string steps = text->substr(end + 1);
+  // A line that was cut off must not stand before the next one.
+  const std::size_t whole = steps.rfind('\n');
+  const std::string kept = whole == std::string::npos ? "" : steps.substr(0, whole + 1);
+  if (kept.size() != steps.size()) journal->begin(head + "\n" + kept);
+  return from_option([&] { return GrowthCheckpoint(kept, append); });
+}
+
 /// Reads --until.
 GrowthStop stop_of(const GearSet& gear, const std::string& until) {
   GrowthStop stop;
@@ -132,6 +179,8 @@ Command grow_command() {
           "natural frequency and the reserve against failure follow over time. The file must give "
           "[duty] and a law of growth of each cracked material.",
       .example = "strainwave grow examples/growing_shaft.toml --plot growth.svg",
+      .journal = "keep the steps in this file; if it has steps of the same run, go on from them",
+      .journal_option = "resume",
       .function =
           [](const Request& request, const GrowOptions& o) {
             const GearSet& gear = request.drive.gear;
@@ -141,7 +190,8 @@ Command grow_command() {
             options.points = o.points;
             options.stop = from_option([&] { return stop_of(gear, o.until); });
             if (!o.law.empty()) from_option([&] { (void)rate_law(require_material(o.law)); });
-            return grow_cracks(gear, options, request.progress);
+            GrowthCheckpoint checkpoint = checkpoint_of(request, o);
+            return grow_cracks(gear, options, request.progress, &checkpoint);
           },
       .documents = {{Format::text,
                      [](const GrowthReport& report, const Rendering& to) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace strainwave {
+
+/// One accepted step of a path.
+struct PathStep {
+  int pass = 0;               ///< 0: the path; 1: the one with half steps
+  std::vector<double> state;  ///< after the step
+  double next_length = 0.0;   ///< of the step that follows
+  int tried = 0;              ///< steps so far, with those that were refused
+};
+
+/// The accepted steps of a computation, so that a stopped one goes on to the same last digit.
+class GrowthCheckpoint {
+ public:
+  GrowthCheckpoint() = default;
+  /// @param lines   those of a run before
+  /// @param append  stores a further line permanently
+  /// @throws InputError  if a line cannot be read; a last line without its end is left out
+  GrowthCheckpoint(std::string_view lines, std::function<void(const std::string&)> append);
+
+  /// The next step of the run before; absent if there is no further one in this pass.
+  [[nodiscard]] std::optional<PathStep> next(int pass);
+  /// Stores a step that was computed now.
+  void add(const PathStep& step) const;
+
+ private:
+  std::deque<PathStep> stored_;
+  std::function<void(const std::string&)> append_;
+};
+
+}  // namespace strainwave
