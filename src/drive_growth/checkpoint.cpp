@@ -25,8 +25,8 @@ PathStep step_of(std::string_view text, std::size_t line) {
     const std::size_t blank = text.find(' ');
     const std::string_view word = text.substr(0, blank);
     double number = 0.0;
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number,
-                                              std::chars_format::hex);
+    const auto [end, fault] =
+        std::from_chars(word.data(), word.data() + word.size(), number, std::chars_format::hex);
     if (fault != std::errc{} || end != word.data() + word.size()) refuse_line(line);
     numbers.push_back(number);
     text = blank == std::string_view::npos ? std::string_view() : text.substr(blank + 1);

@@ -19,6 +19,7 @@ namespace {
 constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s]
 constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
+constexpr double kSevered = 0.01;      // share of the stiffness below which a drive is severed [-]
 constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
 constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
 
@@ -150,9 +151,11 @@ class Growing {
   };
   [[nodiscard]] std::optional<End> end_at(const State& state) const {
     const double factor = amplification(state);
+    const bool severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double a = std::exp(state[first_[k]]);
       if (cracks_[k].breaks(size_of(state, k), factor)) return End{CrackEvent::breaks, k};
+      if (severed) return End{CrackEvent::severed, k};
       if (a >= cracks_[k].crack().range_end) return End{CrackEvent::range, k};
       if (cracks_[k].crack().path == options_.stop.crack && a >= options_.stop.size)
         return End{CrackEvent::wanted_size, k};
@@ -422,8 +425,10 @@ class Path {
     }
     event(state, end.crack, end.event);
     report_.governing = path;
-    report_.end = end.event == CrackEvent::breaks ? DriveEnd::breaks : DriveEnd::until;
-    if (end.event == CrackEvent::breaks) report_.life = state.back() * growing_.duration();
+    report_.end = end.event == CrackEvent::breaks    ? DriveEnd::breaks
+                  : end.event == CrackEvent::severed ? DriveEnd::severed
+                                                     : DriveEnd::until;
+    if (report_.end != DriveEnd::until) report_.life = state.back() * growing_.duration();
     stop_at(state);
     return false;
   }
@@ -485,15 +490,19 @@ class Path {
       }
       const double cycles = crack.duty().cycles();
       const TipCycle widest = crack.widest(loads[fastest]);
-      report_.cracks[growing_.index_in_report(k)].series.push_back(
-          {.time = state.back() * growing_.duration(),
-           .cycles = state.back() * cycles,
-           .size = size.size,
-           .half_length = size.half_length(),
-           .K_max = GrowingCrack::governing(loads[fastest]).largest,
-           .delta_K = widest.full_range(),
-           .ratio = widest.ratio,
-           .rate = cycles > 0 ? rate / cycles : 0.0});
+      std::vector<GrowthPoint>& series = report_.cracks[growing_.index_in_report(k)].series;
+      const double time = state.back() * growing_.duration();
+      if (!series.empty() && series.back().time == time && series.back().size == size.size &&
+          series.back().half_length == size.half_length())
+        series.pop_back();
+      series.push_back({.time = state.back() * growing_.duration(),
+                        .cycles = state.back() * cycles,
+                        .size = size.size,
+                        .half_length = size.half_length(),
+                        .K_max = GrowingCrack::governing(loads[fastest]).largest,
+                        .delta_K = widest.full_range(),
+                        .ratio = widest.ratio,
+                        .rate = cycles > 0 ? rate / cycles : 0.0});
     }
     const GearSet gear = growing_.gear_at(state);
     const StiffnessResult stiffness = torsional_stiffness(gear);
@@ -509,6 +518,9 @@ class Path {
     for (const CrackStrength& crack : strength_at(state))
       if (const auto reserve = crack.least_reserve())
         row.reserve = std::min(row.reserve.value_or(*reserve), *reserve);
+    if (!report_.stiffness.empty() && report_.stiffness.back().time == row.time &&
+        report_.stiffness.back().change == row.change)
+      report_.stiffness.pop_back();
     report_.stiffness.push_back(row);
   }
 
@@ -546,7 +558,7 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   GrowthReport report;
   report.tolerance = options.tolerance;
   report.mixed_mode = std::string(enum_name(options.rate.mixed_mode));
-  report.equations = {"GR-21", "GR-22", "GR-23", "GR-24"};
+  report.equations = {"GR-21", "GR-22", "GR-23", "GR-24", "GR-25"};
   report.interaction = std::string(enum_name(options.interaction.rule));
   if (options.interaction.rule == InteractionRule::wheeler) report.equations.emplace_back("GR-18");
   if (options.interaction.rule == InteractionRule::willenborg)

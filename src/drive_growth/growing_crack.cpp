@@ -149,25 +149,30 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
     std::vector<TipLoad>& at_tip = result.emplace_back();
     at_tip.reserve(duty_.cycle.size());
     for (const LoadCycle& cycle : duty_.cycle) {
-      // The load that turns may meet the constant loads in either phase; the wider range counts.
+      // The load that turns may meet the constant loads in either phase.
       LoadState from = cycle.from;
       LoadState to = cycle.to;
       const bool one_phase = from.assembly == 0 && from.bending_moment == 0 && to.assembly == 0 &&
                              to.bending_moment == 0;
-      TipCycle widest;
+      // Of the phases and points, the fastest growth counts; a cycle without growth by its range.
+      TipCycle worst;
+      double fastest = 0.0;
       for (int phase = 0; phase < (one_phase ? 1 : 2); ++phase) {
         for (std::size_t i = begin; i <= end; ++i) {
           const TipCycle at = tip_cycle(mixed_mode_, factors_at(fronts, i, from, factor),
                                         factors_at(fronts, i, to, factor), poissons_ratio_);
-          const double more = at.full_range() - widest.full_range();
-          if (more > 0 || (more == 0 && at.largest > widest.largest)) widest = at;
+          const double rate = rate_of(at, size.size);
+          if (rate < fastest) continue;
+          if (rate == fastest && at.full_range() <= worst.full_range()) continue;
+          fastest = rate;
+          worst = at;
         }
         std::swap(from.assembly, to.assembly);
         from.bending_moment = -from.bending_moment;
         to.bending_moment = -to.bending_moment;
       }
       at_tip.push_back(
-          {.cycle = widest, .count = cycle.count, .step = cycle.step, .rare = cycle.rare});
+          {.cycle = worst, .count = cycle.count, .step = cycle.step, .rare = cycle.rare});
     }
   }
   return result;

@@ -74,7 +74,7 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
     if (!outside.empty())
       report.notes.push_back(
           {.code = "growth.law_range",
-           .text = fmt::format("{}: {}", crack.path, outside),
+           .text = outside,
            .path = crack.path,
            .equation = "GR-2",
            .severity = Severity::care,
@@ -89,9 +89,10 @@ void note_stress(GrowthReport& report, const GearSet& gear) {
     if (!crack.unknown.empty())
       report.notes.push_back(
           {.code = "growth.unknown_stress",
-           .text = fmt::format("{}: a part of its stress is not known, so its growth is that of "
-                               "the known part: {}",
-                               crack.path, crack.unknown),
+           .text =
+               fmt::format("a part of the stress is not known, so the growth is that of the known "
+                           "part: {}",
+                           crack.unknown),
            .path = crack.path,
            .equation = "GR-22",
            .severity = Severity::cannot_tell,
@@ -100,10 +101,8 @@ void note_stress(GrowthReport& report, const GearSet& gear) {
       report.notes.push_back(
           {.code = "growth.upper_bound",
            .text =
-               fmt::format("{}: the range of K from the wave is an upper bound, with open faces "
-                           "and the stress of the outer fibre; the true crack grows more "
-                           "slowly or not at all",
-                           crack.path),
+               "the range of K from the wave is an upper bound, with open faces and the stress of "
+               "the outer fibre; the true crack grows more slowly or not at all",
            .path = crack.path,
            .equation = "FA-12",
            .severity = Severity::care});
@@ -113,14 +112,13 @@ void note_stress(GrowthReport& report, const GearSet& gear) {
 }  // namespace
 
 Note coupled_crack_note(const std::string& path) {
-  return {.code = "growth.coupled",
-          .text = fmt::format("{}: no stress intensity is known for this kind of crack, so its "
-                              "growth is not computed",
-                              path),
-          .path = path,
-          .equation = "TC-22",
-          .severity = Severity::cannot_tell,
-          .next_step = "Inspect the part, or assess the crack by finite elements."};
+  return {
+      .code = "growth.coupled",
+      .text = "no stress intensity is known for this kind of crack, so its growth is not computed",
+      .path = path,
+      .equation = "TC-22",
+      .severity = Severity::cannot_tell,
+      .next_step = "Inspect the part, or assess the crack by finite elements."};
 }
 
 CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
@@ -171,10 +169,10 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
     if (crack.kink_angle && std::abs(*crack.kink_angle) > kTurns)
       report.notes.push_back(
           {.code = "growth.turns",
-           .text =
-               fmt::format("{}: the crack would turn by {:.3g} degrees at once, but its path is "
-                           "computed straight",
-                           crack.path, *crack.kink_angle / units::deg),
+           .text = fmt::format(
+               "the crack would turn by {:.3g} degrees at once, but its path is computed "
+               "straight",
+               *crack.kink_angle / units::deg),
            .path = crack.path,
            .equation = "GR-16",
            .severity = Severity::care,
@@ -211,6 +209,10 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
                       report.time > 0 ? " any more after " + hours(report.time) : "", margins);
       break;
     }
+    case DriveEnd::severed:
+      report.sentence = fmt::format("{} leaves less than 1 % of the stiffness after {}{}.",
+                                    report.governing, hours(report.time), size_at_end());
+      break;
     case DriveEnd::until:
       report.sentence = fmt::format("No crack ends the life within {}.", hours(report.time));
       break;
@@ -238,12 +240,13 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
       break;
   }
   if (report.life)
-    report.notes.push_back({.code = "growth.ends",
-                            .text = report.sentence,
-                            .path = report.governing,
-                            .equation = "GR-24",
-                            .severity = Severity::critical,
-                            .next_step = "Replace or inspect the part well before this time."});
+    report.notes.push_back(
+        {.code = "growth.ends",
+         .text = fmt::format("the crack ends the life of the drive after {}", hours(report.time)),
+         .path = report.governing,
+         .equation = "GR-24",
+         .severity = Severity::critical,
+         .next_step = "Replace or inspect the part well before this time."});
 }
 
 }  // namespace strainwave

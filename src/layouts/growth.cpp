@@ -111,7 +111,9 @@ std::vector<TitledTable> growth_tables(const GrowthReport& report) {
   if (TitledTable at_rest = at_rest_table(report); !at_rest.table.rows.empty())
     tables.push_back(std::move(at_rest));
   for (const CrackGrowth& crack : report.cracks)
-    if (crack.series.size() > 1) tables.push_back(series_table(crack));
+    if (crack.series.size() > 1 &&
+        crack.series.front().half_length != crack.series.back().half_length)
+      tables.push_back(series_table(crack));
   if (report.stiffness.size() > 1) tables.push_back(stiffness_table(report));
   return tables;
 }

@@ -31,8 +31,9 @@ ReportSection life_chapter(Draft& draft) {
     const LifeReport life = life_report(draft.gear, draft.progress.part(0.8, 0.85));
     draft.add(life.notes);
     draft.add(life.equations);
-    return {"life", std::string(kTitle),
-            paragraph(life.answer + ".") + figures_and_tables(life_panels(life), life_tables(life))};
+    return {
+        "life", std::string(kTitle),
+        paragraph(life.answer + ".") + figures_and_tables(life_panels(life), life_tables(life))};
   } catch (const InputError& error) {
     return {"life", std::string(kTitle),
             paragraph(std::string("The life is not computed: ") + error.what(), "absent")};

@@ -24,14 +24,15 @@ enum class DriveEnd {
   arrested,    ///< no crack grows any more: the life has no end
   breaks,      ///< K_max of a crack reaches the toughness
   assessment,  ///< the failure assessment of a crack is beyond its line
+  severed,     ///< less than 1 % of the stiffness is left
   range,       ///< a crack leaves the range of its solution: the rest is not known
   too_slow,    ///< the longest duty that this version computes ends before anything else
   not_known,   ///< no crack could be computed
 };
 template <>
 struct EnumNames<DriveEnd> {
-  static constexpr std::array<std::string_view, 7> names = {
-      "until", "arrested", "breaks", "assessment", "range", "too_slow", "not_known"};
+  static constexpr std::array<std::string_view, 8> names = {
+      "until", "arrested", "breaks", "assessment", "severed", "range", "too_slow", "not_known"};
 };
 
 /// Something that happens to a crack on its way.
@@ -40,13 +41,14 @@ enum class CrackEvent {
   through_wall,  ///< a surface crack goes on as a crack through the wall
   breaks,        ///< K_max reaches the toughness
   assessment,    ///< the point leaves the assessment line
+  severed,       ///< the crack leaves less than 1 % of the stiffness of the drive
   range,         ///< the solution of the stress intensity ends
   wanted_size,   ///< the size that was asked for
 };
 template <>
 struct EnumNames<CrackEvent> {
-  static constexpr std::array<std::string_view, 6> names = {
-      "arrested", "through_wall", "breaks", "assessment", "range", "wanted_size"};
+  static constexpr std::array<std::string_view, 7> names = {
+      "arrested", "through_wall", "breaks", "assessment", "severed", "range", "wanted_size"};
 };
 
 /// When the computation stops, if nothing else ends it before.

@@ -99,10 +99,10 @@ std::string checkpoint_head(const Request& request, const GrowOptions& o) {
   if (const auto& record = request.drive.gear.duty_record)
     for (const DutyRow& row : record->rows)
       history += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
-  const std::string asked = fmt::format(
-      "{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law, enum_name(o.mixed_mode),
-      enum_name(o.interaction), o.zone_factor.value_or(0), o.wheeler_exponent.value_or(-1),
-      request.drive.text, history);
+  const std::string asked =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law, enum_name(o.mixed_mode),
+                  enum_name(o.interaction), o.zone_factor.value_or(0),
+                  o.wheeler_exponent.value_or(-1), request.drive.text, history);
   return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
 }
 
