@@ -96,6 +96,8 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
     check(gear);
     read_duty_record(gear, attachments);
   } catch (const InputError& error) {
+    // A fault in a history names its own file and line.
+    if (gear.duty && error.place().file == gear.duty->history) throw;
     throw reader.located(error);
   }
   return gear;

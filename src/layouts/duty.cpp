@@ -9,6 +9,7 @@
 
 #include "strainwave/chart/chart.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
@@ -73,6 +74,12 @@ std::string place_words(DutyPlace place) {
   return "output shaft";
 }
 
+std::string short_words(DutyPlace place) {
+  std::string words(enum_name(place));
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
 std::vector<TitledTable> drive_tables(const DriveDuty& duty) {
   const DisplayUnit torque = display_unit({}, "N*m");
   const DisplayUnit force = display_unit({}, "N");
@@ -85,34 +92,36 @@ std::vector<TitledTable> drive_tables(const DriveDuty& duty) {
                                 shown_number(of.per_repetition, 6), shown_number(of.per_hour, 6)));
   tables.push_back({.title = "Stress cycles of each place", .table = std::move(places)});
 
-  Table loads{.head = {with_unit("torque", torque), with_unit("axial force", force),
-                       with_unit("bending moment", torque)},
-              .align = {}};
-  for (const PlaceReport& of : duty.places) loads.head.push_back(std::string(enum_name(of.place)));
+  // All places have the same loads; only their cycles differ.
   const std::vector<PlaceLoad>& first = duty.places.front().loads;
-  const std::size_t shown = std::min(first.size(), kShownRows);
-  for (std::size_t i = 0; i < shown; ++i) {
-    auto& row =
-        loads.rows.emplace_back(cells(shown_number(first[i].torque / torque.in_si, 5),
-                                      shown_number(first[i].axial_force / force.in_si, 5),
-                                      shown_number(first[i].bending_moment / torque.in_si, 5)));
-    // All places have the same loads; only their cycles differ.
+  const auto any = [&](double PlaceLoad::*load) {
+    return std::ranges::any_of(first, [&](const PlaceLoad& of) { return of.*load != 0; });
+  };
+  const bool axial = any(&PlaceLoad::axial_force);
+  const bool bending = any(&PlaceLoad::bending_moment);
+  Table loads{.head = {with_unit("torque", torque)}, .align = "rrrrrrrr"};
+  if (axial) loads.head.push_back(with_unit("axial force", force));
+  if (bending) loads.head.push_back(with_unit("bending moment", torque));
+  for (const PlaceReport& of : duty.places) loads.head.push_back(short_words(of.place));
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    auto& row = loads.rows.emplace_back(cells(shown_number(first[i].torque / torque.in_si, 5)));
+    if (axial) row.push_back(shown_number(first[i].axial_force / force.in_si, 5));
+    if (bending) row.push_back(shown_number(first[i].bending_moment / torque.in_si, 5));
     for (const PlaceReport& of : duty.places) row.push_back(shown_number(of.loads[i].cycles, 6));
   }
-  tables.push_back(
-      {.title = "Cycles in one repetition under each load",
-       .table = std::move(loads),
-       .remark = shown < first.size()
-                     ? fmt::format("{} more loads are left out; --format csv shows them.",
-                                   first.size() - shown)
-                     : std::string()});
+  const std::optional<double>& width = duty.places.front().class_width;
+  tables.push_back({.title = "Cycles in one repetition under each load",
+                    .table = std::move(loads),
+                    .remark = width ? fmt::format("Torques are the middles of classes {} wide.",
+                                                  number_and_unit(*width, torque))
+                                    : std::string()});
   tables.push_back(cycles_table("Cycles of the torque in one repetition", duty.torque, torque));
   const CountedCycles& between = *duty.places.front().between;
   if (!between.rows.empty()) {
     tables.push_back(cycles_table(
         "Waves of the flexspline whose peak and valley have different torques", between, torque));
-    tables.back().remark +=
-        " Their range is that of the wave plus the effect of this difference; all other waves have "
+    tables.back().remark =
+        "Their range is that of the wave plus the effect of this difference; all other waves have "
         "the range of the wave about one torque.";
   }
   if (!duty.peaks.empty()) {
@@ -133,7 +142,8 @@ std::vector<TitledTable> drive_tables(const DriveDuty& duty) {
 std::string drive_text(const DriveDuty& duty, const GearSet& gear) {
   const DisplayUnit second = display_unit({}, "s");
   const DisplayUnit torque = display_unit({}, "N*m");
-  const DisplayUnit speed = display_unit("output_speed", "rad/s");
+  const DisplayUnit speed =
+      display_unit({}, "rad/s", DisplayUnit{.text = "rpm", .in_si = units::rpm});
   std::string text = fmt::format("{}\n\n", name_of(gear));
   text += paragraph(fmt::format(
       "One repetition of the duty takes {} and has {}; the output makes {} turns and the input {}, "
@@ -169,14 +179,16 @@ PlotPanel ranges_panel(std::string title, const CountedCycles& cycles) {
   const DisplayUnit unit = unit_of_cycles(cycles);
   PlotSeries series{.label = "cycles"};
   double above = 0.0;
-  double last = 0.0;
+  double last = cycles.rows.empty() ? 0.0 : cycles.rows.front().count;
   for (std::size_t i = 0; i < cycles.rows.size(); ++i) {
     above += cycles.rows[i].count;
     // A long table is drawn in steps of 0.5 %, which nobody sees.
     if (i + 1 < cycles.rows.size() && i > 50 && above < 1.005 * last) continue;
+    for (const double x : {last, above}) {
+      series.x.push_back(x);
+      series.y.push_back(cycles.rows[i].range / unit.in_si);
+    }
     last = above;
-    series.x.push_back(above);
-    series.y.push_back(cycles.rows[i].range / unit.in_si);
   }
   return {.title = std::move(title),
           .subtitle = cycles.left_out > 0

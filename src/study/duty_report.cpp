@@ -17,8 +17,9 @@
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kMostLoads = 1000;
-constexpr double kLoadClasses = 64;
+constexpr std::size_t kMostLoads = 64;
+constexpr double kLoadClasses = 32;
+constexpr std::size_t kMostBetween = 1000;
 constexpr std::size_t kMostPlotSteps = 20000;
 
 CountedCycles counted(const CycleTable& table, std::string unit, Residue residue) {
@@ -87,7 +88,7 @@ CountedCycles cycles_between(const PlaceCycles& of, Residue residue, std::option
   const std::vector<OscillatingStep> steps = oscillating_steps(
       of, [](const PlaceStep& step) { return step.torque; },
       [&](const PlaceStep&) { return amplitude; });
-  CycleTable table(classes, kMostLoads);
+  CycleTable table(classes, kMostBetween);
   superposed_cycles(steps, residue, [&](const StepCycle& cycle) {
     const double from = steps[cycle.from_step].mean;
     const double to = steps[cycle.to_step].mean;

@@ -48,7 +48,8 @@ DutyReport duty_of(const Request& request, const DutyOptions& options) {
     return duty_report(request.drive.gear, options.classes);
   }
   if (drive) throw OptionError("rainflow", "counts a history and takes no drive; leave out one");
-  HistoryFile file(request.pieces("rainflow", *options.rainflow), *options.rainflow);
+  const std::string& name = *options.rainflow;
+  HistoryFile file(request.pieces("rainflow", name), name == "-" ? "standard input" : name);
   return count_history(file,
                        {.column = options.column,
                         .residue = options.residue.value_or(Residue::half_cycles),
