@@ -234,7 +234,7 @@ sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attachments,
 
 sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachments* attachments,
                        sw_drive** drive) {
-  return guarded([&] { *drive = drive_of(all_of(source), name, attachments); });
+  return guarded([&] { *drive = drive_of(all_of(OpenSource(source)), name, attachments); });
 }
 
 sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_text* edited) {
