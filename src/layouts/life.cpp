@@ -132,12 +132,28 @@ TitledTable buckling_table(const BuckledBarrel& of) {
                                  : "")};
 }
 
+TitledTable wear_table(const FlankWear& wear) {
+  const DisplayUnit depth = display_unit("wear", "m", {"um", 1e-6});
+  Table table{.head = {with_unit("time", hours_unit()), with_unit("depth", depth),
+                       with_unit("lost motion", angle_unit()), with_unit("K1", stiffness_unit())},
+              .align = "rrrr"};
+  const auto number = [](const std::optional<double>& value, const DisplayUnit& unit) {
+    return value ? shown_number(*value / unit.in_si) : std::string("-");
+  };
+  for (const WornState& state : wear.states)
+    table.rows.push_back(cells(hours(state.time), shown_number(state.depth / depth.in_si, 3),
+                               number(state.lost_motion, angle_unit()),
+                               number(state.K1, stiffness_unit())));
+  return {"Wear of the flanks (LI-44)", table};
+}
+
 }  // namespace
 
 std::vector<TitledTable> life_tables(const LifeReport& report) {
   std::vector<TitledTable> tables{parts_table(report), rules_table(report), bearing_table(report)};
   if (!report.fatigue.empty()) tables.push_back(fatigue_table(report));
   if (report.buckling) tables.push_back(buckling_table(*report.buckling));
+  if (report.wear) tables.push_back(wear_table(*report.wear));
   return tables;
 }
 

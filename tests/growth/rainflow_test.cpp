@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "strainwave/core/error.hpp"
+
 namespace strainwave {
 namespace {
 
@@ -174,6 +176,33 @@ TEST(Rainflow, IdentityDoesNotDependOnThePieces) {
   }
 }
 
+TEST(Rainflow, IdentityLongHistoryOneByOne) {
+  // Long pieces find 64 reversals at once; single values are taken one by one.  Steps of equal
+  // values, sums beyond the largest number and tiny steps stand in groups of each kind.
+  std::mt19937_64 generator(3);
+  History history(20000);
+  for (double& x : history) x = static_cast<double>(generator()) * 0x1p-63 - 1;
+  for (std::size_t i = 2000; i < 4000; ++i) history[i] = std::round(4 * history[i]);
+  for (std::size_t i = 5000; i < 15000; i += 1 + generator() % 200) history[i] = history[i - 1];
+  for (std::size_t i = 6000; i < 6100; ++i) history[i] *= 0.8e308;
+  for (std::size_t i = 7000; i < 7100; ++i) history[i] *= 5e-324;
+  for (std::size_t i = 8000; i < 9000; ++i) history[i] = history[i - 1] + 0.01;
+  for (const Residue residue : {Residue::half_cycles, Residue::repeated}) {
+    const auto single = counted(history, residue, 1);
+    for (const std::size_t piece : {63U, 64U, 65U, 577U, 20000U}) {
+      const auto pieces = counted(history, residue, piece);
+      ASSERT_EQ(pieces.size(), single.size()) << piece;
+      for (std::size_t i = 0; i < single.size(); ++i) {
+        ASSERT_EQ(pieces[i].from.place, single[i].from.place) << piece;
+        ASSERT_EQ(pieces[i].to.place, single[i].to.place) << piece;
+        ASSERT_EQ(pieces[i].from.value, single[i].from.value) << piece;
+        ASSERT_EQ(pieces[i].to.value, single[i].to.value) << piece;
+      }
+    }
+  }
+  EXPECT_EQ(sums(counted(history, Residue::half_cycles, 20000)), by_three_points(history));
+}
+
 TEST(Rainflow, IdentityReversedAndMirrored) {
   const History history = random_history(11, 500, 40);
   History mirrored = history;
@@ -242,6 +271,24 @@ TEST(Rainflow, InputOnlyFiniteValues) {
   EXPECT_EQ(message(std::numeric_limits<double>::infinity()),
             "history: value 4 is inf; give finite numbers only");
   EXPECT_EQ(message(5), "");
+}
+
+TEST(Rainflow, InputOnlyFiniteValuesInLongPieces) {
+  // The message counts the values exactly, wherever the value stands.
+  const auto sink = [](const CountedCycle&) {};
+  for (const double value : {std::nan(""), -std::numeric_limits<double>::infinity()})
+    for (std::size_t place = 0; place < 700; place += 23) {
+      History history = random_history(5, 700, 1000000);
+      history[place] = value;
+      std::string message;
+      try {
+        RainflowCounter().add(history, sink);
+      } catch (const InputError& error) {
+        message = error.what();
+      }
+      EXPECT_TRUE(message.starts_with("history: value " + std::to_string(place + 1) + " is "))
+          << message;
+    }
 }
 
 }  // namespace

@@ -140,6 +140,19 @@ struct DutyPeak {
   }
 };
 
+/// One row of a history.  Its torque and speed hold until the time of the next row.
+struct DutyRow {
+  double time = 0.0;    ///< since any origin, later than in the row before [s]
+  double torque = 0.0;  ///< T at the output, with sign [N*m]
+  double speed = 0.0;   ///< of the output or of the input, with sign [rad/s]
+};
+
+/// The rows of a history, and whose speed they give.
+struct DutyRecord {
+  std::vector<DutyRow> rows;
+  bool of_input = false;  ///< the speeds are those of the wave generator
+};
+
 /// What a drive does: blocks in their order, or a history from a file, again and again.
 struct Duty {
   FixedMember fixed = FixedMember::circular_spline;

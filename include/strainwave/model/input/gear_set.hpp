@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -143,6 +144,9 @@ struct GearSet {
   /// The tables that cracks name, by name; the reader of the file fills them
   /// (io/compliance_table_file.hpp).
   std::map<std::string, ComplianceTable> compliance_tables;
+  /// The history that `duty` names; the reader of the file fills it (io/history_file.hpp).  Copies
+  /// of the drive share it.
+  std::shared_ptr<const DutyRecord> duty_record;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
