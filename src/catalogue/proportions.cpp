@@ -406,7 +406,8 @@ std::map<std::string, std::string> origins(const GearSet& gear, int size, const 
     for (const std::string_view limit :
          {"average_torque", "repeated_peak", "momentary_peak", "ratcheting_torque",
           "buckling_torque", "largest_speed", "average_speed", "bearing_life"})
-      comments[fmt::format("rating.{}", limit)] = fmt::format("catalogue: series {}", rated->series);
+      comments[fmt::format("rating.{}", limit)] =
+          fmt::format("catalogue: series {}", rated->series);
   }
   for (const Proportion& p : kProportions)
     if (decides(p, walls, type.form)) comments.try_emplace(std::string(p.path), remark(p.name));

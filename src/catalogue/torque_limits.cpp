@@ -83,17 +83,18 @@ bool same(double a, double b) { return std::abs(a - b) <= 1e-5 * std::abs(b); }
 const RatingRow* own_rating(const GearSet& gear) {
   if (!gear.rating || !gear.rating->rated_torque) return nullptr;
   const double size = size_of(gear.drive.pitch_diameter);
-  const RatingRow* const row = same(std::round(size), size)
-                                   ? find_rating(static_cast<int>(std::lround(size)), gear.drive.ratio)
-                                   : nullptr;
+  const RatingRow* const row =
+      same(std::round(size), size)
+          ? find_rating(static_cast<int>(std::lround(size)), gear.drive.ratio)
+          : nullptr;
   return row != nullptr && same(*gear.rating->rated_torque, row->rated) ? row : nullptr;
 }
 
 /// The nearest row of a ratio by the logarithm of the size; null unless the size lies between the
 /// rows.
 template <class Rows>
-auto nearest_between(const Rows& rows, double size, double ratio, std::string_view series) ->
-    decltype(&rows.front()) {
+auto nearest_between(const Rows& rows, double size, double ratio, std::string_view series)
+    -> decltype(&rows.front()) {
   decltype(&rows.front()) nearest = nullptr;
   bool below = false;
   bool above = false;
@@ -138,8 +139,7 @@ void fill_from_own_row(MakersLimits& limits, const RatingRow& row) {
   fill(limits.average_speed, row.average_input_speed, origin);
   fill(limits.rated_torque, row.rated, origin);
   if (const RatedLife* const life = find_rated_life(row.series))
-    fill(limits.bearing_life, life->ten_percent,
-         fmt::format("catalogue: series {}", row.series));
+    fill(limits.bearing_life, life->ten_percent, fmt::format("catalogue: series {}", row.series));
   if (const TorqueLimitRow* const of = find_torque_limits(row.series, row.size, row.ratio)) {
     fill(limits.ratcheting_torque, of->ratcheting, origin);
     fill(limits.buckling_torque, of->buckling, origin);

@@ -65,10 +65,11 @@ std::string catalogue_text(const CatalogueRows& rows) {
                              torque.text, speed.text, inertia.text),
                  ratings) +
          section(fmt::format("\nRatcheting and buckling torque in {} (A)\n", torque.text), limits) +
-         section(fmt::format("\nRated life of the wave generator's bearing at rated torque and 2000 "
-                             "rpm, in {}\n",
-                             time.text),
-                 lives) +
+         section(
+             fmt::format("\nRated life of the wave generator's bearing at rated torque and 2000 "
+                         "rpm, in {}\n",
+                         time.text),
+             lives) +
          sources;
 }
 

@@ -24,9 +24,7 @@ std::string plain_words(std::string_view name) {
   return words;
 }
 
-std::string stress(double value) {
-  return shown_number(value / display_unit({}, "Pa").in_si, 3);
-}
+std::string stress(double value) { return shown_number(value / display_unit({}, "Pa").in_si, 3); }
 
 std::string reserve(const std::optional<double>& value) {
   return value ? shown_number(*value, 3) : std::string("-");
@@ -39,17 +37,16 @@ TitledTable rules_table(const LifeReport& report) {
     return of ? shown_quantity(of->value, of->unit, 4) : std::string("-");
   };
   for (const RuleAnswer& rule : report.rules)
-    table.rows.push_back(cells(plain_words(enum_name(rule.rule)), rule.outcome,
-                               number(rule.allowed), number(rule.present),
-                               rule.margin ? percent_change(*rule.margin) : std::string("-"),
-                               rule.origin));
+    table.rows.push_back(cells(
+        plain_words(enum_name(rule.rule)), rule.outcome, number(rule.allowed), number(rule.present),
+        rule.margin ? percent_change(*rule.margin) : std::string("-"), rule.origin));
   return {"The maker's rules (LI-1 to LI-3, LI-30)", table};
 }
 
 TitledTable parts_table(const LifeReport& report) {
-  Table table{.head = {"part", with_unit("L10", hours_unit()), with_unit("end", hours_unit()),
-                       "origin"},
-              .align = "lrrl"};
+  Table table{
+      .head = {"part", with_unit("L10", hours_unit()), with_unit("end", hours_unit()), "origin"},
+      .align = "lrrl"};
   for (const LifePart& part : report.parts)
     table.rows.push_back(cells(part.name, hours(part.ten_percent), hours(part.end), part.origin));
   return {"Parts of the drive (LI-5)", table,
@@ -89,8 +86,8 @@ TitledTable bearing_table(const LifeReport& report) {
 
 TitledTable fatigue_table(const LifeReport& report) {
   const DisplayUnit unit = display_unit({}, "Pa");
-  Table table{.head = {"place", "hoop", "shear from", "to", "endures", "surface", "size",
-                       "support", "concentration", "reserve", "handbook", "Miner"},
+  Table table{.head = {"place", "hoop", "shear from", "to", "endures", "surface", "size", "support",
+                       "concentration", "reserve", "handbook", "Miner"},
               .align = "lr"};
   for (const PlaceFatigue& place : report.fatigue) {
     auto& row = table.rows.emplace_back(cells(plain_words(enum_name(place.place))));
@@ -105,17 +102,17 @@ TitledTable fatigue_table(const LifeReport& report) {
                 stress(place.shear_least), stress(place.shear_most),
                 known ? stress(place.endurance) : "not known", shown_number(place.surface, 3),
                 shown_number(place.size, 3), shown_number(place.support, 3),
-                shown_number(place.concentration, 3),
-                reserve(place.reserve), reserve(place.handbook),
-                sum != nullptr ? hours(sum->life) : std::string("-")});
+                shown_number(place.concentration, 3), reserve(place.reserve),
+                reserve(place.handbook), sum != nullptr ? hours(sum->life) : std::string("-")});
   }
   return {fmt::format("Fatigue of the flexspline over the duty, stresses in {} (LI-34 to LI-42)",
                       unit.text),
           table,
-          fmt::format("The reserve is 1 at the endurance limit, by the most used plane; the "
-                      "handbooks ask for 1.5. Miner gives the {} of a place above its limit: by Haibach if "
-                      "blocks bring it there, by the original sum if only momentary peaks do.",
-                      hours_unit().text)};
+          fmt::format(
+              "The reserve is 1 at the endurance limit, by the most used plane; the "
+              "handbooks ask for 1.5. Miner gives the {} of a place above its limit: by Haibach if "
+              "blocks bring it there, by the original sum if only momentary peaks do.",
+              hours_unit().text)};
 }
 
 TitledTable buckling_table(const BuckledBarrel& of) {
@@ -157,16 +154,15 @@ std::vector<TitledTable> life_tables(const LifeReport& report) {
   return tables;
 }
 
-std::string life_text(const LifeReport& report, const GearSet& gear,
-                      const Provenance& provenance) {
+std::string life_text(const LifeReport& report, const GearSet& gear, const Provenance& provenance) {
   const AverageLoad& average = report.average;
   std::string text = fmt::format(
       "{}\n{}, strainwave {}\n\nThe drive {}.\n\n", name_of(gear), provenance.input_file,
       provenance.version, report.answer.starts_with("no") ? "has " + report.answer : report.answer);
-  text += fmt::format(
-      "Average over the duty of {}: torque {}, output {}, input {} (LI-1)\n",
-      shown_quantity(average.duration, "s"), shown_quantity(average.torque, "N*m"),
-      shown_quantity(average.output_speed, "rad/s"), shown_quantity(average.input_speed, "rad/s"));
+  text += fmt::format("Average over the duty of {}: torque {}, output {}, input {} (LI-1)\n",
+                      shown_quantity(average.duration, "s"), shown_quantity(average.torque, "N*m"),
+                      shown_quantity(average.output_speed, "rad/s"),
+                      shown_quantity(average.input_speed, "rad/s"));
   text += text_tables(life_tables(report));
   if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
   return text + '\n' + equations_text(report.equations);

@@ -64,8 +64,8 @@ BallBearingLife ball_bearing_life(const RingRatings& ratings, std::span<const Ba
     }
   }
   const auto count = static_cast<double>(places);
-  double all = 0.0;     // of the turning ring
-  double chain = 0.0;   // of the standing ring, whose places fail independently
+  double all = 0.0;    // of the turning ring
+  double chain = 0.0;  // of the standing ring, whose places fail independently
   for (const double one : damage) {
     all += one / count;
     chain += std::pow(one, kWeibullSlope) / count;

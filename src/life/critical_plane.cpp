@@ -42,7 +42,7 @@ PlaneExtremes on_plane(const WaveStates& states, double angle) {
   const double s = std::sin(angle);
   PlaneExtremes extremes;
   for (const SurfaceStress& stress : states) {
-    extremes.normal.take(stress.hoop * c * c + 2 * stress.shear * s * c);          // (LI-35)
+    extremes.normal.take(stress.hoop * c * c + 2 * stress.shear * s * c);        // (LI-35)
     extremes.shear.take(-stress.hoop * s * c + stress.shear * (c * c - s * s));  // (LI-35)
   }
   return extremes;
@@ -133,21 +133,21 @@ double plane_damage(std::span<const WaveStates> waves, std::span<const WaveCycle
     for (std::size_t i = 0; i < waves.size(); ++i) of[i] = on_plane(waves[i], angle_of(plane));
     double sum = 0.0;
     for (const WaveCycles& cycle : cycles)
-      sum += cycle.count * damage_per_cycle(line,
-                                            utilisation(both(of[cycle.first], of[cycle.second]),
-                                                        strength) *
-                                                strength.normal,
-                                            rule);  // (LI-37)
+      sum += cycle.count *
+             damage_per_cycle(
+                 line,
+                 utilisation(both(of[cycle.first], of[cycle.second]), strength) * strength.normal,
+                 rule);  // (LI-37)
     worst = std::max(worst, sum);
   }
   return worst;
 }
 
-std::optional<double> handbook_reserve(const HandbookStress& stress,
-                                       const PlaneStrength& strength, double specimen_shear) {
+std::optional<double> handbook_reserve(const HandbookStress& stress, const PlaneStrength& strength,
+                                       double specimen_shear) {
   require_strength(strength);
   require(specimen_shear > 0, "specimen_shear", specimen_shear, "Pa", "> 0");
-  constexpr double kMeanShear = 0.2;  // psi_tau of steel
+  constexpr double kMeanShear = 0.2;                                  // psi_tau of steel
   const double bending = stress.bending_amplitude / strength.normal;  // 1/S_sigma
   const double shear = stress.shear_amplitude / strength.shear +
                        kMeanShear * stress.shear_mean / specimen_shear;  // 1/S_tau

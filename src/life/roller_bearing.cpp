@@ -20,8 +20,7 @@ double output_bearing_load(const OutputBearing& bearing, const OutputBearingLoad
           load.radial_force, "N", ">= 0");
   require(load.bending_moment >= 0 && std::isfinite(load.bending_moment), "bending_moment",
           load.bending_moment, "N*m", ">= 0");
-  require(std::isfinite(load.axial_force), "axial_force", load.axial_force, "N",
-          "a finite number");
+  require(std::isfinite(load.axial_force), "axial_force", load.axial_force, "N", "a finite number");
   const double axial = std::abs(load.axial_force);
   const double radial = load.radial_force + 2 * load.bending_moment / bearing.pitch_diameter;
   const bool mostly_radial = axial <= 1.5 * radial;

@@ -231,6 +231,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   made.sections.push_back(results_chapter(draft));
   made.sections.push_back(shares_chapter(draft));
   made.sections.push_back(torsion_chapter(draft));
+  if (gear.duty) made.sections.push_back(life_chapter(draft));
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));

@@ -54,13 +54,12 @@ std::string_view place_words(FatiguePlace place) {
 PlaceStrength::PlaceStrength(const GearSet& gear, FatiguePlace place) {
   const Material& steel = steel_of(gear);
   if (!steel.fatigue || !steel.ultimate_strength) {
-    unknown_because_ =
-        "Give fatigue.limit and ultimate_strength of the flexspline's material.";
+    unknown_because_ = "Give fatigue.limit and ultimate_strength of the flexspline's material.";
     return;
   }
   fatigue_ = *steel.fatigue;
-  surface_ = fatigue_.roughness ? surface_factor(*fatigue_.roughness, *steel.ultimate_strength)
-                                : 1.0;
+  surface_ =
+      fatigue_.roughness ? surface_factor(*fatigue_.roughness, *steel.ultimate_strength) : 1.0;
   size_ = fatigue_.size_factor.value_or(1.0);
   const double sensitivity = mean_stress_sensitivity(*steel.ultimate_strength);
   if (place == FatiguePlace::tooth_root && gear.flexspline->tooth_root)
@@ -90,12 +89,11 @@ PlaceStresses::PlaceStresses(const GearSet& gear, FatiguePlace place)
   const ToothMesh& mesh = *gear.mesh;
   heights_ = working_heights(gear);
   lift_ = gear.drive.radial_displacement;
-  root_ = RootSection{
-      .thickness =
-          given.thickness.value_or(heights_.thickness + 2 * given.height * std::tan(mesh.flank_angle)),
-      .lever = given.height,
-      .root_radius = given.root_radius,
-      .face_width = fs.rim->length};
+  root_ = RootSection{.thickness = given.thickness.value_or(
+                          heights_.thickness + 2 * given.height * std::tan(mesh.flank_angle)),
+                      .lever = given.height,
+                      .root_radius = given.root_radius,
+                      .face_width = fs.rim->length};
   across_ = std::cos(mesh.flank_angle);
   pitch_ = 2 * pi / teeth;
   groove_ = groove_concentration(pi * fs.rim->outer_diameter / teeth, given.root_radius);

@@ -16,7 +16,8 @@ namespace strainwave {
 
 [[nodiscard]] std::string_view place_words(FatiguePlace place);
 
-/// Forces of one kind of flank on a tooth that passes the lobes, between the teeth that were solved.
+/// Forces of one kind of flank on a tooth that passes the lobes, between the teeth that were
+/// solved.
 class FlankForce {
  public:
   /// @param pitch  angle between teeth [rad]
@@ -84,11 +85,11 @@ class PlaceStresses {
   std::string unknown_because_;
   GrooveConcentration groove_;
   std::vector<int> sides_ = {0};
-  double wall_shear_factor_ = 1.0;       ///< K_u
-  double rim_shear_per_torque_ = 0.0;    ///< [1/m^3]
-  std::optional<RootSection> root_;  ///< with the force at the pitch height
+  double wall_shear_factor_ = 1.0;     ///< K_u
+  double rim_shear_per_torque_ = 0.0;  ///< [1/m^3]
+  std::optional<RootSection> root_;    ///< with the force at the pitch height
   WorkingHeights heights_;
-  double lift_ = 0.0;                ///< w_0 [m]
+  double lift_ = 0.0;    ///< w_0 [m]
   double across_ = 1.0;  ///< share of a flank force that bends the tooth
   double pitch_ = 0.0;   ///< angle between teeth [rad]
 };

@@ -85,15 +85,15 @@ double largest_peak_torque(const LifeCase& of) {
 
 LifeCase life_case(const GearSet& gear) {
   if (!gear.duty)
-    throw InputError("duty", "must be given for the life; give [[duty.block]] with duration, "
-                             "torque and output_speed");
+    throw InputError("duty",
+                     "must be given for the life; give [[duty.block]] with duration, "
+                     "torque and output_speed");
   LifeCase of{.gear = gear,
               .history = duty_history(gear),
               .limits = makers_limits(gear),
               .input_turns = input_turns(gear.drive.ratio, gear.duty->fixed),
-              .ring_turns = gear.duty->fixed == FixedMember::circular_spline
-                                ? 1 + 1 / gear.drive.ratio
-                                : 1.0,
+              .ring_turns =
+                  gear.duty->fixed == FixedMember::circular_spline ? 1 + 1 / gear.drive.ratio : 1.0,
               .class_width = 0.0,
               .levels = {}};
   std::map<double, TorqueLevel> levels;
@@ -119,16 +119,6 @@ LifeCase life_case(const GearSet& gear) {
     of.levels.push_back(level);
   }
   return of;
-}
-
-void note(LifeReport& report, std::string code, std::string text, std::string path,
-          std::string equation, Severity severity, std::string next_step = {}) {
-  report.notes.push_back({.code = std::move(code),
-                          .text = std::move(text),
-                          .path = std::move(path),
-                          .equation = std::move(equation),
-                          .severity = severity,
-                          .next_step = std::move(next_step)});
 }
 
 void use(LifeReport& report, std::initializer_list<const char*> tags) {
@@ -225,11 +215,11 @@ void add_rules(LifeReport& report, const LifeCase& of) {
                        std::string_view unit, std::string_view field) {
     report.rules.push_back(compared(rule, limit, present, unit, field));
     if (limit && limit->similar && report.rules.back().outcome != RuleOutcome::not_needed)
-      note(report, "life.similar_limit",
-           fmt::format("the limit of {} is that of another size: {}", enum_name(rule),
-                       limit->origin),
-           fmt::format("rating.{}", field), "LI-30", Severity::care,
-           fmt::format("Give rating.{}.", field));
+      report.notes.push_back({"life.similar_limit",
+                              fmt::format("the limit of {} is that of another size: {}",
+                                          enum_name(rule), limit->origin),
+                              fmt::format("rating.{}", field), "LI-30", Severity::care,
+                              fmt::format("Give rating.{}.", field)});
   };
   add(MakersRule::average_torque, limits.average_torque, report.average.torque, "N*m",
       "average_torque");
@@ -249,33 +239,38 @@ void add_rules(LifeReport& report, const LifeCase& of) {
     if (rule.outcome == RuleOutcome::not_known)
       unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", enum_name(rule.rule));
     if (rule.outcome == RuleOutcome::broken)
-      note(report, "life.rule_broken",
+      report.notes.push_back(
+          {"life.rule_broken",
            fmt::format("the rule {} is broken: the maker allows {}, and the duty has {}",
-                       enum_name(rule.rule), shown_quantity(rule.allowed->value, rule.allowed->unit),
+                       enum_name(rule.rule),
+                       shown_quantity(rule.allowed->value, rule.allowed->unit),
                        shown_quantity(rule.present->value, rule.present->unit)),
            "duty", rule.rule == MakersRule::momentary_peaks ? "LI-2" : "LI-1", Severity::critical,
-           "Lower the load of the duty, or choose a larger drive.");
+           "Lower the load of the duty, or choose a larger drive."});
   }
   if (!unknown.empty())
-    note(report, "life.limits_not_known",
+    report.notes.push_back(
+        {"life.limits_not_known",
          fmt::format("the maker's limits of these rules are not known: {}", unknown), "rating",
-         "LI-30", Severity::care, "Give the limits in [rating]; the table of the rules names them.");
+         "LI-30", Severity::care,
+         "Give the limits in [rating]; the table of the rules names them."});
 }
 
 void add_makers_bearing(LifeReport& report, const LifeCase& of) {
   const auto& life = of.limits.bearing_life;
   const auto& rated = of.limits.rated_torque;
   if (!life || !rated) {
-    note(report, "life.bearing_not_known",
-         "the maker's rated life of the wave generator's bearing is not known",
-         "rating.bearing_life", "LI-3", Severity::cannot_tell,
-         "Give rating.bearing_life and rating.rated_torque.");
+    report.notes.push_back({"life.bearing_not_known",
+                            "the maker's rated life of the wave generator's bearing is not known",
+                            "rating.bearing_life", "LI-3", Severity::cannot_tell,
+                            "Give rating.bearing_life and rating.rated_torque."});
     return;
   }
   if (!(report.average.torque > 0)) {
-    note(report, "life.no_torque",
+    report.notes.push_back(
+        {"life.no_torque",
          "the duty turns the drive without torque, for which the maker's rule gives no life",
-         "duty.block", "LI-3", Severity::care, "Give the torques of the blocks.");
+         "duty.block", "LI-3", Severity::care, "Give the torques of the blocks."});
     return;
   }
   const DutyAverage average{.torque = report.average.torque,
@@ -364,11 +359,12 @@ void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& state
   }
   report.bearing_by_forces = std::move(by);
   use(report, {"LI-31", "LI-32"});
-  note(report, "life.ball_forces",
+  report.notes.push_back(
+      {"life.ball_forces",
        "the hours of the bearing from its ball forces are many times shorter than a maker's, and "
        "the cause is open; use their ratio to the life at the rating, not the hours",
        "wave_generator.bearing", "LI-32", Severity::information,
-       "Read the chapter on life in the theory manual.");
+       "Read the chapter on life in the theory manual."});
 }
 
 /// The waves at each torque level.
@@ -376,8 +372,7 @@ std::vector<WaveStates> waves_of(const LifeCase& of, DrivenStates& states,
                                  const PlaceStresses& stresses, int side) {
   std::vector<WaveStates> waves;
   for (const TorqueLevel& level : of.levels)
-    waves.push_back(
-        stresses.over_turn(states.rim(level.torque), states.point(level.torque), side));
+    waves.push_back(stresses.over_turn(states.rim(level.torque), states.point(level.torque), side));
   return waves;
 }
 
@@ -460,9 +455,9 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
     const bool known = result.unknown_because.empty();
     const std::optional<CriticalPlane> plane =
         known ? std::optional(critical_plane(steps, strength.plane())) : std::nullopt;
-    const bool worse = side == stresses.sides().front() ||
-                       (plane ? plane->utilisation > result.plane->utilisation
-                              : (most - least) / 2 > result.hoop_amplitude);
+    const bool worse =
+        side == stresses.sides().front() || (plane ? plane->utilisation > result.plane->utilisation
+                                                   : (most - least) / 2 > result.hoop_amplitude);
     if (!worse) continue;
     result.hoop_amplitude = (most - least) / 2;
     result.hoop_mean = (most + least) / 2;
@@ -487,27 +482,30 @@ void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states) {
     report.fatigue.push_back(place_fatigue(of, states, place));
     const PlaceFatigue& result = report.fatigue.back();
     if (!result.unknown_because.empty())
-      note(report, "life.fatigue_not_known",
+      report.notes.push_back(
+          {"life.fatigue_not_known",
            fmt::format("the fatigue of the {} cannot be told", place_words(place)), "flexspline",
-           "LI-36", Severity::cannot_tell, result.unknown_because);
+           "LI-36", Severity::cannot_tell, result.unknown_because});
     else if (result.reserve && *result.reserve < 1)
-      note(report, "life.finite",
+      report.notes.push_back(
+          {"life.finite",
            fmt::format("the {} does not endure for ever: its reserve is {:.2f}", place_words(place),
                        *result.reserve),
            "flexspline", "LI-36", result.miner.empty() ? Severity::critical : Severity::care,
            result.miner.empty() ? "Lower the load, or give cycles and slope of the material's "
                                   "fatigue for the hours."
-                                : "Lower the load, or make the wall stronger.");
+                                : "Lower the load, or make the wall stronger."});
   }
   use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
   if (std::ranges::any_of(report.fatigue, [](const auto& p) { return !p.miner.empty(); }))
     use(report, {"LI-8", "LI-37"});
   if (!report.fatigue.back().reserve) return;
   use(report, {"LI-41", "LI-42", "LI-43"});
-  note(report, "life.root_estimate",
+  report.notes.push_back(
+      {"life.root_estimate",
        "the concentration of the rim's stress between the teeth is an estimate that no finite "
        "elements confirm",
-       "flexspline.tooth_root", "LI-42", Severity::information);
+       "flexspline.tooth_root", "LI-42", Severity::information});
 }
 
 // --- the other parts -----------------------------------------------------------------------------
@@ -527,10 +525,11 @@ void add_output_bearing(LifeReport& report, const LifeCase& of) {
                                                    step.bending_moment > 0));
   }
   if (!loaded) {
-    note(report, "life.output_bearing_unloaded",
+    report.notes.push_back(
+        {"life.output_bearing_unloaded",
          "the output bearing has no life, because no block loads it while it turns",
          "output_bearing", "LI-33", Severity::information,
-         "Give radial_force, axial_force or bending_moment of the blocks.");
+         "Give radial_force, axial_force or bending_moment of the blocks."});
     return;
   }
   report.output_bearing = output_bearing_life(*of.gear.output_bearing, loads);
@@ -542,12 +541,11 @@ void add_buckling(LifeReport& report, const LifeCase& of) {
   if (!fs || !fs->barrel) return;
   const Material& steel = material_of(of.gear, fs->material, "flexspline.material");
   const ElasticConstants elastic = elastic_constants(steel);
-  const TwistedTube tube{
-      .radius = (fs->barrel->outer_diameter - fs->barrel->wall_thickness) / 2,
-      .thickness = fs->barrel->wall_thickness,
-      .length = fs->barrel->length,
-      .youngs_modulus = elastic.E,
-      .poissons_ratio = elastic.nu};
+  const TwistedTube tube{.radius = (fs->barrel->outer_diameter - fs->barrel->wall_thickness) / 2,
+                         .thickness = fs->barrel->wall_thickness,
+                         .length = fs->barrel->length,
+                         .youngs_modulus = elastic.E,
+                         .poissons_ratio = elastic.nu};
   BuckledBarrel buckled{.elastic = tube_buckling(tube), .plastic_torque = {}, .reserve = {}};
   use(report, {"LI-39"});
   double torque = buckled.elastic.elastic_torque;
@@ -557,20 +555,22 @@ void add_buckling(LifeReport& report, const LifeCase& of) {
     torque = *buckled.plastic_torque;
     use(report, {"LI-40"});
   } else {
-    note(report, "life.buckling_elastic",
+    report.notes.push_back(
+        {"life.buckling_elastic",
          "the buckling torque is that of an elastic wall, which is far too high for the walls of "
          "these drives",
          "flexspline.material", "LI-40", Severity::information,
-         "Give yield_strength of the flexspline's material.");
+         "Give yield_strength of the flexspline's material."});
   }
   const double most = std::max(largest_step_torque(of), largest_peak_torque(of));
   if (most > 0) buckled.reserve = torque / most;
   if (buckled.reserve && *buckled.reserve < 1)
-    note(report, "life.buckles",
+    report.notes.push_back(
+        {"life.buckles",
          fmt::format("the barrel buckles at {}, below the largest torque of the duty",
                      shown_quantity(torque, "N*m", 3)),
          "flexspline.barrel", "LI-40", Severity::critical,
-         "Lower the largest torque, or make the barrel thicker.");
+         "Lower the largest torque, or make the barrel thicker."});
   report.buckling = buckled;
 }
 
@@ -591,11 +591,13 @@ std::array<std::vector<SlidingStep>, 2> sliding_ways(const GearSet& gear, const 
   std::array<std::vector<SlidingStep>, 2> ways;
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const RimState& state = rim[i];
+    const RimState& before = rim[(i + rim.size() - 1) % rim.size()];
     const RimState& next = rim[(i + 1) % rim.size()];
     const double engaged = std::clamp(common - (gear.drive.radial_displacement - state.radial),
                                       kLeastShare * common, common);
     const double area = engaged / std::cos(gear.mesh->flank_angle) * gear.flexspline->rim->length;
-    const double way = std::abs(next.radial - state.radial) / std::cos(gear.mesh->flank_angle);
+    const double way =
+        std::abs(next.radial - before.radial) / (2 * std::cos(gear.mesh->flank_angle));
     ways[0].push_back({.force = drive.at(state.position), .area = area, .way = way});
     ways[1].push_back({.force = coast.at(state.position), .area = area, .way = way});
   }
@@ -607,8 +609,7 @@ void add_wear(LifeReport& report, const LifeCase& of, DrivenStates& states) {
   if (!coefficient) return;
   FlankWear wear;
   for (const TorqueLevel& level : of.levels) {
-    const auto ways =
-        sliding_ways(of.gear, states.point(level.torque), states.rim(level.torque));
+    const auto ways = sliding_ways(of.gear, states.point(level.torque), states.rim(level.torque));
     const double turns = level.output_turns * of.input_turns * of.ring_turns / of.history.duration;
     wear.drive_rate += turns * wear_depth(*coefficient, ways[0]);
     wear.coast_rate += turns * wear_depth(*coefficient, ways[1]);
@@ -636,11 +637,8 @@ void add_wear(LifeReport& report, const LifeCase& of, DrivenStates& states) {
 
 /// The end of the flexspline by Miner and Haibach at its worst place.
 LifePart flexspline_part(const LifeReport& report) {
-  LifePart part{.name = std::string(kFlexspline),
-                .ten_percent = {},
-                .slope = {},
-                .end = {},
-                .origin = {}};
+  LifePart part{
+      .name = std::string(kFlexspline), .ten_percent = {}, .slope = {}, .end = {}, .origin = {}};
   std::string unknown;
   std::optional<double> reserve;
   for (const PlaceFatigue& place : report.fatigue) {
@@ -663,8 +661,7 @@ LifePart flexspline_part(const LifeReport& report) {
   else if (!part.end && reserve)
     part.origin = fmt::format("endures for ever with a reserve of {:.2f}", *reserve);
   if (!unknown.empty() && !report.fatigue.empty())
-    part.origin +=
-        fmt::format("{}not known: {}", part.origin.empty() ? "" : "; ", unknown);
+    part.origin += fmt::format("{}not known: {}", part.origin.empty() ? "" : "; ", unknown);
   return part;
 }
 
@@ -740,9 +737,9 @@ void add_survival(LifeReport& report) {
   }
   if (end) report.hours = std::min(report.hours.value_or(*end), *end);
   if (report.hours)
-    report.answer = fmt::format("ends by {} after {:.0f} h{}", report.governing,
-                                *report.hours / kHour,
-                                shared ? ", which 90 % of the drives reach" : "");
+    report.answer =
+        fmt::format("ends by {} after {:.0f} h{}", report.governing, *report.hours / kHour,
+                    shared ? ", which 90 % of the drives reach" : "");
   else
     report.answer = "no end found";
 }
@@ -751,9 +748,8 @@ void add_survival(LifeReport& report) {
 
 const MinerLife* governing_sum(const PlaceFatigue& place) {
   const bool by_blocks = place.reserve && *place.reserve < 1;
-  const auto found =
-      std::ranges::find(place.miner, by_blocks ? MinerRule::haibach : MinerRule::original,
-                        &MinerLife::rule);
+  const auto found = std::ranges::find(
+      place.miner, by_blocks ? MinerRule::haibach : MinerRule::original, &MinerLife::rule);
   return found != place.miner.end() && found->life ? &*found : nullptr;
 }
 
@@ -767,10 +763,11 @@ LifeReport life_report(const GearSet& gear, const Progress& progress) {
                     .input_speed = average.input_speed,
                     .duration = of.history.duration};
   if (of.class_width > 0)
-    note(report, "life.torque_classes",
+    report.notes.push_back(
+        {"life.torque_classes",
          fmt::format("the torques of the duty are rounded up to {} classes of {}", of.levels.size(),
                      shown_quantity(of.class_width, "N*m", 3)),
-         "duty", "LI-37", Severity::information);
+         "duty", "LI-37", Severity::information});
   add_makers_bearing(report, of);
   add_rules(report, of);
   add_output_bearing(report, of);
@@ -778,9 +775,9 @@ LifeReport life_report(const GearSet& gear, const Progress& progress) {
   progress.at(0.1);
   std::optional<DrivenStates> states;
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
-    note(report, "life.no_curve",
-         "bearing and flexspline are judged by the maker's rules only; " + missing, "", "TC-1",
-         Severity::cannot_tell, "Give these fields.");
+    report.notes.push_back(
+        {"life.no_curve", "bearing and flexspline are judged by the maker's rules only; " + missing,
+         "", "TC-1", Severity::cannot_tell, "Give these fields."});
   } else {
     try {
       states.emplace(without_cracks(gear));
@@ -788,9 +785,9 @@ LifeReport life_report(const GearSet& gear, const Progress& progress) {
       progress.at(0.4);
       add_fatigue(report, of, *states);
     } catch (const SolverError& error) {
-      note(report, "life.no_curve",
-           fmt::format("the coupled drive has no solution: {}", error.what()), "", "TC-11",
-           Severity::cannot_tell, "Check the torques of the duty.");
+      report.notes.push_back(
+          {"life.no_curve", fmt::format("the coupled drive has no solution: {}", error.what()), "",
+           "TC-11", Severity::cannot_tell, "Check the torques of the duty."});
       states.reset();
     }
   }

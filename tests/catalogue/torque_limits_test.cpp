@@ -107,7 +107,8 @@ TEST(MakersLimits, ScalingBetweenTheSizes) {  // LI-30
   test::expect_relative(limits.buckling_torque->value, 1000 * std::pow(28.0 / 25, 3), 1e-12);
   test::expect_relative(limits.ratcheting_torque->value, 500 * std::pow(28.0 / 25, 3), 1e-12);
   test::expect_relative(limits.average_torque->value, 140 * std::pow(28.0 / 25, 3), 1e-12);
-  EXPECT_EQ(limits.buckling_torque->origin, "similar: CSF size 25, ratio 100, in proportion to d^3");
+  EXPECT_EQ(limits.buckling_torque->origin,
+            "similar: CSF size 25, ratio 100, in proportion to d^3");
 }
 
 TEST(MakersLimits, BehaviourStartingDrivesStateThem) {

@@ -174,11 +174,8 @@ constexpr OutputBearing kCrossedRollers{
 TEST(OutputBearing, ReferenceByHand) {  // LI-33
   // Typed from the maker's rule with numbers by hand: F_r 1000 N, M 50 N*m, F_a 500 N:
   // radial 1000 + 2*50/0.085 = 2176.470588, P = 2176.470588 + 0.45*500 = 2401.470588.
-  const OutputBearingLoad load{.radial_force = 1000,
-                               .axial_force = -500,
-                               .bending_moment = 50,
-                               .speed = 0.5,
-                               .duration = 3};
+  const OutputBearingLoad load{
+      .radial_force = 1000, .axial_force = -500, .bending_moment = 50, .speed = 0.5, .duration = 3};
   test::expect_relative(output_bearing_load(kCrossedRollers, load), 2401.470588, 1e-9);
   // Mostly axial: 0.67 (100 + 1000).
   test::expect_relative(
@@ -195,8 +192,7 @@ TEST(OutputBearing, IdentityPiecesAndPauses) {  // LI-33
   const OutputBearingLoad other{.bending_moment = 90, .speed = 0.2, .duration = 2};
   OutputBearingLoad half = one;
   half.duration = 1.5;
-  const double whole =
-      output_bearing_life(kCrossedRollers, std::vector{one, other}).ten_percent;
+  const double whole = output_bearing_life(kCrossedRollers, std::vector{one, other}).ten_percent;
   test::expect_relative(
       output_bearing_life(kCrossedRollers, std::vector{half, other, half}).ten_percent, whole,
       1e-13);

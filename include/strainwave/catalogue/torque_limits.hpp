@@ -27,8 +27,8 @@ namespace strainwave {
 
 /// A limit with its origin.
 struct MakersLimit {
-  double value = 0.0;   ///< [unit of the limit]
-  std::string origin;   ///< one phrase, such as "catalogue: CSG size 25, ratio 100"
+  double value = 0.0;    ///< [unit of the limit]
+  std::string origin;    ///< one phrase, such as "catalogue: CSG size 25, ratio 100"
   bool similar = false;  ///< true: a row of another size, scaled
 };
 

@@ -38,9 +38,9 @@ struct BallLoads {
 
 /// Life that 90 % of the bearings reach, and its parts.
 struct BallBearingLife {
-  double ten_percent = 0.0;  ///< L10 of the bearing [s]
-  double inner = 0.0;        ///< L10 of the inner ring, which stands against the load [s]
-  double outer = 0.0;        ///< L10 of the outer ring, which turns against the load [s]
+  double ten_percent = 0.0;       ///< L10 of the bearing [s]
+  double inner = 0.0;             ///< L10 of the inner ring, which stands against the load [s]
+  double outer = 0.0;             ///< L10 of the outer ring, which turns against the load [s]
   double equivalent_inner = 0.0;  ///< constant force at all places with the same life [N]
   double equivalent_outer = 0.0;  ///< as equivalent_inner [N]
   double largest_force = 0.0;     ///< [N]

@@ -37,9 +37,9 @@ struct WaveCycles {
 
 /// What a point endures.
 struct PlaneStrength {
-  double normal = 0.0;       ///< amplitude of normal stress at R = -1 [Pa]; > 0
-  double shear = 0.0;        ///< amplitude of shear stress at R = -1 [Pa]; > 0
-  double sensitivity = 0.0;  ///< M of normal stress [-]; 0 <= M < 1
+  double normal = 0.0;             ///< amplitude of normal stress at R = -1 [Pa]; > 0
+  double shear = 0.0;              ///< amplitude of shear stress at R = -1 [Pa]; > 0
+  double sensitivity = 0.0;        ///< M of normal stress [-]; 0 <= M < 1
   double shear_sensitivity = 0.0;  ///< M_tau [-]; 0 <= M_tau < 1
 };
 
@@ -85,9 +85,8 @@ struct CriticalPlane {
 /// @param slope        k of the line above it [-]; >= 1
 /// @throws InputError  if a number is out of range
 [[nodiscard]] double plane_damage(std::span<const WaveStates> waves,
-                                  std::span<const WaveCycles> cycles,
-                                  const PlaneStrength& strength, double knee_cycles, double slope,
-                                  MinerRule rule);
+                                  std::span<const WaveCycles> cycles, const PlaneStrength& strength,
+                                  double knee_cycles, double slope, MinerRule rule);
 
 /// Safety of bending and torsion by the handbooks of these drives (LI-38) [-].
 struct HandbookStress {

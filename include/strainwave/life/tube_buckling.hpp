@@ -16,11 +16,11 @@ struct TwistedTube {
 
 /// Torque at which a tube buckles.
 struct TubeBuckling {
-  double Z = 0.0;                ///< Batdorf's parameter [-]
-  double coefficient = 0.0;      ///< k of the least buckling stress [-]
-  int waves = 0;                 ///< whole waves n around the tube
-  double elastic_stress = 0.0;   ///< tau_cr of an elastic wall [Pa]
-  double elastic_torque = 0.0;   ///< [N*m]
+  double Z = 0.0;               ///< Batdorf's parameter [-]
+  double coefficient = 0.0;     ///< k of the least buckling stress [-]
+  int waves = 0;                ///< whole waves n around the tube
+  double elastic_stress = 0.0;  ///< tau_cr of an elastic wall [Pa]
+  double elastic_torque = 0.0;  ///< [N*m]
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -136,7 +136,7 @@ struct EnumNames<FatiguePlace> {
 struct MinerLife {
   MinerRule rule = MinerRule::haibach;
   double damage_rate = 0.0;    ///< damage per time [1/s]
-  std::optional<double> life;    ///< [s]; absent: no damage
+  std::optional<double> life;  ///< [s]; absent: no damage
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -229,8 +229,8 @@ struct WornState {
 
 /// Wear of the flanks by Archard.
 struct FlankWear {
-  double drive_rate = 0.0;         ///< of the drive flanks [m/s]
-  double coast_rate = 0.0;         ///< of the coast flanks [m/s]
+  double drive_rate = 0.0;        ///< of the drive flanks [m/s]
+  double coast_rate = 0.0;        ///< of the coast flanks [m/s]
   std::vector<WornState> states;  ///< up to the drive's life, or 10 000 h
 
   template <class Visitor>

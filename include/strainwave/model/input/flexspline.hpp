@@ -191,8 +191,8 @@ template <class Real>
 
 /// The roots of the flexspline's teeth, for their fatigue (LI-41, LI-42).
 struct ToothRoot {
-  double height = 0.0;                 ///< h_f, from the root up to the pitch height [m]; > 0
-  double root_radius = 0.0;            ///< rho_F of the fillet at the root [m]; > 0
+  double height = 0.0;                   ///< h_f, from the root up to the pitch height [m]; > 0
+  double root_radius = 0.0;              ///< rho_F of the fillet at the root [m]; > 0
   std::optional<double> thickness = {};  ///< s_F of the tooth at its root [m]; > 0
 
   template <class Visitor>
