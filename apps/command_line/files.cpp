@@ -81,6 +81,19 @@ std::string text_of(const std::string& file, std::size_t most) {
   throw InputError(file, fmt::format("is larger than {} MiB", most >> 20));
 }
 
+TextPieces opened(const std::string& file) {
+  if (file != "-") {
+    require_that_it_ends(file);
+    return pieces_of_file(file);
+  }
+  if (::fcntl(STDIN_FILENO, F_GETFD) < 0) throw InputError(file, "standard input is closed");
+  return [](std::span<char> to) {
+    std::cin.read(to.data(), static_cast<std::streamsize>(to.size()));
+    if (std::cin.bad()) throw InputError("-", "standard input cannot be read");
+    return static_cast<std::size_t>(std::cin.gcount());
+  };
+}
+
 bool is_standard_output(std::string_view path) {
   return path.empty() || path == "-" || path == "/dev/stdout";
 }

@@ -23,6 +23,10 @@ inline constexpr std::size_t kMaxTableSize = std::size_t{64} << 20;  // 64 MiB
 /// @throws InputError  if the file cannot be read, is too large, or is of a kind that is not read
 [[nodiscard]] std::string text_of(const std::string& file, std::size_t most = kMaxTextSize);
 
+/// The pieces of such a file, which may be of any length.
+/// @throws InputError  if the file cannot be opened, or is of a kind that is not read
+[[nodiscard]] TextPieces opened(const std::string& file);
+
 /// The name of an input in messages: "standard input" for "-".
 [[nodiscard]] std::string shown_name(const std::string& file);
 

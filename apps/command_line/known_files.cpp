@@ -31,7 +31,7 @@ KnownFiles::KnownFiles(const Given& given, const std::vector<std::string>& input
     for (const std::string& path : given.texts[i])
       if (writes(argument))
         add_output(argument.name, path);
-      else if (argument.names == "attachment")
+      else if (argument.names == "attachment" || argument.names == "history")
         add_input(argument.name, path);
   }
   if (!has(given, Role::output)) add_output("the main document", "/dev/stdout");
@@ -42,6 +42,8 @@ void KnownFiles::add_tables_of(const Drive& drive, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (const auto& [name, table] : drive.gear.compliance_tables)
     add_input("compliance_table", (folder / name).string());
+  if (drive.gear.duty && drive.gear.duty->history)
+    add_input("duty.history", (folder / *drive.gear.duty->history).string());
   for (const auto& [name, path] : outputs_) require_not_read(name, path);
 }
 

@@ -18,7 +18,9 @@ std::string_view first_word(const Command& command) {
 }
 
 std::string_view type_of(const Option& option) {
-  if (option.field.names == "attachment" || option.field.names == "file") return "PATH";
+  if (option.field.names == "attachment" || option.field.names == "history" ||
+      option.field.names == "file")
+    return "PATH";
   switch (option.kind) {
     case OptionKind::flag:
       return "";
@@ -113,7 +115,7 @@ std::string_view second_word(const Command& command) {
 
 std::vector<Argument> arguments_of(const Command& command) {
   std::vector<Argument> arguments;
-  if (command.takes == Takes::drive) {
+  if (command.takes != Takes::nothing) {
     // Behind another positional argument the words themselves tell which are files.
     const bool alone = std::ranges::none_of(
         command.options.options, [](const Option& option) { return option.field.positional; });
@@ -123,7 +125,7 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .key = {},
                          .type = "PATH",
                          .repeatable = several && alone,
-                         .required = true,
+                         .required = command.takes == Takes::drive,
                          .doc = several ? "input file, or - for standard input; several files give "
                                           "a table with one row for each"
                                         : "input file, or - for standard input",

@@ -362,7 +362,8 @@ ExitCode run_command(Given given) {
                         .journal = journal ? &*journal : nullptr,
                         .units = read->units,
                         .columns = read->columns,
-                        .beside = attachments_beside}));
+                        .beside = attachments_beside,
+                        .open = opened}));
     if (chosen.folder) files = answer->files(main);
     for (const OutputFile& file : files)
       known->require_not_read("--output", (std::filesystem::path(main_path) / file.name).string());

@@ -112,42 +112,75 @@ sw_text given(std::string_view text) {
   return {.data = data, .size = text.size()};
 }
 
+/// A source that is closed when nobody reads it any more.
+class OpenSource {
+ public:
+  explicit OpenSource(const sw_source& source) : source_(source) {}
+  ~OpenSource() {
+    if (source_.close != nullptr) source_.close(source_.context);
+  }
+  OpenSource(const OpenSource&) = delete;
+  OpenSource& operator=(const OpenSource&) = delete;
+
+  /// Reads at most as many bytes as there is room for; 0 at the end.
+  [[nodiscard]] std::size_t next(std::span<char> to) const {
+    const std::ptrdiff_t n = source_.next(source_.context, to.data(), to.size());
+    if (n < 0 || static_cast<std::size_t>(n) > to.size())
+      throw CallbackFault("the source function of the caller reported a fault");
+    return static_cast<std::size_t>(n);
+  }
+
+ private:
+  sw_source source_;
+};
+
 /// Reads a source, at most kMaxTextSize + 1 bytes.  One byte more than the limit shows the caller
 /// that the text is too long.
-std::string all_of(const sw_source& source) {
-  struct Closing {
-    const sw_source& source;
-    ~Closing() {
-      if (source.close != nullptr) source.close(source.context);
-    }
-  };
-  const Closing closing{source};
+std::string all_of(const OpenSource& source) {
   std::string text;
   std::vector<char> piece(std::size_t{1} << 16U);
   while (text.size() <= kMaxTextSize) {
-    const std::size_t wanted = std::min(piece.size(), kMaxTextSize + 1 - text.size());
-    const std::ptrdiff_t n = source.next(source.context, piece.data(), wanted);
-    if (n < 0 || static_cast<std::size_t>(n) > wanted)
-      throw CallbackFault("the source function of the caller reported a fault");
+    const std::size_t n =
+        source.next(std::span(piece).first(std::min(piece.size(), kMaxTextSize + 1 - text.size())));
     if (n == 0) break;
-    text.append(piece.data(), static_cast<std::size_t>(n));
+    text.append(piece.data(), n);
   }
   return text;
 }
 
+/// The attachment of a name among those that were handed over.
+const sw_attachment* handed_over(const sw_attachments& given, std::string_view name) {
+  const sw_attachment* const end = given.array + given.count;
+  const sw_attachment* const known = std::find_if(
+      given.array, end, [&](const sw_attachment& one) { return view(one.name) == name; });
+  return known != end ? known : nullptr;
+}
+
+/// The source of a name that the caller finds; null if there is none.
+std::shared_ptr<const OpenSource> found_source(const sw_attachments& given, std::string_view name) {
+  sw_source source{};
+  if (given.find == nullptr ||
+      given.find(given.context, {.data = name.data(), .size = name.size()}, &source) != 0)
+    return nullptr;
+  return std::make_shared<const OpenSource>(source);
+}
+
 Attachments attachments_of(const sw_attachments* given) {
   if (given == nullptr) return {};
-  return Attachments([given](std::string_view name) -> std::optional<std::string> {
-    const sw_attachment* const end = given->array + given->count;
-    const sw_attachment* const known = std::find_if(
-        given->array, end, [&](const sw_attachment& one) { return view(one.name) == name; });
-    if (known != end) return std::string(view(known->text));
-    sw_source source{};
-    if (given->find == nullptr ||
-        given->find(given->context, {.data = name.data(), .size = name.size()}, &source) != 0)
-      return std::nullopt;
-    return all_of(source);
-  });
+  return Attachments(
+      [given](std::string_view name) -> std::optional<std::string> {
+        if (const sw_attachment* const known = handed_over(*given, name))
+          return std::string(view(known->text));
+        const auto source = found_source(*given, name);
+        return source ? std::optional(all_of(*source)) : std::nullopt;
+      },
+      [given](std::string_view name) -> std::optional<TextPieces> {
+        if (const sw_attachment* const known = handed_over(*given, name))
+          return pieces_of(std::string(view(known->text)));
+        const auto source = found_source(*given, name);
+        if (!source) return std::nullopt;
+        return [source](std::span<char> to) { return source->next(to); };
+      });
 }
 
 Progress progress_of(const sw_progress* progress) {
@@ -177,7 +210,7 @@ std::string commands_json() {
     for (const Document& document : command.documents) documents.push_back(document.name);
     rows.push_back({{"name", command.name},
                     {"summary", command.summary},
-                    {"takes", command.takes == Takes::drive ? "drive" : "nothing"},
+                    {"takes", enum_name(command.takes)},
                     {"options", std::move(options)},
                     {"documents", std::move(documents)}});
   }

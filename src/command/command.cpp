@@ -64,6 +64,12 @@ std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
   return drive;
 }
 
+TextPieces Request::pieces(std::string_view option, const std::string& name) const {
+  if (const auto text = texts.find(name); text != texts.end()) return pieces_of(text->second);
+  if (!open) throw OptionError(option, "names a text that is not attached");
+  return from_option([&] { return open(name); });
+}
+
 Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
            const OptionValues& options, const OptionTexts& texts, const Progress& progress,
            const Host& host) {
@@ -71,7 +77,7 @@ Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
     if (!given)
       throw OptionError(what, fmt::format("must be given; {} needs a {}", command.name, what));
   };
-  require(drive || command.takes == Takes::nothing, "drive");
+  require(drive || command.takes != Takes::drive, "drive");
   require(host.journal != nullptr || command.journal.empty(), "journal");
   static const auto no_drive = std::make_shared<const Drive>();
   return {command, drive ? drive : no_drive, options, texts, progress, host};
@@ -101,7 +107,8 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                            .progress = progress,
                            .ranks = host.ranks,
                            .journal = host.journal,
-                           .beside = host.beside},
+                           .beside = host.beside,
+                           .open = host.open},
                           options_.get());
   } catch (const OptionError&) {
     throw;
@@ -135,7 +142,7 @@ std::string Answer::json() const {
     to.member("revision", git_revision());
     to.write_numbers(JsonNumbers::as_input);
     if (to.field(named("options"))) command_->options.visit(options_.get(), to);
-    if (command_->takes == Takes::drive) {
+    if (command_->takes == Takes::drive || !drive_->name.empty()) {
       to.member("input_file", drive_->name);
       part("input", drive_->gear);
     }

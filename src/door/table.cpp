@@ -8,6 +8,7 @@ Command audit_command();
 Command calibrate_command();
 Command catalogue_command();
 Command diff_command();
+Command duty_command();
 Command life_command();
 Command material_list_command();
 Command material_show_command();
@@ -28,14 +29,18 @@ Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),     torsion_command(),        life_command(),
-      require_command(),       report_command(),         sensitivity_command(),
-      sweep_command(),         solve_command(),          sif_list_command(),
-      sif_show_command(),      sif_eval_command(),       sif_plot_command(),
-      material_list_command(), material_show_command(),  catalogue_command(),
-      validate_command(),      calibrate_command(),      audit_command(),
-      new_command(),           schema_command(commands), explain_command(commands),
-      units_command(),         diff_command(),
+      stiffness_command(),      torsion_command(),
+      duty_command(),           life_command(),
+      require_command(),        report_command(),
+      sensitivity_command(),    sweep_command(),
+      solve_command(),          sif_list_command(),
+      sif_show_command(),       sif_eval_command(),
+      sif_plot_command(),       material_list_command(),
+      material_show_command(),  catalogue_command(),
+      validate_command(),       calibrate_command(),
+      audit_command(),          new_command(),
+      schema_command(commands), explain_command(commands),
+      units_command(),          diff_command(),
   };
   return table;
 }

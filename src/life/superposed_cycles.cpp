@@ -31,13 +31,19 @@ double value_at(const OscillatingStep& step, double phase) {
 
 std::vector<StepCycle> superposed_cycles(std::span<const OscillatingStep> steps, Residue residue) {
   std::vector<StepCycle> cycles;
+  superposed_cycles(steps, residue, [&](const StepCycle& cycle) { cycles.push_back(cycle); });
+  return cycles;
+}
+
+void superposed_cycles(std::span<const OscillatingStep> steps, Residue residue,
+                       const std::function<void(const StepCycle&)>& to) {
   std::vector<std::size_t> step_of;  // of each value that the counter took
   const auto sink = [&](const CountedCycle& cycle) {
-    cycles.push_back({.from = cycle.from.value,
-                      .to = cycle.to.value,
-                      .count = cycle.count,
-                      .from_step = step_of[cycle.from.place],
-                      .to_step = step_of[cycle.to.place]});
+    to({.from = cycle.from.value,
+        .to = cycle.to.value,
+        .count = cycle.count,
+        .from_step = step_of[cycle.from.place],
+        .to_step = step_of[cycle.to.place]});
   };
   RainflowCounter counter;
   double phase = 0.0;  // 0 <= phase < 1
@@ -62,11 +68,9 @@ std::vector<StepCycle> superposed_cycles(std::span<const OscillatingStep> steps,
     step_of.insert(step_of.end(), number, i);
     counter.add(std::span(values).first(number), sink);
     if (pairs > 0 && step.amplitude != 0)
-      cycles.push_back(
-          {.from = values[1], .to = values[2], .count = pairs, .from_step = i, .to_step = i});
+      to({.from = values[1], .to = values[2], .count = pairs, .from_step = i, .to_step = i});
   }
   counter.finish(residue, sink);
-  return cycles;
 }
 
 }  // namespace strainwave

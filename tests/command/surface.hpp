@@ -79,7 +79,10 @@ inline std::string option_line(const Option& option) {
 inline std::string surface(std::span<const Command> table) {
   std::string all;
   for (const Command& command : table) {
-    all += std::string(command.name) + (command.takes == Takes::drive ? " of a drive\n" : "\n");
+    all += std::string(command.name) + (command.takes == Takes::drive ? " of a drive\n"
+                                        : command.takes == Takes::drive_or_nothing
+                                            ? " of a drive or nothing\n"
+                                            : "\n");
     for (const Option& option : command.options.options) all += option_line(option);
     if (!command.journal.empty()) all += "  journal: " + std::string(command.journal) + '\n';
     for (const Document& document : command.documents)

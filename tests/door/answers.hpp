@@ -48,6 +48,10 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"stiffness", R"({"method": "as-printed"})"},
       {"torsion", R"({"draws": 2})"},
       {"torsion", R"({"compare": true, "angles": 2, "draws": 0})"},
+      {"duty", "{}"},
+      {"duty", R"({"classes": 4})"},
+      {"duty", R"({"rainflow": "joint_history.csv", "column": "torque"})"},
+      {"duty", R"({"rainflow": "joint_history.csv", "column": "torque", "classes": 8})"},
       {"require", R"({"requirements": ["intact.stiffness > 1 N*m/rad",
                                         "cracked.positive.stiffness_change >= 1 %"]})"},
       {"report", R"({"date": "2026-01-31"})"},
@@ -81,7 +85,7 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
 /// The texts that they name.
 inline OptionTexts trial_texts() {
   OptionTexts texts;
-  for (const char* const name : {"article.toml", "through_crack.toml"})
+  for (const char* const name : {"article.toml", "through_crack.toml", "joint_history.csv"})
     texts[name] = contents(std::filesystem::path(STRAINWAVE_EXAMPLES) / name);
   return texts;
 }

@@ -35,7 +35,7 @@ void run_input(std::string_view input) {
   OptionValues values(command.options);
   values.set_from_json(options);
   const auto drive =
-      command.takes == Takes::drive
+      command.takes == Takes::drive || (command.takes == Takes::drive_or_nothing && !text.empty())
           ? read_drive(text, "fuzz.toml",
                        Attachments([&](std::string_view) { return std::optional(attachment); }))
           : nullptr;

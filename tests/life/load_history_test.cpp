@@ -208,7 +208,7 @@ TEST(DutyHistory, IdentityMirroredDuty) {
   }
 }
 
-TEST(DutyHistory, BehaviourTorqueCyclesAndPeaks) {
+TEST(DutyHistory, BehaviourTorqueCyclesAndPeaks) {  // LI-22
   GearSet gear = turning_gear();
   gear.duty->peak = {{.torque = -900, .output_speed = 0.1, .duration = 0.15, .interval = 690}};
   const DutyHistory history = duty_history(gear);

@@ -79,6 +79,9 @@ struct Host {
   std::function<Attachments(const std::string& name)> beside = [](const std::string&) {
     return Attachments();
   };
+  /// Opens a text of any length that an option names, such as a history.  Empty: only the texts
+  /// that were handed over are there.
+  std::function<TextPieces(const std::string& name)> open = {};
 };
 
 /// The input of a command apart from its options.
@@ -89,10 +92,23 @@ struct Request {
   const Ranks& ranks;
   Journal* journal;  ///< null unless the command keeps a journal and this is the first rank
   const std::function<Attachments(const std::string& name)>& beside;  ///< as Host::beside
+  const std::function<TextPieces(const std::string& name)>& open;     ///< as Host::open
+
+  /// The text that an option names, piece by piece.
+  /// @throws OptionError  if there is no such text
+  [[nodiscard]] TextPieces pieces(std::string_view option, const std::string& name) const;
 };
 
 /// Whether a command takes a drive.
-enum class Takes { nothing, drive };
+enum class Takes {
+  nothing,
+  drive,
+  drive_or_nothing,  ///< its options tell which
+};
+template <>
+struct EnumNames<Takes> {
+  static constexpr std::array<std::string_view, 3> names = {"nothing", "drive", "drive or nothing"};
+};
 
 /// Format of a document that shows a result.
 enum class Format { text, json, csv, markdown, svg, html, toml, vtu };

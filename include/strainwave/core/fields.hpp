@@ -72,6 +72,7 @@ struct Field {
   bool positional = false;
   /// For an option: the kind of thing that its text names, such as "field path" or "material";
   /// empty if there is nothing to list.  "attachment": a file whose text the command reads.
+  /// "history": a file that the command reads piece by piece.
   std::string_view names = {};
   /// For a number of the input: its usual range; kFinite means the usual range of its unit.
   Range usual = kFinite;

@@ -7,6 +7,7 @@
 #include <iosfwd>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,16 @@
 /// open files, so its caller supplies these texts.
 
 namespace strainwave {
+
+/// Reads the next bytes of a long text into `to`.  Returns their number; 0 at the end of the text.
+/// @throws InputError  if the text cannot be read
+using TextPieces = std::function<std::size_t(std::span<char> to)>;
+
+/// The pieces of a text in memory.
+[[nodiscard]] TextPieces pieces_of(std::string text);
+/// The pieces of a file; the file stays open as long as they exist.
+/// @throws InputError  if the file cannot be opened
+[[nodiscard]] TextPieces pieces_of_file(const std::filesystem::path& file);
 
 /// Largest size of an attachment or of a drive [bytes].
 inline constexpr std::size_t kMaxTextSize = 1 << 20;  // 1 MiB
@@ -25,10 +36,13 @@ class Attachments {
   using Texts = std::map<std::string, std::string, std::less<>>;
   /// Returns the text of a name, or nothing.  A text may be cut after kMaxTextSize + 1 bytes.
   using Lookup = std::function<std::optional<std::string>(std::string_view name)>;
+  /// Returns the pieces of a text of any length by its name, or nothing.
+  using Open = std::function<std::optional<TextPieces>(std::string_view name)>;
 
   Attachments() = default;  ///< without attachments
   explicit Attachments(Texts texts);
-  explicit Attachments(Lookup lookup) : lookup_(std::move(lookup)) {}
+  explicit Attachments(Lookup lookup, Open open = {})
+      : lookup_(std::move(lookup)), open_(std::move(open)) {}
 
   /// The text with a given name.
   /// @throws InputError  if the name is absolute, leads out of the folder of the input or is not
@@ -36,8 +50,13 @@ class Attachments {
   ///                     the field
   [[nodiscard]] std::string text(std::string_view name, std::string_view field) const;
 
+  /// The pieces of the text with a given name, which may be of any length.
+  /// @throws InputError  as `text`, except for the length
+  [[nodiscard]] TextPieces pieces(std::string_view name, std::string_view field) const;
+
  private:
   Lookup lookup_;
+  Open open_;
 };
 
 /// The regular files below the folder of an input file.

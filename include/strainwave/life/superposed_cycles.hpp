@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -46,8 +47,11 @@ struct StepCycle {
 /// Cycles come in the order in which they close.  Equal oscillations within a step are one entry.
 ///
 /// @param steps  in their order
+/// @param sink   receives the cycles; without it, they are returned as a list
 /// @throws InputError  if a number is not finite, or the cycles of a step are negative
 [[nodiscard]] std::vector<StepCycle> superposed_cycles(std::span<const OscillatingStep> steps,
                                                        Residue residue);
+void superposed_cycles(std::span<const OscillatingStep> steps, Residue residue,
+                       const std::function<void(const StepCycle&)>& sink);
 
 }  // namespace strainwave
