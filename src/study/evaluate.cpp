@@ -237,6 +237,7 @@ Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progr
 }
 
 bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
+bool is_of_life(std::string_view output) { return output.starts_with("life."); }
 bool is_over_turn(std::string_view output) {
   return output.find(".over_turn.") != std::string_view::npos;
 }
@@ -265,7 +266,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   result.notes = std::move(coupled.notes);
   use_equations(result.equations, coupled.equations);
   add_strength(result, gear);
-  add_life(result, gear);
+  if (options.life) add_life(result, gear);
   return result;
 }
 

@@ -245,7 +245,9 @@ void add_rules(LifeReport& report, const LifeCase& of) {
                        enum_name(rule.rule),
                        shown_quantity(rule.allowed->value, rule.allowed->unit),
                        shown_quantity(rule.present->value, rule.present->unit)),
-           "duty", rule.rule == MakersRule::momentary_peaks ? "LI-2" : "LI-1", Severity::critical,
+           "duty", rule.rule == MakersRule::momentary_peaks ? "LI-2" : "LI-1",
+           // A limit of another size does not condemn a drive.
+           rule.origin.starts_with("similar") ? Severity::cannot_tell : Severity::critical,
            "Lower the load of the duty, or choose a larger drive."});
   }
   if (!unknown.empty())
@@ -334,15 +336,19 @@ class DrivenStates {
   std::map<double, std::vector<RimState>> rims_;
 };
 
-void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& states,
+                     const Progress& progress) {
   const RingRatings ratings = ring_ratings(*of.gear.wave_generator->bearing);
   std::vector<BallLoads> loads;
-  for (const TorqueLevel& level : of.levels)
+  for (std::size_t i = 0; i < of.levels.size(); ++i) {
+    const TorqueLevel& level = of.levels[i];
+    progress.at(static_cast<double>(i) / static_cast<double>(of.levels.size()));
     if (level.of_steps && level.duration > 0)
       loads.push_back(
           {.forces = states.balls(level.torque),
            .speed = level.output_turns * of.input_turns * of.ring_turns / level.duration,
            .duration = level.duration});
+  }
   BearingByForces by{.duty = ball_bearing_life(ratings, loads),
                      .rated = {},
                      .ratio = {},
@@ -476,9 +482,11 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
   return result;
 }
 
-void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states,
+                 const Progress& progress) {
   for (const FatiguePlace place :
        {FatiguePlace::wall, FatiguePlace::rim, FatiguePlace::tooth_root}) {
+    progress.at(static_cast<double>(report.fatigue.size()) / 3);
     report.fatigue.push_back(place_fatigue(of, states, place));
     const PlaceFatigue& result = report.fatigue.back();
     if (!result.unknown_because.empty())
@@ -738,7 +746,7 @@ void add_survival(LifeReport& report) {
   if (end) report.hours = std::min(report.hours.value_or(*end), *end);
   if (report.hours)
     report.answer =
-        fmt::format("ends by {} after {:.0f} h{}", report.governing, *report.hours / kHour,
+        fmt::format("ends by the {} after {:.0f} h{}", report.governing, *report.hours / kHour,
                     shared ? ", which 90 % of the drives reach" : "");
   else
     report.answer = "no end found";
@@ -781,9 +789,8 @@ LifeReport life_report(const GearSet& gear, const Progress& progress) {
   } else {
     try {
       states.emplace(without_cracks(gear));
-      add_ball_forces(report, of, *states);
-      progress.at(0.4);
-      add_fatigue(report, of, *states);
+      add_ball_forces(report, of, *states, progress.part(0.1, 0.4));
+      add_fatigue(report, of, *states, progress.part(0.4, 0.95));
     } catch (const SolverError& error) {
       report.notes.push_back(
           {"life.no_curve", fmt::format("the coupled drive has no solution: {}", error.what()), "",

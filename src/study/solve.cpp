@@ -59,8 +59,9 @@ class Probe {
     // Progress counts the scan and about as many evaluations for its refinement.
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     try {
-      const StiffnessResult at_x = result(
-          x, {.coupled_drive = is_of_coupled_drive(target_.output), .over_turn = over_turn_});
+      const StiffnessResult at_x = result(x, {.coupled_drive = is_of_coupled_drive(target_.output),
+                                              .over_turn = over_turn_,
+                                              .life = is_of_life(target_.output)});
       const std::optional<Quantity> output = output_named(at_x, target_.output);
       if (!output || !std::isfinite(output->value))
         return {.x = x, .reason = target_.output + " has no finite value"};

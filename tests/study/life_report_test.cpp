@@ -92,7 +92,7 @@ TEST(LifeReport, ReferenceMakersExample) {  // LI-1 to LI-4
   EXPECT_EQ(report.governing, "wave generator bearing");
   test::expect_relative(*report.hours, report.bearing->ten_percent, 1e-9);
   EXPECT_EQ(report.answer,
-            "ends by wave generator bearing after 10497 h, which 90 % of the drives reach");
+            "ends by the wave generator bearing after 10497 h, which 90 % of the drives reach");
 }
 
 TEST(LifeReport, IdentityRatedDutyIsTheRatedLife) {  // LI-3, LI-32
@@ -207,6 +207,11 @@ TEST(LifeReport, BehaviourUnknownIsSaid) {
   EXPECT_EQ(test::count_notes(report.notes, "life.fatigue_not_known"), 3);
   EXPECT_EQ(evidence_of(report).verdict.judgement, Judgement::cannot_be_told);
   EXPECT_FALSE(report.bearing_by_forces->ratio);
+  // A limit of a similar size does not condemn the drive.
+  gear.duty->block[1].torque = 250;
+  const LifeReport overloaded = life_report(gear);
+  EXPECT_GE(test::count_notes(overloaded.notes, "life.rule_broken"), 1);
+  EXPECT_EQ(evidence_of(overloaded).verdict.judgement, Judgement::cannot_be_told);
   // A drive without a mesh has the maker's rules only.
   gear = joint();
   gear.mesh.reset();
@@ -269,7 +274,7 @@ TEST(LifeReport, BehaviourPeaksAndOutputBearing) {  // LI-2, LI-5, LI-33
   ASSERT_NE(peaks, report.parts.end());
   test::expect_relative(*peaks->end, 2000 * kHourLong, 1e-12);
   EXPECT_EQ(report.governing, "momentary peaks");
-  EXPECT_EQ(report.answer, "ends by momentary peaks after 2000 h");
+  EXPECT_EQ(report.answer, "ends by the momentary peaks after 2000 h");
   EXPECT_EQ(report.survival.back().share, 0);
 
   gear = joint();
@@ -327,7 +332,8 @@ TEST(LifeReport, BehaviourTextCsvAndPlot) {
   const GearSet gear = joint();
   const LifeReport report = life_report(gear);
   const std::string text = life_text(report, gear, {});
-  EXPECT_NE(text.find("The drive ends by wave generator bearing after 10497 h"), std::string::npos);
+  EXPECT_NE(text.find("The drive ends by the wave generator bearing after 10497 h"),
+            std::string::npos);
   EXPECT_NE(text.find("not comparable with the maker's hours"), std::string::npos);
   EXPECT_NE(life_csv(report).find("time [s],share [1]\n0,1\n"), std::string::npos);
   EXPECT_NE(life_plot(report, gear).find("<svg"), std::string::npos);

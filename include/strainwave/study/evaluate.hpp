@@ -18,10 +18,14 @@ struct EvaluationOptions {
   /// Whether to solve the coupled drive at all angles of a turn too, if a crack turns relative to
   /// the lobes.  This takes some tenths of a second.
   bool over_turn = false;
+  /// Whether to compute the life if the file gives a duty, which takes some tens of milliseconds.
+  bool life = true;
 };
 
 /// Whether an output, such as "curve.positive.K1", is one of the coupled drive.
 [[nodiscard]] bool is_of_coupled_drive(std::string_view output);
+/// Whether an output, such as "life.hours", is one of the life over the duty.
+[[nodiscard]] bool is_of_life(std::string_view output);
 /// Whether an output, such as "curve.positive.over_turn.softest.K1", needs `over_turn`.
 [[nodiscard]] bool is_over_turn(std::string_view output);
 
