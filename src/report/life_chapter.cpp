@@ -29,9 +29,7 @@ ReportSection life_chapter(Draft& draft) {
                     life.answer, typeset_quantity(life.average.torque, "N*m"),
                     typeset_quantity(life.average.input_speed, "rad/s")));
     for (const PlotPanel& panel : life_panels(life))
-      section.html += plot_figure(svg_plot(std::span(&panel, 1)),
-                                  "Share of the drives that reach a time with all parts whose life "
-                                  "has a distribution.");
+      section.html += plot_figure(svg_plot(std::span(&panel, 1)), panel.title + ".");
     for (const TitledTable& one : life_tables(life)) section.html += table(one);
     draft.add(life.notes);
     draft.add(life.equations);

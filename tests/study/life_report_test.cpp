@@ -395,5 +395,33 @@ TEST(BuckledBarrel, RegressionAgainstTheCatalogue) {  // LI-39
   EXPECT_EQ(rows, 21U);
 }
 
+TEST(Ratcheting, RegressionNoModelHolds) {
+  // The balance of forces of the theory manual over each of the maker's 100 ratcheting torques:
+  // ranges per ratio, two digits.  It is a factor of 6.6 to 34 too high, and the factor depends on
+  // the ratio, so the program has no such model.
+  const std::map<int, std::pair<double, double>> printed = {{30, {31, 34}},    {50, {14, 24.5}},
+                                                            {80, {7.6, 10.7}}, {100, {8.4, 13.3}},
+                                                            {120, {8.0, 13}},  {160, {6.5, 9.0}}};
+  std::size_t rows = 0;
+  for (const TorqueLimitRow& row : torque_limit_rows()) {
+    const GearSet gear = typical_drive(pitch_diameter_of(row.size), row.ratio);
+    const CircularSpline& ring = *gear.circular_spline;
+    const double height = (ring.outer_diameter - ring.inner_diameter) / 2;
+    const double radius = (ring.outer_diameter + ring.inner_diameter) / 4;
+    const double inertia = ring.width * height * height * height / 12;
+    // Radial displacement under each of two opposite forces on a ring, half supported.
+    const double compliance = (std::numbers::pi / 8 - 1 / std::numbers::pi) * radius * radius *
+                              radius / (206e9 * inertia) * ring.support;
+    const double common = *gear.mesh->tooth->addendum + *gear.mesh->tooth->spline_addendum;
+    const double torque =
+        common * gear.drive.pitch_diameter / (std::tan(gear.mesh->flank_angle) * compliance);
+    const auto& [least, most] = printed.at(row.ratio);
+    EXPECT_GE(torque / row.ratcheting, least) << row.series << row.size << '/' << row.ratio;
+    EXPECT_LE(torque / row.ratcheting, most) << row.series << row.size << '/' << row.ratio;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 100U);
+}
+
 }  // namespace
 }  // namespace strainwave
