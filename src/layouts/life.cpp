@@ -129,12 +129,28 @@ TitledTable buckling_table(const BuckledBarrel& of) {
                                  : "")};
 }
 
+TitledTable wear_table(const FlankWear& wear) {
+  const DisplayUnit depth = display_unit("wear", "m", {"um", 1e-6});
+  Table table{.head = {with_unit("time", hours_unit()), with_unit("depth", depth),
+                       with_unit("lost motion", angle_unit()), with_unit("K1", stiffness_unit())},
+              .align = "rrrr"};
+  const auto number = [](const std::optional<double>& value, const DisplayUnit& unit) {
+    return value ? shown_number(*value / unit.in_si) : std::string("-");
+  };
+  for (const WornState& state : wear.states)
+    table.rows.push_back(cells(hours(state.time), shown_number(state.depth / depth.in_si, 3),
+                               number(state.lost_motion, angle_unit()),
+                               number(state.K1, stiffness_unit())));
+  return {"Wear of the flanks (LI-44)", table};
+}
+
 }  // namespace
 
 std::vector<TitledTable> life_tables(const LifeReport& report) {
   std::vector<TitledTable> tables{parts_table(report), rules_table(report), bearing_table(report)};
   if (!report.fatigue.empty()) tables.push_back(fatigue_table(report));
   if (report.buckling) tables.push_back(buckling_table(*report.buckling));
+  if (report.wear) tables.push_back(wear_table(*report.wear));
   return tables;
 }
 
@@ -159,28 +175,62 @@ std::string life_csv(const LifeReport& report) {
   return csv_table(table);
 }
 
+namespace {
+
+/// Haigh's diagram of the hoop stress of the places, relative to what each endures; no series if no
+/// place is known.
+PlotPanel haigh_panel(const LifeReport& report) {
+  PlotPanel panel{.title = "Haigh diagram of the hoop stress",
+                  .subtitle = "over the endurance of each place; the shear is not shown",
+                  .x_label = "mean stress over endurance",
+                  .y_label = "amplitude over endurance"};
+  for (const PlaceFatigue& place : report.fatigue) {
+    if (!place.reserve) continue;
+    if (panel.series.empty()) {
+      const double M = place.sensitivity;
+      const double half = (1 + M / 3) / ((1 + M) * (1 + M));  // R = 1/2
+      panel.series.push_back({.label = "limit, M",
+                              .x = {-2, -1 / (1 - M), 1 / (1 + M), 3 * half, 3},
+                              .y = {1 / (1 - M), 1 / (1 - M), 1 / (1 + M), half, half}});
+    }
+    panel.series.push_back({.label = plain_words(enum_name(place.place)),
+                            .x = {place.hoop_mean / place.endurance},
+                            .y = {place.hoop_amplitude / place.endurance},
+                            .discs = Discs::at_end});
+  }
+  return panel;
+}
+
+}  // namespace
+
 std::vector<PlotPanel> life_panels(const LifeReport& report) {
-  if (report.survival.empty()) return {};
+  std::vector<PlotPanel> panels;
+  if (PlotPanel haigh = haigh_panel(report); !haigh.series.empty())
+    panels.push_back(std::move(haigh));
+  if (report.survival.empty()) return panels;
   PlotSeries share{.label = "all parts with a known life"};
   for (const SurvivalPoint& point : report.survival) {
     share.x.push_back(point.time / hours_unit().in_si);
     share.y.push_back(100 * point.share);
   }
-  return {PlotPanel{.title = "Share of the drives over the time of duty",
-                    .subtitle = report.answer,
-                    .x_label = axis_label("time", hours_unit()),
-                    .y_label = "drives that reach it [%]",
-                    .series = {std::move(share)}}};
+  panels.insert(panels.begin(), PlotPanel{.title = "Share of the drives over the time of duty",
+                                          .subtitle = report.answer,
+                                          .x_label = axis_label("time", hours_unit()),
+                                          .y_label = "drives that reach it [%]",
+                                          .series = {std::move(share)}});
+  return panels;
 }
 
 std::string life_plot(const LifeReport& report, const GearSet& gear) {
   std::vector<PlotPanel> panels = life_panels(report);
-  for (PlotPanel& panel : panels) panel.title = name_of(gear) + ": share of the drives over time";
-  if (panels.empty())
-    panels.push_back({.title = name_of(gear),
-                      .subtitle = "no part of the drive has a known distribution of its life",
-                      .x_label = axis_label("time", hours_unit()),
-                      .y_label = "drives that reach it [%]"});
+  if (report.survival.empty())
+    panels.insert(panels.begin(),
+                  {.title = name_of(gear),
+                   .subtitle = "no part of the drive has a known distribution of its life",
+                   .x_label = axis_label("time", hours_unit()),
+                   .y_label = "drives that reach it [%]"});
+  else
+    panels.front().title = name_of(gear) + ": share of the drives over time";
   return svg_plot(panels);
 }
 

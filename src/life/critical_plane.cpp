@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
@@ -36,11 +37,11 @@ struct PlaneExtremes {
   Extremes shear;
 };
 
-PlaneExtremes on_plane(const StressTurn& turn, double angle) {
+PlaneExtremes on_plane(const WaveStates& states, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   PlaneExtremes extremes;
-  for (const SurfaceStress& stress : turn.states) {
+  for (const SurfaceStress& stress : states) {
     extremes.normal.take(stress.hoop * c * c + 2 * stress.shear * s * c);        // (LI-35)
     extremes.shear.take(-stress.hoop * s * c + stress.shear * (c * c - s * s));  // (LI-35)
   }
@@ -62,15 +63,21 @@ void require_strength(const PlaneStrength& strength) {
           "> 0");
 }
 
-void require_turns(std::span<const StressTurn> turns) {
-  require(!turns.empty(), "turns", 0, "1", "at least one turn");
-  for (const StressTurn& turn : turns) {
-    require(!turn.states.empty(), "states", 0, "1", "at least one state");
-    require(turn.cycles >= 0 && std::isfinite(turn.cycles), "cycles", turn.cycles, "1", ">= 0");
-    for (const SurfaceStress& stress : turn.states)
+void require_waves(std::span<const WaveStates> waves) {
+  require(!waves.empty(), "waves", 0, "1", "at least one wave");
+  for (const WaveStates& states : waves) {
+    require(!states.empty(), "states", 0, "1", "at least one state");
+    for (const SurfaceStress& stress : states)
       require(std::isfinite(stress.hoop) && std::isfinite(stress.shear), "stress", stress.hoop,
               "Pa", "finite numbers");
   }
+}
+
+PlaneExtremes both(const PlaneExtremes& a, const PlaneExtremes& b) {
+  PlaneExtremes all = a;
+  all.normal.take(b.normal);
+  all.shear.take(b.shear);
+  return all;
 }
 
 double angle_of(int plane) { return plane * std::numbers::pi / kPlanes; }
@@ -89,17 +96,13 @@ double surface_factor(double roughness, double tensile_strength) {
   return std::clamp(factor, 0.0, 1.0);
 }
 
-CriticalPlane critical_plane(std::span<const StressTurn> turns, const PlaneStrength& strength) {
-  require_turns(turns);
+CriticalPlane critical_plane(std::span<const WaveStates> waves, const PlaneStrength& strength) {
+  require_waves(waves);
   require_strength(strength);
   CriticalPlane worst;
   for (int plane = 0; plane < kPlanes; ++plane) {
     PlaneExtremes all;
-    for (const StressTurn& turn : turns) {
-      const PlaneExtremes of = on_plane(turn, angle_of(plane));
-      all.normal.take(of.normal);
-      all.shear.take(of.shear);
-    }
+    for (const WaveStates& states : waves) all = both(all, on_plane(states, angle_of(plane)));
     const double used = utilisation(all, strength);
     if (plane == 0 || used > worst.utilisation)
       worst = {.angle = angle_of(plane),
@@ -112,26 +115,29 @@ CriticalPlane critical_plane(std::span<const StressTurn> turns, const PlaneStren
   return worst;
 }
 
-double plane_damage(std::span<const StressTurn> turns, const PlaneStrength& strength,
-                    double knee_cycles, double slope, MinerRule rule) {
-  require_turns(turns);
+double plane_damage(std::span<const WaveStates> waves, std::span<const WaveCycles> cycles,
+                    const PlaneStrength& strength, double knee_cycles, double slope,
+                    MinerRule rule) {
+  require_waves(waves);
   require_strength(strength);
+  for (const WaveCycles& cycle : cycles) {
+    require(cycle.count >= 0 && std::isfinite(cycle.count), "count", cycle.count, "1", ">= 0");
+    require(cycle.first < waves.size() && cycle.second < waves.size(), "first",
+            static_cast<double>(std::max(cycle.first, cycle.second)), "1", "the number of a wave");
+  }
   const WoehlerLine line{
       .knee_amplitude = strength.normal, .knee_cycles = knee_cycles, .slope = slope};
   double worst = 0.0;
+  std::vector<PlaneExtremes> of(waves.size());
   for (int plane = 0; plane < kPlanes; ++plane) {
-    PlaneExtremes all;
+    for (std::size_t i = 0; i < waves.size(); ++i) of[i] = on_plane(waves[i], angle_of(plane));
     double sum = 0.0;
-    const auto damage = [&](const PlaneExtremes& of) {
-      return damage_per_cycle(line, utilisation(of, strength) * strength.normal, rule);
-    };
-    for (const StressTurn& turn : turns) {
-      const PlaneExtremes of = on_plane(turn, angle_of(plane));
-      all.normal.take(of.normal);
-      all.shear.take(of.shear);
-      sum += turn.cycles * damage(of);  // (LI-37)
-    }
-    if (turns.size() > 1) sum += damage(all);  // (LI-37)
+    for (const WaveCycles& cycle : cycles)
+      sum += cycle.count *
+             damage_per_cycle(
+                 line,
+                 utilisation(both(of[cycle.first], of[cycle.second]), strength) * strength.normal,
+                 rule);  // (LI-37)
     worst = std::max(worst, sum);
   }
   return worst;

@@ -40,10 +40,11 @@ struct Draft {
 [[nodiscard]] ReportSection results_chapter(const Draft& draft);
 [[nodiscard]] ReportSection shares_chapter(const Draft& draft);
 [[nodiscard]] ReportSection torsion_chapter(Draft& draft);
+/// Of a drive with a duty.
+[[nodiscard]] ReportSection life_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);
-[[nodiscard]] ReportSection life_chapter(Draft& draft);
 [[nodiscard]] ReportSection growth_chapter(Draft& draft);
 [[nodiscard]] ReportSection notes_chapter(const Draft& draft);
 [[nodiscard]] ReportSection accuracy_chapter(const Draft& draft);

@@ -231,13 +231,12 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   made.sections.push_back(results_chapter(draft));
   made.sections.push_back(shares_chapter(draft));
   made.sections.push_back(torsion_chapter(draft));
+  if (gear.duty) made.sections.push_back(life_chapter(draft));
+  if (gear.duty && draft.corrected() && !draft.cracks.empty())
+    made.sections.push_back(growth_chapter(draft));
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));
-  if (gear.duty && draft.corrected()) {
-    made.sections.push_back(life_chapter(draft));
-    if (!draft.cracks.empty()) made.sections.push_back(growth_chapter(draft));
-  }
   // These chapters come last, because the others add notes and equations.
   made.sections.push_back(notes_chapter(draft));
   made.sections.push_back(accuracy_chapter(draft));

@@ -179,7 +179,7 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
 
 /// Adds the life over the duty; its notes stay with `strainwave life` and `strainwave grow`.
 void add_life(StiffnessResult& result, const GearSet& gear) {
-  if (!gear.duty || gear.duty->history) return;
+  if (!gear.duty || (gear.duty->history && !gear.duty_record)) return;
   const LifeReport report = life_report(gear);
   result.life = life_result(report);
   use_equations(result.equations, report.equations);

@@ -17,32 +17,27 @@ const Material& steel_of(const GearSet& gear) {
   return material_of(gear, gear.flexspline->material, "flexspline.material");
 }
 
-/// Force of one kind of flank on a tooth at an angle, between the teeth that were solved.
-class FlankForce {
- public:
-  FlankForce(const std::vector<ContactForce>& flanks, double pitch) : pitch_(pitch) {
-    for (const ContactForce& flank : flanks)
-      teeth_.emplace_back(wrapped(flank.position), flank.force);
-    std::ranges::sort(teeth_);
-  }
-
-  [[nodiscard]] double at(double angle) const {
-    double force = 0.0;
-    for (const auto& [position, value] : teeth_) {
-      const double away = std::abs(std::remainder(angle - position, 2 * pi)) / pitch_;
-      if (away < 1) force += (1 - away) * value;
-    }
-    return force;
-  }
-
- private:
-  static double wrapped(double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi)); }
-
-  double pitch_;
-  std::vector<std::pair<double, double>> teeth_;
-};
-
 }  // namespace
+
+FlankForce::FlankForce(const std::vector<ContactForce>& flanks, double pitch)
+    : pitch_(pitch), flanks_(flanks) {}
+
+double FlankForce::at(double angle) const {
+  double force = 0.0;
+  for (const ContactForce& flank : flanks_) {
+    const double away = std::abs(std::remainder(angle - flank.position, 2 * pi)) / pitch_;
+    if (away < 1) force += (1 - away) * flank.force;
+  }
+  return force;
+}
+
+WorkingHeights working_heights(const GearSet& gear) {
+  const double module = gear.drive.pitch_diameter / (gear.drive.wave_number * gear.drive.ratio);
+  const ToothShape tooth = gear.mesh->tooth.value_or(ToothShape{});
+  return {.addendum = tooth.addendum.value_or(kUsualAddendum * module),
+          .spline_addendum = tooth.spline_addendum.value_or(kUsualAddendum * module),
+          .thickness = tooth.thickness.value_or(pi * module / 2)};
+}
 
 std::string_view place_words(FatiguePlace place) {
   switch (place) {
@@ -91,15 +86,11 @@ PlaceStresses::PlaceStresses(const GearSet& gear, FatiguePlace place)
   }
   const ToothRoot& given = *fs.tooth_root;
   const double teeth = gear.drive.wave_number * gear.drive.ratio;
-  const double module = gear.drive.pitch_diameter / teeth;
   const ToothMesh& mesh = *gear.mesh;
-  const ToothShape tooth = mesh.tooth.value_or(ToothShape{});
-  addendum_ = tooth.addendum.value_or(kUsualAddendum * module);
-  spline_addendum_ = tooth.spline_addendum.value_or(kUsualAddendum * module);
+  heights_ = working_heights(gear);
   lift_ = gear.drive.radial_displacement;
-  const double at_pitch = tooth.thickness.value_or(pi * module / 2);
   root_ = RootSection{.thickness = given.thickness.value_or(
-                          at_pitch + 2 * given.height * std::tan(mesh.flank_angle)),
+                          heights_.thickness + 2 * given.height * std::tan(mesh.flank_angle)),
                       .lever = given.height,
                       .root_radius = given.root_radius,
                       .face_width = fs.rim->length};
@@ -109,9 +100,9 @@ PlaceStresses::PlaceStresses(const GearSet& gear, FatiguePlace place)
   sides_ = {+1, -1};
 }
 
-std::vector<SurfaceStress> PlaceStresses::over_turn(const std::vector<RimState>& rim,
-                                                    const CurvePoint& point, int side) const {
-  std::vector<SurfaceStress> states;
+WaveStates PlaceStresses::over_turn(const std::vector<RimState>& rim, const CurvePoint& point,
+                                    int side) const {
+  WaveStates states;
   states.reserve(rim.size());
   const double rim_shear = rim_shear_per_torque_ * point.torque;
   if (place_ == FatiguePlace::wall) {
@@ -129,8 +120,9 @@ std::vector<SurfaceStress> PlaceStresses::over_turn(const std::vector<RimState>&
       RootSection root = *root_;
       // The middle of the height that is engaged, from the tip of the circular spline's tooth to
       // that of the flexspline's.
-      const double middle = (addendum_ - spline_addendum_ + lift_ - state.radial) / 2;
-      root.lever += std::clamp(middle, -root.lever / 2, addendum_);  // (LI-41)
+      const double middle =
+          (heights_.addendum - heights_.spline_addendum + lift_ - state.radial) / 2;
+      root.lever += std::clamp(middle, -root.lever / 2, heights_.addendum);  // (LI-41)
       const double bending = force == 0 ? 0.0 : root_bending_stress(root, force);
       states.push_back({.hoop = groove_.hoop * state.rim_outside_stress + side * bending,
                         .shear = groove_.shear * rim_shear});

@@ -16,6 +16,28 @@ namespace strainwave {
 
 [[nodiscard]] std::string_view place_words(FatiguePlace place);
 
+/// Forces of one kind of flank on a tooth that passes the lobes, between the teeth that were
+/// solved.
+class FlankForce {
+ public:
+  /// @param pitch  angle between teeth [rad]
+  FlankForce(const std::vector<ContactForce>& flanks, double pitch);
+  /// @param angle  of the tooth from the major axis [rad]
+  [[nodiscard]] double at(double angle) const;
+
+ private:
+  double pitch_;
+  const std::vector<ContactForce>& flanks_;
+};
+
+/// Working heights of the teeth with their defaults filled in.
+struct WorkingHeights {
+  double addendum = 0.0;         ///< h_a [m]
+  double spline_addendum = 0.0;  ///< h_ac [m]
+  double thickness = 0.0;        ///< s_t at the pitch height [m]
+};
+[[nodiscard]] WorkingHeights working_heights(const GearSet& gear);
+
 /// What a place of the flexspline endures, with the factors of its surface and its size.
 class PlaceStrength {
  public:
@@ -55,8 +77,8 @@ class PlaceStresses {
   /// @param rim    states over a turn at a torque
   /// @param point  contact forces at the torque
   /// @param side   one of `sides`
-  [[nodiscard]] std::vector<SurfaceStress> over_turn(const std::vector<RimState>& rim,
-                                                     const CurvePoint& point, int side) const;
+  [[nodiscard]] WaveStates over_turn(const std::vector<RimState>& rim, const CurvePoint& point,
+                                     int side) const;
 
  private:
   FatiguePlace place_;
@@ -66,11 +88,10 @@ class PlaceStresses {
   double wall_shear_factor_ = 1.0;     ///< K_u
   double rim_shear_per_torque_ = 0.0;  ///< [1/m^3]
   std::optional<RootSection> root_;    ///< with the force at the pitch height
-  double addendum_ = 0.0;              ///< h_a [m]
-  double spline_addendum_ = 0.0;       ///< h_ac [m]
-  double lift_ = 0.0;                  ///< w_0 [m]
-  double across_ = 1.0;                ///< share of a flank force that bends the tooth
-  double pitch_ = 0.0;                 ///< angle between teeth [rad]
+  WorkingHeights heights_;
+  double lift_ = 0.0;    ///< w_0 [m]
+  double across_ = 1.0;  ///< share of a flank force that bends the tooth
+  double pitch_ = 0.0;   ///< angle between teeth [rad]
 };
 
 }  // namespace strainwave

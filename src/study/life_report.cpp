@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "flexspline_fatigue.hpp"
 #include "strainwave/catalogue/torque_limits.hpp"
@@ -15,8 +16,11 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/life/duty.hpp"
+#include "strainwave/life/flank_wear.hpp"
+#include "strainwave/life/load_history.hpp"
 #include "strainwave/life/survival.hpp"
 #include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/hysteresis.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
@@ -34,69 +38,87 @@ constexpr std::string_view kOutputBearing = "output bearing";
 constexpr std::string_view kFlexspline = "flexspline";
 constexpr std::string_view kPeaks = "momentary peaks";
 
-/// A part of the duty with its movement.
-struct Movement {
+constexpr std::size_t kTorqueClasses = 48;  // of a history with more torques, in each sense
+
+/// All parts of a repetition of the duty with one torque.
+struct TorqueLevel {
   double torque = 0.0;        // [N*m]
-  double output_speed = 0.0;  // in size [rad/s]
-  double duration = 0.0;      // in a repetition of the duty [s]
+  double duration = 0.0;      // [s]
+  double output_turns = 0.0;  // in both senses together [-]
+  bool of_steps = false;      // false: momentary peaks only
 };
 
 /// What the computations of a life share.
 struct LifeCase {
   const GearSet& gear;
-  const Duty& duty;
+  DutyHistory history;
   MakersLimits limits;
-  double input_turns = 0.0;  // of the input per turn of the output [-]
-  double ring_turns = 0.0;   // of the bearing's rings against each other per turn of the input
-  double repetition = 0.0;   // time of a repetition of the duty [s]
-  std::vector<Movement> blocks;
-  std::vector<Movement> peaks;  // duration per repetition of the duty
+  double input_turns = 0.0;         // of the input per turn of the output [-]
+  double ring_turns = 0.0;          // of the bearing's rings against each other, per input turn
+  double class_width = 0.0;         // of the torques; 0: each torque by itself [N*m]
+  std::vector<TorqueLevel> levels;  // in ascending order of torque
+
+  /// The torque that stands for a torque: its own, or the end of its class that is larger in size.
+  [[nodiscard]] double class_of(double torque) const {
+    if (class_width == 0) return torque;
+    const double size = class_width * std::ceil(std::abs(torque) / class_width - 1e-9);
+    return std::copysign(size, torque) + 0.0;
+  }
+  [[nodiscard]] std::size_t level_of(double torque) const {
+    const auto found = std::ranges::lower_bound(levels, class_of(torque), {}, &TorqueLevel::torque);
+    return static_cast<std::size_t>(found - levels.begin());
+  }
 };
+
+double largest_step_torque(const LifeCase& of) {
+  double most = 0.0;
+  for (const DutyStep& step : of.history.steps) most = std::max(most, std::abs(step.torque));
+  return most;
+}
+
+double largest_peak_torque(const LifeCase& of) {
+  double most = 0.0;
+  for (const DutyMomentaryPeak& peak : of.history.peaks)
+    most = std::max(most, std::abs(peak.step.torque));
+  return most;
+}
 
 LifeCase life_case(const GearSet& gear) {
   if (!gear.duty)
     throw InputError("duty",
                      "must be given for the life; give [[duty.block]] with duration, "
                      "torque and output_speed");
-  if (gear.duty->history)
-    throw InputError("duty.history", "is not read by this command; give [[duty.block]]");
-  const Duty& duty = *gear.duty;
-  const double ratio = gear.drive.ratio;
   LifeCase of{.gear = gear,
-              .duty = duty,
+              .history = duty_history(gear),
               .limits = makers_limits(gear),
-              .input_turns = input_turns(ratio, duty.fixed),
-              .ring_turns = duty.fixed == FixedMember::circular_spline ? 1 + 1 / ratio : 1.0,
-              .repetition = 0.0,
-              .blocks = {},
-              .peaks = {}};
-  for (const DutyBlock& block : duty.block) {
-    of.blocks.push_back({.torque = block.torque,
-                         .output_speed = std::abs(output_speed(block, ratio, duty.fixed)),
-                         .duration = block.repetitions * block.duration});
-    of.repetition += of.blocks.back().duration;
+              .input_turns = input_turns(gear.drive.ratio, gear.duty->fixed),
+              .ring_turns =
+                  gear.duty->fixed == FixedMember::circular_spline ? 1 + 1 / gear.drive.ratio : 1.0,
+              .class_width = 0.0,
+              .levels = {}};
+  std::map<double, TorqueLevel> levels;
+  const auto take = [&](const DutyStep& step, double times, bool of_steps) {
+    TorqueLevel& level = levels[of.class_of(step.torque)];
+    level.duration += times * step.duration;
+    level.output_turns += times * step.duration * std::abs(step.output_speed) / (2 * pi);
+    level.of_steps = level.of_steps || of_steps;
+  };
+  const auto take_all = [&] {
+    levels.clear();
+    for (const DutyStep& step : of.history.steps) take(step, 1.0, true);
+    for (const DutyMomentaryPeak& peak : of.history.peaks)
+      take(peak.step, peak.per_repetition, false);
+  };
+  take_all();
+  if (levels.size() > kTorqueClasses) {
+    of.class_width = std::max(largest_step_torque(of), largest_peak_torque(of)) / kTorqueClasses;
+    take_all();
   }
-  for (const DutyPeak& peak : duty.peak)
-    of.peaks.push_back({.torque = peak.torque,
-                        .output_speed = std::abs(output_speed(peak, ratio, duty.fixed)),
-                        .duration = peak.duration * of.repetition / peak.interval});
+  for (auto& [torque, level] : levels) {
+    level.torque = torque;
+    of.levels.push_back(level);
+  }
   return of;
-}
-
-double largest_torque(const std::vector<Movement>& of) {
-  double most = 0.0;
-  for (const Movement& one : of) most = std::max(most, std::abs(one.torque));
-  return most;
-}
-
-void note(LifeReport& report, std::string code, std::string text, std::string path,
-          std::string equation, Severity severity, std::string next_step = {}) {
-  report.notes.push_back({.code = std::move(code),
-                          .text = std::move(text),
-                          .path = std::move(path),
-                          .equation = std::move(equation),
-                          .severity = severity,
-                          .next_step = std::move(next_step)});
 }
 
 void use(LifeReport& report, std::initializer_list<const char*> tags) {
@@ -133,19 +155,28 @@ RuleAnswer compared(MakersRule rule, const std::optional<MakersLimit>& limit,
 
 double largest_input_speed(const LifeCase& of) {
   double most = 0.0;
-  for (const auto* const list : {&of.blocks, &of.peaks})
-    for (const Movement& one : *list) most = std::max(most, one.output_speed * of.input_turns);
-  return most;
+  for (const DutyStep& step : of.history.steps) most = std::max(most, std::abs(step.output_speed));
+  for (const DutyMomentaryPeak& peak : of.history.peaks)
+    most = std::max(most, std::abs(peak.step.output_speed));
+  return most * of.input_turns;
+}
+
+/// Momentary peaks per time [1/s].
+double rate_of_peaks(const LifeCase& of) {
+  double rate = 0.0;
+  for (const DutyMomentaryPeak& peak : of.history.peaks)
+    rate += peak.per_repetition / of.history.duration;
+  return rate;
 }
 
 /// Time after which the momentary peaks are used up; absent if none turns the drive.
 std::optional<double> end_of_peaks(const LifeCase& of) {
   double used = 0.0;  // share of N_k per time
-  for (std::size_t i = 0; i < of.peaks.size(); ++i) {
-    const double speed = of.peaks[i].output_speed * of.input_turns;
+  for (const DutyMomentaryPeak& peak : of.history.peaks) {
+    const double speed = std::abs(peak.step.output_speed) * of.input_turns;
     if (speed > 0)
-      used +=
-          1 / (allowed_momentary_peaks(speed, of.duty.peak[i].duration) * of.duty.peak[i].interval);
+      used += peak.per_repetition / of.history.duration /
+              allowed_momentary_peaks(speed, peak.step.duration);
   }
   if (!(used > 0)) return std::nullopt;
   return 1 / used;
@@ -161,8 +192,7 @@ RuleAnswer number_of_peaks(const LifeCase& of, const std::optional<double>& time
                     .origin = "the maker's rule, 10000 waves under the peaks"};
   const std::optional<double> end = end_of_peaks(of);
   if (!end) return answer;
-  double rate = 0.0;
-  for (const DutyPeak& peak : of.duty.peak) rate += 1 / peak.interval;
+  const double rate = rate_of_peaks(of);
   answer.allowed = Quantity{rate * *end, "1"};
   answer.outcome = RuleOutcome::not_known;
   if (!time) {
@@ -178,18 +208,18 @@ RuleAnswer number_of_peaks(const LifeCase& of, const std::optional<double>& time
 
 void add_rules(LifeReport& report, const LifeCase& of) {
   const MakersLimits& limits = of.limits;
-  const double blocks = largest_torque(of.blocks);
-  const double peaks = largest_torque(of.peaks);
+  const double blocks = largest_step_torque(of);
+  const double peaks = largest_peak_torque(of);
   const double most = std::max(blocks, peaks);
   const auto add = [&](MakersRule rule, const std::optional<MakersLimit>& limit, double present,
                        std::string_view unit, std::string_view field) {
     report.rules.push_back(compared(rule, limit, present, unit, field));
     if (limit && limit->similar && report.rules.back().outcome != RuleOutcome::not_needed)
-      note(report, "life.similar_limit",
-           fmt::format("the limit of {} is that of another size: {}", enum_name(rule),
-                       limit->origin),
-           fmt::format("rating.{}", field), "LI-30", Severity::care,
-           fmt::format("Give rating.{}.", field));
+      report.notes.push_back({"life.similar_limit",
+                              fmt::format("the limit of {} is that of another size: {}",
+                                          enum_name(rule), limit->origin),
+                              fmt::format("rating.{}", field), "LI-30", Severity::care,
+                              fmt::format("Give rating.{}.", field)});
   };
   add(MakersRule::average_torque, limits.average_torque, report.average.torque, "N*m",
       "average_torque");
@@ -209,35 +239,40 @@ void add_rules(LifeReport& report, const LifeCase& of) {
     if (rule.outcome == RuleOutcome::not_known)
       unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", enum_name(rule.rule));
     if (rule.outcome == RuleOutcome::broken)
-      note(
-          report, "life.rule_broken",
-          fmt::format("the rule {} is broken: the maker allows {}, and the duty has {}",
-                      enum_name(rule.rule), shown_quantity(rule.allowed->value, rule.allowed->unit),
-                      shown_quantity(rule.present->value, rule.present->unit)),
-          "duty", rule.rule == MakersRule::momentary_peaks ? "LI-2" : "LI-1", Severity::critical,
-          "Lower the load of the duty, or choose a larger drive.");
+      report.notes.push_back(
+          {"life.rule_broken",
+           fmt::format("the rule {} is broken: the maker allows {}, and the duty has {}",
+                       enum_name(rule.rule),
+                       shown_quantity(rule.allowed->value, rule.allowed->unit),
+                       shown_quantity(rule.present->value, rule.present->unit)),
+           "duty", rule.rule == MakersRule::momentary_peaks ? "LI-2" : "LI-1",
+           // A limit of another size does not condemn a drive.
+           rule.origin.starts_with("similar") ? Severity::cannot_tell : Severity::critical,
+           "Lower the load of the duty, or choose a larger drive."});
   }
   if (!unknown.empty())
-    note(report, "life.limits_not_known",
+    report.notes.push_back(
+        {"life.limits_not_known",
          fmt::format("the maker's limits of these rules are not known: {}", unknown), "rating",
          "LI-30", Severity::care,
-         "Give the limits in [rating]; the table of the rules names them.");
+         "Give the limits in [rating]; the table of the rules names them."});
 }
 
 void add_makers_bearing(LifeReport& report, const LifeCase& of) {
   const auto& life = of.limits.bearing_life;
   const auto& rated = of.limits.rated_torque;
   if (!life || !rated) {
-    note(report, "life.bearing_not_known",
-         "the maker's rated life of the wave generator's bearing is not known",
-         "rating.bearing_life", "LI-3", Severity::cannot_tell,
-         "Give rating.bearing_life and rating.rated_torque.");
+    report.notes.push_back({"life.bearing_not_known",
+                            "the maker's rated life of the wave generator's bearing is not known",
+                            "rating.bearing_life", "LI-3", Severity::cannot_tell,
+                            "Give rating.bearing_life and rating.rated_torque."});
     return;
   }
   if (!(report.average.torque > 0)) {
-    note(report, "life.no_torque",
+    report.notes.push_back(
+        {"life.no_torque",
          "the duty turns the drive without torque, for which the maker's rule gives no life",
-         "duty.block", "LI-3", Severity::care, "Give the torques of the blocks.");
+         "duty.block", "LI-3", Severity::care, "Give the torques of the blocks."});
     return;
   }
   const DutyAverage average{.torque = report.average.torque,
@@ -301,62 +336,90 @@ class DrivenStates {
   std::map<double, std::vector<RimState>> rims_;
 };
 
-BallLoads ball_loads(DrivenStates& states, double torque, double turns, double duration) {
-  return {.forces = states.balls(torque), .speed = turns, .duration = duration};
-}
-
-void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& states,
+                     const Progress& progress) {
   const RingRatings ratings = ring_ratings(*of.gear.wave_generator->bearing);
   std::vector<BallLoads> loads;
-  for (const Movement& block : of.blocks)
-    loads.push_back(ball_loads(states, block.torque,
-                               block.output_speed * of.input_turns * of.ring_turns / (2 * pi),
-                               block.duration));
+  for (std::size_t i = 0; i < of.levels.size(); ++i) {
+    const TorqueLevel& level = of.levels[i];
+    progress.at(static_cast<double>(i) / static_cast<double>(of.levels.size()));
+    if (level.of_steps && level.duration > 0)
+      loads.push_back(
+          {.forces = states.balls(level.torque),
+           .speed = level.output_turns * of.input_turns * of.ring_turns / level.duration,
+           .duration = level.duration});
+  }
   BearingByForces by{.duty = ball_bearing_life(ratings, loads),
                      .rated = {},
                      .ratio = {},
                      .by_ratio = {},
                      .cage_phases = kCagePhases};
   if (const auto& rated = of.limits.rated_torque) {
-    const double turns = kMakersSpeed * (1 + 1 / of.gear.drive.ratio) / (2 * pi);
-    const std::array load = {ball_loads(states, rated->value, turns, 1.0)};
+    const std::array load = {
+        BallLoads{.forces = states.balls(rated->value),
+                  .speed = kMakersSpeed * (1 + 1 / of.gear.drive.ratio) / (2 * pi),
+                  .duration = 1.0}};
     by.rated = ball_bearing_life(ratings, load);
     by.ratio = by.duty.ten_percent / by.rated->ten_percent;
     if (of.limits.bearing_life) by.by_ratio = of.limits.bearing_life->value * *by.ratio;
   }
   report.bearing_by_forces = std::move(by);
   use(report, {"LI-31", "LI-32"});
-  note(report, "life.ball_forces",
+  report.notes.push_back(
+      {"life.ball_forces",
        "the hours of the bearing from its ball forces are many times shorter than a maker's, and "
        "the cause is open; use their ratio to the life at the rating, not the hours",
        "wave_generator.bearing", "LI-32", Severity::information,
-       "Read the chapter on life in the theory manual.");
+       "Read the chapter on life in the theory manual."});
 }
 
-std::vector<StressTurn> turns_of(const LifeCase& of, const std::vector<Movement>& movements,
-                                 DrivenStates& states, const PlaceStresses& stresses, int side) {
-  std::vector<StressTurn> turns;
-  for (const Movement& one : movements) {
-    const double input = one.output_speed * one.duration / (2 * pi) * of.input_turns;
-    turns.push_back(
-        {.states = stresses.over_turn(states.rim(one.torque), states.point(one.torque), side),
-         .cycles = of.gear.drive.wave_number * of.ring_turns * input});
+/// The waves at each torque level.
+std::vector<WaveStates> waves_of(const LifeCase& of, DrivenStates& states,
+                                 const PlaceStresses& stresses, int side) {
+  std::vector<WaveStates> waves;
+  for (const TorqueLevel& level : of.levels)
+    waves.push_back(stresses.over_turn(states.rim(level.torque), states.point(level.torque), side));
+  return waves;
+}
+
+/// The waves of the steps alone.
+std::vector<WaveStates> waves_of_steps(const LifeCase& of, const std::vector<WaveStates>& waves) {
+  std::vector<WaveStates> steps;
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    if (of.levels[i].of_steps) steps.push_back(waves[i]);
+  return steps;
+}
+
+/// Cycles of a point of the flexspline: waves at each torque, and cycles of the torque (LI-37).
+std::vector<WaveCycles> flexspline_cycles(const LifeCase& of) {
+  std::vector<WaveCycles> cycles;
+  const double waves = of.gear.drive.wave_number * of.ring_turns * of.input_turns;
+  for (std::size_t i = 0; i < of.levels.size(); ++i)
+    if (of.levels[i].output_turns > 0)
+      cycles.push_back({.first = i, .second = i, .count = waves * of.levels[i].output_turns});
+  std::map<std::pair<std::size_t, std::size_t>, double> between;
+  for (const TorqueCycle& cycle : torque_cycles(of.history)) {
+    const std::size_t from = of.level_of(cycle.from);
+    const std::size_t to = of.level_of(cycle.to);
+    if (from != to) between[std::minmax(from, to)] += cycle.count;
   }
-  return turns;
+  for (const auto& [levels, count] : between)
+    cycles.push_back({.first = levels.first, .second = levels.second, .count = count});
+  return cycles;
 }
 
 /// Miner's lives of a place; empty if the line is not known.
-std::vector<MinerLife> miner_lives(const LifeCase& of, const std::vector<StressTurn>& blocks,
-                                   const std::vector<StressTurn>& peaks,
-                                   const PlaneStrength& strength, const FatigueStrength& fatigue) {
+std::vector<MinerLife> miner_lives(const LifeCase& of, const std::vector<WaveStates>& waves,
+                                   const PlaceStrength& strength) {
   std::vector<MinerLife> lives;
+  const FatigueStrength& fatigue = strength.fatigue();
   if (!fatigue.cycles || !fatigue.slope) return lives;
+  const std::vector<WaveCycles> cycles = flexspline_cycles(of);
   for (const MinerRule rule : {MinerRule::original, MinerRule::elementary, MinerRule::haibach}) {
-    double damage = plane_damage(blocks, strength, *fatigue.cycles, *fatigue.slope, rule);
-    for (const StressTurn& peak : peaks)
-      damage += plane_damage({&peak, 1}, strength, *fatigue.cycles, *fatigue.slope, rule);
-    MinerLife life{.rule = rule, .damage_per_hour = damage / of.repetition, .life = {}};
-    if (damage > 0) life.life = of.repetition / damage;
+    const double damage =
+        plane_damage(waves, cycles, strength.plane(), *fatigue.cycles, *fatigue.slope, rule);
+    MinerLife life{.rule = rule, .damage_rate = damage / of.history.duration, .life = {}};
+    if (damage > 0) life.life = of.history.duration / damage;
     lives.push_back(life);
   }
   return lives;
@@ -380,14 +443,15 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
   result.sensitivity = strength.plane().sensitivity;
   result.endurance = strength.plane().normal;
   for (const int side : stresses.sides()) {
-    const std::vector<StressTurn> blocks = turns_of(of, of.blocks, states, stresses, side);
+    const std::vector<WaveStates> waves = waves_of(of, states, stresses, side);
+    const std::vector<WaveStates> steps = waves_of_steps(of, waves);
     double least = 0.0;
     double most = 0.0;
     double least_shear = 0.0;
     double most_shear = 0.0;
     bool first = true;
-    for (const StressTurn& turn : blocks)
-      for (const SurfaceStress& stress : turn.states) {
+    for (const WaveStates& wave : steps)
+      for (const SurfaceStress& stress : wave) {
         least = first ? stress.hoop : std::min(least, stress.hoop);
         most = first ? stress.hoop : std::max(most, stress.hoop);
         least_shear = first ? stress.shear : std::min(least_shear, stress.shear);
@@ -396,7 +460,7 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
       }
     const bool known = result.unknown_because.empty();
     const std::optional<CriticalPlane> plane =
-        known ? std::optional(critical_plane(blocks, strength.plane())) : std::nullopt;
+        known ? std::optional(critical_plane(steps, strength.plane())) : std::nullopt;
     const bool worse =
         side == stresses.sides().front() || (plane ? plane->utilisation > result.plane->utilisation
                                                    : (most - least) / 2 > result.hoop_amplitude);
@@ -413,39 +477,43 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
                                         .shear_amplitude = shear / 2,
                                         .shear_mean = shear / 2},
                                        strength.plane(), strength.specimen_shear());
-    result.miner = miner_lives(of, blocks, turns_of(of, of.peaks, states, stresses, side),
-                               strength.plane(), strength.fatigue());
+    result.miner = miner_lives(of, waves, strength);
   }
   return result;
 }
 
-void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states,
+                 const Progress& progress) {
   for (const FatiguePlace place :
        {FatiguePlace::wall, FatiguePlace::rim, FatiguePlace::tooth_root}) {
+    progress.at(static_cast<double>(report.fatigue.size()) / 3);
     report.fatigue.push_back(place_fatigue(of, states, place));
     const PlaceFatigue& result = report.fatigue.back();
     if (!result.unknown_because.empty())
-      note(report, "life.fatigue_not_known",
+      report.notes.push_back(
+          {"life.fatigue_not_known",
            fmt::format("the fatigue of the {} cannot be told", place_words(place)), "flexspline",
-           "LI-36", Severity::cannot_tell, result.unknown_because);
+           "LI-36", Severity::cannot_tell, result.unknown_because});
     else if (result.reserve && *result.reserve < 1)
-      note(report, "life.finite",
+      report.notes.push_back(
+          {"life.finite",
            fmt::format("the {} does not endure for ever: its reserve is {:.2f}", place_words(place),
                        *result.reserve),
            "flexspline", "LI-36", result.miner.empty() ? Severity::critical : Severity::care,
            result.miner.empty() ? "Lower the load, or give cycles and slope of the material's "
                                   "fatigue for the hours."
-                                : "Lower the load, or make the wall stronger.");
+                                : "Lower the load, or make the wall stronger."});
   }
   use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
   if (std::ranges::any_of(report.fatigue, [](const auto& p) { return !p.miner.empty(); }))
     use(report, {"LI-8", "LI-37"});
   if (!report.fatigue.back().reserve) return;
   use(report, {"LI-41", "LI-42", "LI-43"});
-  note(report, "life.root_estimate",
+  report.notes.push_back(
+      {"life.root_estimate",
        "the concentration of the rim's stress between the teeth is an estimate that no finite "
        "elements confirm",
-       "flexspline.tooth_root", "LI-42", Severity::information);
+       "flexspline.tooth_root", "LI-42", Severity::information});
 }
 
 // --- the other parts -----------------------------------------------------------------------------
@@ -454,22 +522,22 @@ void add_output_bearing(LifeReport& report, const LifeCase& of) {
   if (!of.gear.output_bearing) return;
   std::vector<OutputBearingLoad> loads;
   bool loaded = false;
-  for (std::size_t i = 0; i < of.blocks.size(); ++i) {
-    const DutyBlock& block = of.duty.block[i];
-    loads.push_back({.radial_force = block.radial_force,
-                     .axial_force = block.axial_force,
-                     .bending_moment = block.bending_moment,
-                     .speed = of.blocks[i].output_speed / (2 * pi),
-                     .duration = of.blocks[i].duration});
-    loaded =
-        loaded || (of.blocks[i].output_speed > 0 &&
-                   (block.radial_force > 0 || block.axial_force != 0 || block.bending_moment > 0));
+  for (const DutyStep& step : of.history.steps) {
+    if (!(step.duration > 0)) continue;
+    loads.push_back({.radial_force = step.radial_force,
+                     .axial_force = step.axial_force,
+                     .bending_moment = step.bending_moment,
+                     .speed = std::abs(step.output_speed) / (2 * pi),
+                     .duration = step.duration});
+    loaded = loaded || (step.output_speed != 0 && (step.radial_force > 0 || step.axial_force != 0 ||
+                                                   step.bending_moment > 0));
   }
   if (!loaded) {
-    note(report, "life.output_bearing_unloaded",
+    report.notes.push_back(
+        {"life.output_bearing_unloaded",
          "the output bearing has no life, because no block loads it while it turns",
          "output_bearing", "LI-33", Severity::information,
-         "Give radial_force, axial_force or bending_moment of the blocks.");
+         "Give radial_force, axial_force or bending_moment of the blocks."});
     return;
   }
   report.output_bearing = output_bearing_life(*of.gear.output_bearing, loads);
@@ -495,21 +563,82 @@ void add_buckling(LifeReport& report, const LifeCase& of) {
     torque = *buckled.plastic_torque;
     use(report, {"LI-40"});
   } else {
-    note(report, "life.buckling_elastic",
+    report.notes.push_back(
+        {"life.buckling_elastic",
          "the buckling torque is that of an elastic wall, which is far too high for the walls of "
          "these drives",
          "flexspline.material", "LI-40", Severity::information,
-         "Give yield_strength of the flexspline's material.");
+         "Give yield_strength of the flexspline's material."});
   }
-  const double most = std::max(largest_torque(of.blocks), largest_torque(of.peaks));
+  const double most = std::max(largest_step_torque(of), largest_peak_torque(of));
   if (most > 0) buckled.reserve = torque / most;
   if (buckled.reserve && *buckled.reserve < 1)
-    note(report, "life.buckles",
+    report.notes.push_back(
+        {"life.buckles",
          fmt::format("the barrel buckles at {}, below the largest torque of the duty",
                      shown_quantity(torque, "N*m", 3)),
          "flexspline.barrel", "LI-40", Severity::critical,
-         "Lower the largest torque, or make the barrel thicker.");
+         "Lower the largest torque, or make the barrel thicker."});
   report.buckling = buckled;
+}
+
+// --- wear of the flanks --------------------------------------------------------------------------
+
+constexpr int kWornStates = 5;
+constexpr double kUnknownLife = 10000 * kHour;  // over which wear is shown if no part ends
+
+/// Sliding ways of a flank over a turn against the wave at a torque, for drive and coast flanks.
+std::array<std::vector<SlidingStep>, 2> sliding_ways(const GearSet& gear, const CurvePoint& point,
+                                                     const std::vector<RimState>& rim) {
+  const double pitch = 2 * pi / (gear.drive.wave_number * gear.drive.ratio);
+  const WorkingHeights heights = working_heights(gear);
+  const double common = heights.addendum + heights.spline_addendum;
+  const FlankForce drive(point.drive_flanks, pitch);
+  const FlankForce coast(point.coast_flanks, pitch);
+  constexpr double kLeastShare = 0.1;  // of the common height that carries
+  std::array<std::vector<SlidingStep>, 2> ways;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const RimState& state = rim[i];
+    const RimState& before = rim[(i + rim.size() - 1) % rim.size()];
+    const RimState& next = rim[(i + 1) % rim.size()];
+    const double engaged = std::clamp(common - (gear.drive.radial_displacement - state.radial),
+                                      kLeastShare * common, common);
+    const double area = engaged / std::cos(gear.mesh->flank_angle) * gear.flexspline->rim->length;
+    const double way =
+        std::abs(next.radial - before.radial) / (2 * std::cos(gear.mesh->flank_angle));
+    ways[0].push_back({.force = drive.at(state.position), .area = area, .way = way});
+    ways[1].push_back({.force = coast.at(state.position), .area = area, .way = way});
+  }
+  return ways;
+}
+
+void add_wear(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+  const auto& coefficient = of.gear.mesh->wear_coefficient;
+  if (!coefficient) return;
+  FlankWear wear;
+  for (const TorqueLevel& level : of.levels) {
+    const auto ways = sliding_ways(of.gear, states.point(level.torque), states.rim(level.torque));
+    const double turns = level.output_turns * of.input_turns * of.ring_turns / of.history.duration;
+    wear.drive_rate += turns * wear_depth(*coefficient, ways[0]);
+    wear.coast_rate += turns * wear_depth(*coefficient, ways[1]);
+  }
+  use(report, {"LI-44", "TC-18"});
+  const double last = report.hours.value_or(kUnknownLife);
+  for (int i = 0; i < kWornStates; ++i) {
+    WornState state{.time = last * i / (kWornStates - 1), .lost_motion = {}, .K1 = {}};
+    state.depth = (wear.drive_rate + wear.coast_rate) / 2 * state.time;
+    GearSet worn = without_cracks(of.gear);
+    worn.mesh->lobe_gap += state.depth;
+    try {
+      const AssembledDrive drive(worn);
+      state.lost_motion = lost_motion(drive);
+      state.K1 = makers_lines(drive).K1;
+    } catch (const Error&) {
+      // The flanks of this drive no longer hold; its row has no numbers.
+    }
+    wear.states.push_back(state);
+  }
+  report.wear = std::move(wear);
 }
 
 // --- the drive as a chain ------------------------------------------------------------------------
@@ -576,11 +705,14 @@ void add_parts(LifeReport& report, const LifeCase& of) {
                             .slope = {},
                             .end = end,
                             .origin = "the maker's number N_k, without a distribution"});
-  report.parts.push_back({.name = "flanks",
-                          .ten_percent = {},
-                          .slope = {},
-                          .end = {},
-                          .origin = "not known: no source gives the wear of these flanks"});
+  report.parts.push_back(
+      {.name = "flanks",
+       .ten_percent = {},
+       .slope = {},
+       .end = {},
+       .origin = of.gear.mesh && of.gear.mesh->wear_coefficient
+                     ? "wear, for which the makers state no limit"
+                     : "not known: give mesh.wear_coefficient, which no source states"});
 }
 
 void add_survival(LifeReport& report) {
@@ -614,7 +746,7 @@ void add_survival(LifeReport& report) {
   if (end) report.hours = std::min(report.hours.value_or(*end), *end);
   if (report.hours)
     report.answer =
-        fmt::format("ends by {} after {:.0f} h{}", report.governing, *report.hours / kHour,
+        fmt::format("ends by the {} after {:.0f} h{}", report.governing, *report.hours / kHour,
                     shared ? ", which 90 % of the drives reach" : "");
   else
     report.answer = "no end found";
@@ -633,34 +765,42 @@ LifeReport life_report(const GearSet& gear, const Progress& progress) {
   check(gear);
   const LifeCase of = life_case(gear);
   LifeReport report;
-  const DutyAverage average = duty_average(of.duty.block, gear.drive.ratio, of.duty.fixed);
+  const DutyAverage& average = of.history.average;
   report.average = {.torque = average.torque,
                     .output_speed = average.output_speed,
                     .input_speed = average.input_speed,
-                    .duration = of.repetition};
+                    .duration = of.history.duration};
+  if (of.class_width > 0)
+    report.notes.push_back(
+        {"life.torque_classes",
+         fmt::format("the torques of the duty are rounded up to {} classes of {}", of.levels.size(),
+                     shown_quantity(of.class_width, "N*m", 3)),
+         "duty", "LI-37", Severity::information});
   add_makers_bearing(report, of);
   add_rules(report, of);
   add_output_bearing(report, of);
   add_buckling(report, of);
   progress.at(0.1);
+  std::optional<DrivenStates> states;
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
-    note(report, "life.no_curve",
-         "bearing and flexspline are judged by the maker's rules only; " + missing, "", "TC-1",
-         Severity::cannot_tell, "Give these fields.");
+    report.notes.push_back(
+        {"life.no_curve", "bearing and flexspline are judged by the maker's rules only; " + missing,
+         "", "TC-1", Severity::cannot_tell, "Give these fields."});
   } else {
     try {
-      DrivenStates states(without_cracks(gear));
-      add_ball_forces(report, of, states);
-      progress.at(0.4);
-      add_fatigue(report, of, states);
+      states.emplace(without_cracks(gear));
+      add_ball_forces(report, of, *states, progress.part(0.1, 0.4));
+      add_fatigue(report, of, *states, progress.part(0.4, 0.95));
     } catch (const SolverError& error) {
-      note(report, "life.no_curve",
-           fmt::format("the coupled drive has no solution: {}", error.what()), "", "TC-11",
-           Severity::cannot_tell, "Check the torques of the duty.");
+      report.notes.push_back(
+          {"life.no_curve", fmt::format("the coupled drive has no solution: {}", error.what()), "",
+           "TC-11", Severity::cannot_tell, "Check the torques of the duty."});
+      states.reset();
     }
   }
   add_parts(report, of);
   add_survival(report);
+  if (states) add_wear(report, of, *states);
   progress.at(1);
   return report;
 }

@@ -19,7 +19,8 @@ namespace strainwave {
                                     const Provenance& provenance);
 /// The share of the drives that reach a time, with the time of each row.
 [[nodiscard]] std::string life_csv(const LifeReport& report);
-/// The share of the drives over time; empty if no part has a distribution.
+/// The share of the drives over time, if a part has a distribution, and Haigh's diagram, if the
+/// endurance of a place is known.
 [[nodiscard]] std::vector<PlotPanel> life_panels(const LifeReport& report);
 /// The panels as one SVG document.
 [[nodiscard]] std::string life_plot(const LifeReport& report, const GearSet& gear);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,10 +25,14 @@ struct SurfaceStress {
   double shear = 0.0;  ///< in the plane of the surface, hoop against axis [Pa]
 };
 
-/// Stresses that a point passes in a wave at constant torque, and how often.
-struct StressTurn {
-  std::vector<SurfaceStress> states;
-  double cycles = 0.0;  ///< waves of this kind in a repetition of the duty [-]; >= 0
+/// Stresses that a point passes in a wave at one torque.
+using WaveStates = std::vector<SurfaceStress>;
+
+/// Cycles of a duty: each reaches all stresses of two waves.
+struct WaveCycles {
+  std::size_t first = 0;   ///< number of the one wave
+  std::size_t second = 0;  ///< number of the other; the same: cycles of one wave
+  double count = 0.0;      ///< in a repetition of the duty [-]; >= 0
 };
 
 /// What a point endures.
@@ -68,18 +73,19 @@ struct CriticalPlane {
 ///
 /// Implements theory manual eqs. (LI-35), (LI-36).  For pure shear the utilisation is exact, for
 /// one normal stress it is 6 % too high.
-/// @param turns  at least one state in all
+/// @param waves  at least one, each with at least one state
 /// @throws InputError  if a number is out of range
-[[nodiscard]] CriticalPlane critical_plane(std::span<const StressTurn> turns,
+[[nodiscard]] CriticalPlane critical_plane(std::span<const WaveStates> waves,
                                            const PlaneStrength& strength);
 
 /// Damage of a repetition of a duty, on the plane with the most damage (LI-37) [-].
-///
-/// Each wave counts with its own range, and each repetition with the range of all its stresses.
+/// @param waves        the stresses at each torque
+/// @param cycles       of the waves and between them
 /// @param knee_cycles  cycles at the endurance limit [-]; > 0
 /// @param slope        k of the line above it [-]; >= 1
 /// @throws InputError  if a number is out of range
-[[nodiscard]] double plane_damage(std::span<const StressTurn> turns, const PlaneStrength& strength,
+[[nodiscard]] double plane_damage(std::span<const WaveStates> waves,
+                                  std::span<const WaveCycles> cycles, const PlaneStrength& strength,
                                   double knee_cycles, double slope, MinerRule rule);
 
 /// Safety of bending and torsion by the handbooks of these drives (LI-38) [-].

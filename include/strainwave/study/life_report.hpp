@@ -135,13 +135,13 @@ struct EnumNames<FatiguePlace> {
 /// Hours until Miner's sum is 1.
 struct MinerLife {
   MinerRule rule = MinerRule::haibach;
-  double damage_per_hour = 0.0;  ///< [1/s]
-  std::optional<double> life;    ///< [s]; absent: no damage
+  double damage_rate = 0.0;    ///< damage per time [1/s]
+  std::optional<double> life;  ///< [s]; absent: no damage
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"rule", "", "line of the endurance below its knee"}, &MinerLife::rule);
-    field({"damage_rate", "1/s", "damage per time"}, &MinerLife::damage_per_hour);
+    field({"damage_rate", "1/s", "damage per time"}, &MinerLife::damage_rate);
     field({"life", "s", "time to a damage of 1; absent without damage"}, &MinerLife::life);
   }
 };
@@ -209,6 +209,40 @@ struct BuckledBarrel {
   }
 };
 
+/// The drive with worn flanks.
+struct WornState {
+  double time = 0.0;                  ///< [s]
+  double depth = 0.0;                 ///< mean of both flanks of a tooth, with their mates [m]
+  std::optional<double> lost_motion;  ///< [rad]; absent if the curve has no solution
+  std::optional<double> K1;           ///< [N*m/rad]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"time", "s", "time of duty"}, &WornState::time);
+    field({"depth", "m", "depth of wear of a pair of flanks, mean of both senses"},
+          &WornState::depth);
+    field({"lost_motion", "rad", "lost motion of the worn drive"}, &WornState::lost_motion);
+    field({"K1", "N*m/rad", "stiffness up to T1 of the worn drive"}, &WornState::K1);
+  }
+};
+
+/// Wear of the flanks by Archard.
+struct FlankWear {
+  double drive_rate = 0.0;        ///< of the drive flanks [m/s]
+  double coast_rate = 0.0;        ///< of the coast flanks [m/s]
+  std::vector<WornState> states;  ///< up to the drive's life, or 10 000 h
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"drive_rate", "m/s", "depth per time of the flanks under torque about +z"},
+          &FlankWear::drive_rate);
+    field({"coast_rate", "m/s", "depth per time of the flanks under torque about -z"},
+          &FlankWear::coast_rate);
+    field({"states", "", "the drive with worn flanks"}, &FlankWear::states);
+  }
+};
+
 /// A part of the drive and its end.
 struct LifePart {
   std::string name;
@@ -252,6 +286,7 @@ struct LifeReport {
   std::optional<OutputBearingLife> output_bearing;
   std::vector<PlaceFatigue> fatigue;
   std::optional<BuckledBarrel> buckling;
+  std::optional<FlankWear> wear;  ///< absent without mesh.wear_coefficient
   std::vector<LifePart> parts;
   std::vector<SurvivalPoint> survival;
   std::vector<Note> notes;
@@ -276,6 +311,7 @@ struct LifeReport {
     field({"output_bearing", "", "the output bearing"}, &R::output_bearing);
     field({"fatigue", "", "fatigue of the flexspline"}, &R::fatigue);
     field({"buckling", "", "buckling of the barrel from its geometry"}, &R::buckling);
+    field({"wear", "", "wear of the flanks"}, &R::wear);
     field({"parts", "", "parts and their ends"}, &R::parts);
     field({"survival", "", "share of the drives over time"}, &R::survival);
   }

@@ -33,16 +33,17 @@ Command life_command() {
           [](const Request& request, const LifeOptions&) {
             return life_report(request.drive.gear, request.progress);
           },
-      .documents = {{Format::text,
-                     [](const LifeReport& report, const Rendering& to) {
-                       return life_text(report, to.drive.gear, to.provenance);
-                     }},
-                    {Format::csv, life_csv},
-                    {{.name = "plot",
-                      .format = Format::svg,
-                      .option = "plot",
-                      .doc = "draw the share of the drives over time as an SVG file"},
-                     life_plot}},
+      .documents =
+          {{Format::text,
+            [](const LifeReport& report, const Rendering& to) {
+              return life_text(report, to.drive.gear, to.provenance);
+            }},
+           {Format::csv, life_csv},
+           {{.name = "plot",
+             .format = Format::svg,
+             .option = "plot",
+             .doc = "draw the share of the drives over time, and Haigh's diagram, as an SVG file"},
+            life_plot}},
   });
 }
 

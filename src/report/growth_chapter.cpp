@@ -9,7 +9,6 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/layouts/growth.hpp"
-#include "strainwave/layouts/life.hpp"
 
 namespace strainwave::report {
 namespace {
@@ -24,21 +23,6 @@ std::string figures_and_tables(const std::vector<PlotPanel>& panels,
 }
 
 }  // namespace
-
-ReportSection life_chapter(Draft& draft) {
-  constexpr std::string_view kTitle = "Life of the parts without cracks";
-  try {
-    const LifeReport life = life_report(draft.gear, draft.progress.part(0.8, 0.85));
-    draft.add(life.notes);
-    draft.add(life.equations);
-    return {
-        "life", std::string(kTitle),
-        paragraph(life.answer + ".") + figures_and_tables(life_panels(life), life_tables(life))};
-  } catch (const InputError& error) {
-    return {"life", std::string(kTitle),
-            paragraph(std::string("The life is not computed: ") + error.what(), "absent")};
-  }
-}
 
 ReportSection growth_chapter(Draft& draft) {
   constexpr std::string_view kTitle = "Growth of the cracks";
