@@ -12,7 +12,11 @@ GearSet with_crack_sizes(const GearSet& gear, std::span<const CrackSize> sizes) 
   for_each_crack(grown, [&](const std::string&, auto& crack) {
     using Crack = std::decay_t<decltype(crack)>;
     const CrackSize& size = sizes[index++];
-    if constexpr (ContactCrack<Crack>) return;
+    if constexpr (ContactCrack<Crack>) {
+      if constexpr (requires { crack.depth; })
+        if (size.size > 0) crack.depth = size.size;
+      return;
+    }
     if constexpr (requires { crack.aspect_ratio; }) {
       crack.depth = size.size;
       crack.aspect_ratio = size.aspect_ratio;

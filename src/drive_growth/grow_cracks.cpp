@@ -5,13 +5,17 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "notes.hpp"
+#include "rim_crack.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
 namespace {
@@ -19,6 +23,7 @@ namespace {
 constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s]
 constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
+constexpr std::size_t kCoupledRows = 12;  // rows with the coupled drive
 constexpr double kSevered = 0.01;      // share of the stiffness below which a drive is severed [-]
 constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
 constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
@@ -185,6 +190,17 @@ class Growing {
   }
 
  private:
+  /// The axial crack of the rim at a path, if the file gives the coupled drive.
+  [[nodiscard]] std::optional<RimCrack> rim_crack_at(const std::string& wanted) const {
+    if (!missing_for_torsion_curve(gear_).empty()) return std::nullopt;
+    std::optional<RimCrack> found;
+    for_each_crack(gear_, [&](const std::string& path, const auto& crack) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, RimAxialCrack>)
+        if (path == wanted) found = rim_crack(gear_, path, crack, history_);
+    });
+    return found;
+  }
+
   void take_cracks() {
     cracks_.clear();
     first_.clear();
@@ -196,13 +212,20 @@ class Growing {
     std::vector<DriveCrack> all = drive_cracks(gear_);
     for (std::size_t i = 0; i < all.size(); ++i) {
       unchanged_.push_back(all[i].size);
+      CracksAtTorques at_torque;
       if (all[i].acts_in_coupled_drive) {
-        if (first_time) report_.notes.push_back(coupled_crack_note(all[i].path));
-        continue;
+        std::optional<RimCrack> rim = rim_crack_at(all[i].path);
+        if (!rim) {
+          if (first_time) report_.notes.push_back(coupled_crack_note(all[i].path));
+          continue;
+        }
+        all[i] = std::move(rim->crack);
+        at_torque = std::move(rim->at_torque);
+        unchanged_.back() = all[i].size;
       }
       in_drive_.push_back(i);
       in_report_.push_back(in_report_.size());
-      cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate);
+      cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));
       first_.push_back(at);
       at += cracks_.back().tips().size();
     }
@@ -220,6 +243,16 @@ class Growing {
   std::vector<std::size_t> in_report_;  // index among the report's cracks
   std::vector<CrackSize> unchanged_;
 };
+
+/// Keeps at most n rows, with the first and the last one.
+template <class Row>
+void thin(std::vector<Row>& rows, int n) {
+  const auto keep = static_cast<std::size_t>(n);
+  if (rows.size() <= keep) return;
+  std::vector<Row> kept;
+  for (std::size_t i = 0; i < keep; ++i) kept.push_back(rows[i * (rows.size() - 1) / (keep - 1)]);
+  rows = std::move(kept);
+}
 
 /// Integrates the path and fills the report.
 class Path {
@@ -253,7 +286,11 @@ class Path {
       }
     report_.repetitions = state.back();
     report_.time = state.back() * duration;
-    if (told_) describe_rest(state);
+    if (!told_) return;
+    describe_rest(state);
+    thin(report_.stiffness, options_.points);
+    thin(gears_, options_.points);
+    add_coupled_drive();
   }
 
  private:
@@ -452,9 +489,38 @@ class Path {
 
   void begin_report() {
     const auto& cracks = growing_.cracks();
-    for (const GrowingCrack& crack : cracks)
+    for (const GrowingCrack& crack : cracks) {
       report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate));
+      for (Note& note : crack_notes(growing_.gear(), crack, options_.rate))
+        report_.notes.push_back(std::move(note));
+    }
     stands_still_.assign(cracks.size(), false);
+  }
+
+  /// Adds the maker's stiffnesses to some rows, with the first and the last one.
+  void add_coupled_drive() {
+    if (gears_.empty() || !missing_for_torsion_curve(gears_.front()).empty()) return;
+    const std::size_t n = gears_.size();
+    const std::size_t rows = std::min(n, kCoupledRows);
+    for (std::size_t i = 0; i < rows; ++i) {
+      const std::size_t at = rows == 1 ? 0 : i * (n - 1) / (rows - 1);
+      StiffnessOverLife& row = report_.stiffness[at];
+      try {
+        const AssembledDrive drive(gears_[at]);
+        const MakersLines positive = makers_lines(drive, +1);
+        const MakersLines negative = makers_lines(drive, -1);
+        row.K1_positive = positive.K1;
+        row.K2_positive = positive.K2;
+        row.K3_positive = positive.K3;
+        row.K1_negative = negative.K1;
+        row.K2_negative = negative.K2;
+        row.K3_negative = negative.K3;
+      } catch (const Error& error) {
+        report_.notes.push_back(no_curve_note(error.what()));
+        return;
+      }
+    }
+    report_.equations.emplace_back("TC-11");
   }
 
   /// What would let the cracks grow that stand still at the end.
@@ -519,9 +585,12 @@ class Path {
       if (const auto reserve = crack.least_reserve())
         row.reserve = std::min(row.reserve.value_or(*reserve), *reserve);
     if (!report_.stiffness.empty() && report_.stiffness.back().time == row.time &&
-        report_.stiffness.back().change == row.change)
+        report_.stiffness.back().change == row.change) {
       report_.stiffness.pop_back();
+      gears_.pop_back();
+    }
     report_.stiffness.push_back(row);
+    gears_.push_back(gear);
   }
 
   Growing growing_;
@@ -534,19 +603,10 @@ class Path {
   bool told_;
   std::vector<bool> stands_still_;
   State acceptable_;
+  std::vector<GearSet> gears_;  // of the rows of stiffness
   double first_positive_ = 0.0;
   double first_negative_ = 0.0;
 };
-
-/// Keeps at most n rows, with the first and the last one.
-template <class Row>
-void thin(std::vector<Row>& rows, int n) {
-  const auto keep = static_cast<std::size_t>(n);
-  if (rows.size() <= keep) return;
-  std::vector<Row> kept;
-  for (std::size_t i = 0; i < keep; ++i) kept.push_back(rows[i * (rows.size() - 1) / (keep - 1)]);
-  rows = std::move(kept);
-}
 
 }  // namespace
 
@@ -578,7 +638,6 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   }
   complete(report, gear, options.rate);
   for (CrackGrowth& crack : report.cracks) thin(crack.series, options.points);
-  thin(report.stiffness, options.points);
   return report;
 }
 

@@ -35,12 +35,10 @@ bool has_toughness(const RateLaw& law) {
       law);
 }
 
-/// The bearing's K is not linear in the torque: a crack of each torque.
-std::vector<std::pair<double, DriveCrack>> cracks_at_torques(const GearSet& gear,
-                                                             const DriveCrack& crack,
-                                                             const CrackDuty& duty) {
-  std::vector<std::pair<double, DriveCrack>> made;
-  if (crack.turning != TurningLoad::balls) return made;
+/// A crack of the bearing at each torque of the duty, because K is not proportional to the torque.
+CracksAtTorques race_at_torques(const GearSet& gear, const DriveCrack& crack,
+                                const CrackDuty& duty) {
+  CracksAtTorques made;
   for (const LoadCycle& cycle : duty.cycle)
     for (const LoadState* const state : {&cycle.from, &cycle.to}) {
       const double torque = std::abs(state->torque);
@@ -99,7 +97,7 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHist
     limits_.intrinsic_size = bounds->short_crack_size;
   }
   if (!has_toughness(law_)) limits_.toughness = material.fracture_toughness;
-  at_torque_ = cracks_at_torques(gear, crack_, duty_);
+  if (crack_.turning == TurningLoad::balls) at_torque_ = race_at_torques(gear, crack_, duty_);
 }
 
 std::span<const Tip> GrowingCrack::tips() const {
@@ -112,15 +110,21 @@ Modes GrowingCrack::factors_at(const std::vector<SizedFront>& fronts, std::size_
                                const LoadState& state, double factor) const {
   const double torque = state.torque * factor;
   const double T = crack_.reverses ? torque : std::abs(torque);
-  std::size_t which = 0;
-  for (std::size_t i = 0; i < at_torque_.size(); ++i)
-    if (at_torque_[i].first == std::abs(state.torque)) which = i + 1;
+  std::size_t which = 0;  // the crack itself, or that of the nearest torque
+  const double sought = crack_.reverses ? state.torque : std::abs(state.torque);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < at_torque_.size(); ++i) {
+    const double distance = std::abs(at_torque_[i].first - sought);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    which = i + 1;
+  }
   const FrontIntensity& at = fronts[which].load[point];
   const std::array<const std::array<double, 2>*, 3> load = {&at.load.I, &at.load.II, &at.load.III};
   Modes K{};
   for (std::size_t mode = 0; mode < K.size(); ++mode) {
     K[mode] = (*load[mode])[kAxial] * state.axial_force * factor + (*load[mode])[kTorsion] * T +
-              at.assembly[mode] * state.assembly;
+              at.assembly[mode] * state.assembly + at.constant[mode];
     if (!fronts[which].bending.empty())
       K[mode] += fronts[which].bending[point][mode] * state.bending_moment * factor;
   }

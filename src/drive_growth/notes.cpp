@@ -17,25 +17,29 @@ namespace {
 
 std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
 
+/// The record of the library that gives the law; null if the file gives it.
+const MaterialRecord* record_of(const GearSet& gear, const GrowingCrack& crack,
+                                const RateChoice& choice) {
+  if (!choice.law.empty()) return &require_material(choice.law);
+  const std::string& name = crack.crack().material;
+  const Material& material = gear.material.at(name);
+  if (std::ranges::find(material.from_library, "growth") == material.from_library.end())
+    return nullptr;
+  return &require_material(material.based_on.value_or(name));
+}
+
+Confidence confidence_of(const MaterialRecord& record) {
+  return std::visit([](const Evidence& evidence) { return evidence.confidence; },
+                    record.growth.front());
+}
+
 std::string origin_of(const GearSet& gear, const GrowingCrack& crack, const RateChoice& choice) {
-  if (!choice.law.empty()) {
-    const MaterialRecord& record = require_material(choice.law);
-    const auto confidence =
-        std::visit([](const Evidence& evidence) { return enum_name(evidence.confidence); },
-                   record.growth.front());
-    return fmt::format("record {} of the material library ({}), chosen in place of {}", record.name,
-                       confidence, crack.crack().material);
-  }
-  const Material& material = gear.material.at(crack.crack().material);
-  const bool library =
-      std::ranges::find(material.from_library, "growth") != material.from_library.end();
-  if (!library) return fmt::format("material {} of the file", crack.crack().material);
-  const MaterialRecord& record =
-      require_material(material.based_on.value_or(crack.crack().material));
-  const auto confidence =
-      std::visit([](const Evidence& evidence) { return enum_name(evidence.confidence); },
-                 record.growth.front());
-  return fmt::format("record {} of the material library ({})", record.name, confidence);
+  const MaterialRecord* const record = record_of(gear, crack, choice);
+  if (record == nullptr) return fmt::format("material {} of the file", crack.crack().material);
+  std::string origin = fmt::format("record {} of the material library ({})", record->name,
+                                   enum_name(confidence_of(*record)));
+  if (!choice.law.empty()) origin += fmt::format(", chosen in place of {}", crack.crack().material);
+  return origin;
 }
 
 /// Notes on the range for which the constants are stated.
@@ -83,32 +87,6 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
   }
 }
 
-void note_stress(GrowthReport& report, const GearSet& gear) {
-  for (const DriveCrack& crack : drive_cracks(gear)) {
-    if (crack.acts_in_coupled_drive) continue;
-    if (!crack.unknown.empty())
-      report.notes.push_back(
-          {.code = "growth.unknown_stress",
-           .text =
-               fmt::format("a part of the stress is not known, so the growth is that of the known "
-                           "part: {}",
-                           crack.unknown),
-           .path = crack.path,
-           .equation = "GR-22",
-           .severity = Severity::cannot_tell,
-           .next_step = crack.next_step});
-    if (crack.assembly)
-      report.notes.push_back(
-          {.code = "growth.upper_bound",
-           .text =
-               "the range of K from the wave is an upper bound, with open faces and the stress of "
-               "the outer fibre; the true crack grows more slowly or not at all",
-           .path = crack.path,
-           .equation = "FA-12",
-           .severity = Severity::care});
-  }
-}
-
 }  // namespace
 
 Note coupled_crack_note(const std::string& path) {
@@ -119,6 +97,66 @@ Note coupled_crack_note(const std::string& path) {
       .equation = "TC-22",
       .severity = Severity::cannot_tell,
       .next_step = "Inspect the part, or assess the crack by finite elements."};
+}
+
+Note no_curve_note(const std::string& why) {
+  return {.code = "growth.no_curve",
+          .text = "the coupled drive has no solution with the grown cracks: " + why,
+          .path = "",
+          .equation = "TC-11",
+          .severity = Severity::care,
+          .next_step = "Read the stiffness of the sum of the members, or stop the growth earlier."};
+}
+
+std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
+                              const RateChoice& choice) {
+  std::vector<Note> notes;
+  const DriveCrack& of = crack.crack();
+  if (!of.unknown.empty())
+    notes.push_back(
+        {.code = "growth.unknown_stress",
+         .text = "a part of the stress is not known, so the growth is that of the known "
+                 "part: " +
+                 of.unknown,
+         .path = of.path,
+         .equation = "GR-22",
+         .severity = Severity::cannot_tell,
+         .next_step = of.next_step});
+  if (of.assembly)
+    notes.push_back({.code = "growth.upper_bound",
+                     .text =
+                         "the range of K from the wave is an upper bound, with open faces and the "
+                         "stress of the outer fibre; the true crack grows more slowly or not at "
+                         "all",
+                     .path = of.path,
+                     .equation = "FA-12",
+                     .severity = Severity::care});
+  const MaterialRecord* const record = record_of(gear, crack, choice);
+  if (record == nullptr || confidence_of(*record) != Confidence::unverified) return notes;
+  std::string text =
+      fmt::format("the constants of its law, those of {}, are unverified", record->name);
+  const auto* const law = std::get_if<Nasgro>(&crack.law());
+  double least = 0.0;  // smallest R of the duty
+  for (const std::vector<TipLoad>& at_tip : crack.loads(crack.crack().size))
+    for (const TipLoad& load : at_tip)
+      if (load.cycle.largest > 0) least = std::min(least, load.cycle.ratio);
+  if (law != nullptr && least < 0) {
+    Nasgro other = *law;
+    other.slope_minus = -other.slope_minus;
+    const double a = crack.crack().size.size;
+    text += fmt::format(
+        "; with the other sign of C_th for R < 0, the threshold at R = {:.3g} is {:.4g} in place "
+        "of "
+        "{:.4g} MPa*m^0.5",
+        least, other.threshold(least, a) / units::MPa, law->threshold(least, a) / units::MPa);
+  }
+  notes.push_back({.code = "growth.unverified",
+                   .text = text,
+                   .path = of.path,
+                   .equation = "GR-10",
+                   .severity = Severity::care,
+                   .next_step = "Compare with another law by --law, or give constants of a test."});
+  return notes;
 }
 
 CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
@@ -162,7 +200,6 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 }
 
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
-  note_stress(report, gear);
   note_range(report, gear, choice);
   for (const CrackGrowth& crack : report.cracks) {
     constexpr double kTurns = 5 * units::deg;

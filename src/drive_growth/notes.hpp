@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "strainwave/drive_growth/grow_cracks.hpp"
 
@@ -13,6 +14,10 @@ namespace strainwave {
 [[nodiscard]] CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
                                           const RateChoice& choice);
 
+/// Notes on the stress of a crack and on the constants of its law.
+[[nodiscard]] std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
+                                            const RateChoice& choice);
+
 /// Adds margin and factor to a crack that stands still.
 /// @param amplification  of the loads by the vibration [-]
 void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size,
@@ -20,6 +25,9 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 
 /// A crack that only the coupled drive models.
 [[nodiscard]] Note coupled_crack_note(const std::string& path);
+
+/// The coupled drive has no curve with the grown cracks.
+[[nodiscard]] Note no_curve_note(const std::string& why);
 
 /// Adds sentence and notes.
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice);

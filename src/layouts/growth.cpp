@@ -102,6 +102,23 @@ TitledTable stiffness_table(const GrowthReport& report) {
   return {"Stiffness of the drive, the sum of its members", table};
 }
 
+TitledTable coupled_table(const GrowthReport& report) {
+  const DisplayUnit unit = stiffness_unit();
+  Table table{.head = {with_unit("time", hour_unit())}};
+  for (const char* const line :
+       {"K1, T > 0", "K2, T > 0", "K3, T > 0", "K1, T < 0", "K2, T < 0", "K3, T < 0"})
+    table.head.push_back(with_unit(line, unit));
+  for (const StiffnessOverLife& at : report.stiffness) {
+    if (!at.K1_positive) continue;
+    auto& row = table.rows.emplace_back(
+        std::vector<std::string>{shown_number(at.time / hour_unit().in_si)});
+    for (const auto& K : {at.K1_positive, at.K2_positive, at.K3_positive, at.K1_negative,
+                          at.K2_negative, at.K3_negative})
+      row.push_back(shown_number(K.value_or(0.0) / unit.in_si));
+  }
+  return {"Stiffness of the coupled drive in the maker's numbers", table};
+}
+
 }  // namespace
 
 std::vector<TitledTable> growth_tables(const GrowthReport& report) {
@@ -115,6 +132,8 @@ std::vector<TitledTable> growth_tables(const GrowthReport& report) {
         crack.series.front().half_length != crack.series.back().half_length)
       tables.push_back(series_table(crack));
   if (report.stiffness.size() > 1) tables.push_back(stiffness_table(report));
+  if (TitledTable coupled = coupled_table(report); coupled.table.rows.size() > 1)
+    tables.push_back(std::move(coupled));
   return tables;
 }
 

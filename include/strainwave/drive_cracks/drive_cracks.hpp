@@ -39,6 +39,9 @@ struct FrontIntensity {
   /// K of the assembly for a crack at a lobe, where the hoop stress is tensile [Pa*m^0.5].  At a
   /// wave angle theta from the lobe, multiply by `DriveCrack::assembly_phase(theta)`.
   Modes assembly{};
+  /// K that acts whatever the load is; for a crack at one torque, on which K does not depend in
+  /// proportion [Pa*m^0.5]
+  Modes constant{};
 };
 
 /// The load that changes in each turn of a running drive, seen from the crack.

@@ -9,8 +9,8 @@
 namespace strainwave {
 
 /// The drive with its cracks at other sizes.
-/// @param sizes  one per crack, in the order of drive_cracks; a crack that acts in the coupled
-///               drive keeps its size
+/// @param sizes  one per crack, in the order of drive_cracks; a size of 0 leaves the crack as it
+///               is
 [[nodiscard]] GearSet with_crack_sizes(const GearSet& gear, std::span<const CrackSize> sizes);
 
 /// The drive with one surface crack of the wall replaced by a crack through the wall of the same

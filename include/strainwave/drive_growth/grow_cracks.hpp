@@ -158,6 +158,14 @@ struct StiffnessOverLife {
   double change = 0.0;     ///< of the softer sense, against the drive of the file [-]
   double resonance = 0.0;  ///< lowest natural frequency over that of the file, sqrt(K/K_0) [-]
   std::optional<double> reserve = {};  ///< least factor on the largest load of the duty [-]
+  /// The maker's stiffnesses of the coupled drive under both senses of torque [N*m/rad]; absent in
+  /// rows between, and if the file does not give the coupled drive
+  std::optional<double> K1_positive = {};
+  std::optional<double> K2_positive = {};
+  std::optional<double> K3_positive = {};
+  std::optional<double> K1_negative = {};
+  std::optional<double> K2_negative = {};
+  std::optional<double> K3_negative = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -169,6 +177,15 @@ struct StiffnessOverLife {
     field({"resonance", "1", "natural frequency over that of the file"}, &S::resonance);
     field({"reserve", "1", "least factor on the duty's largest load at which a crack fails"},
           &S::reserve);
+    const auto line = [&](std::string_view name, std::string_view doc, auto member) {
+      field({.name = name, .unit = "N*m/rad", .doc = doc}, member);
+    };
+    line("K1_positive", "K1 of the coupled drive, T > 0", &S::K1_positive);
+    line("K2_positive", "K2 of the coupled drive, T > 0", &S::K2_positive);
+    line("K3_positive", "K3 of the coupled drive, T > 0", &S::K3_positive);
+    line("K1_negative", "K1 of the coupled drive, T < 0", &S::K1_negative);
+    line("K2_negative", "K2 of the coupled drive, T < 0", &S::K2_negative);
+    line("K3_negative", "K3 of the coupled drive, T < 0", &S::K3_negative);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strainwave/drive_cracks/drive_cracks.hpp"
@@ -48,14 +49,20 @@ struct SizedFront {
   std::vector<Modes> bending;  ///< empty: no bending moment acts
 };
 
+/// A crack at several torques [N*m], on which K does not depend in proportion.
+using CracksAtTorques = std::vector<std::pair<double, DriveCrack>>;
+
 /// A crack of a drive under its duty.
 class GrowingCrack {
  public:
   /// @param gear   has passed `check` and has a duty
   /// @param crack  of drive_cracks(gear); one that does not act in the coupled drive
+  /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the
+  /// torque;
+  ///                   a torque takes the nearest one
   /// @throws InputError  if its material has no law of growth
   GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
-               const RateChoice& choice);
+               const RateChoice& choice, CracksAtTorques at_torque = {});
 
   [[nodiscard]] const DriveCrack& crack() const { return crack_; }
   [[nodiscard]] const CrackDuty& duty() const { return duty_; }
@@ -93,7 +100,7 @@ class GrowingCrack {
                                  const LoadState& state, double factor) const;
 
   DriveCrack crack_;
-  std::vector<std::pair<double, DriveCrack>> at_torque_;  // only if K is not linear in the torque
+  CracksAtTorques at_torque_;  // only if K is not linear in the torque
   CrackDuty duty_;
   RateLaw law_;
   GrowthLimits limits_;

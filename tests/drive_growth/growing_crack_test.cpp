@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_growth/growing_crack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "strainwave/drive_growth/crack_sizes.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kMegapascal = 1e6;
+
+TEST(TipCycle, LimitOneMode) {  // GR-22
+  const Modes high = {30 * kMegapascal, 0, 0};
+  const Modes low = {12 * kMegapascal, 0, 0};
+  for (const MixedMode rule : {MixedMode::energy, MixedMode::tanaka, MixedMode::richard}) {
+    const TipCycle cycle = tip_cycle(rule, low, high, 0.3);
+    test::expect_relative(cycle.largest, 30e6, 1e-14);
+    test::expect_relative(cycle.ratio, 0.4, 1e-13);
+    // Mode III that changes its sign has R = -1, whatever its factor in the rule.
+    EXPECT_NEAR(tip_cycle(rule, {0, 0, 5e6}, {0, 0, -5e6}, 0.3).ratio, -1.0, 1e-14);
+    // Faces that are pressed all the time have no cycle.
+    EXPECT_EQ(tip_cycle(rule, {-5e6, 0, 0}, {-9e6, 0, 0}, 0.3).largest, 0.0);
+    // A crack that opens from a pressed state has a negative R.
+    EXPECT_NEAR(tip_cycle(rule, {10e6, 0, 0}, {-5e6, 0, 0}, 0.3).ratio, -0.5, 1e-14);
+  }
+}
+
+TEST(TipCycle, IdentityOrder) {
+  const Modes a = {7e6, 3e6, 1e6};
+  const Modes b = {-2e6, 5e6, -4e6};
+  const TipCycle one = tip_cycle(MixedMode::energy, a, b, 0.3);
+  const TipCycle other = tip_cycle(MixedMode::energy, b, a, 0.3);
+  EXPECT_EQ(one.largest, other.largest);
+  EXPECT_EQ(one.ratio, other.ratio);
+}
+
+GearSet size25() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml"); }
+
+TEST(LoadCycles, ReferenceWavesOfTheWall) {  // GR-21
+  // Waves of the blocks: U (1 + 1/i) in a turn of the input, so 2.02 * 100 in a turn of the output
+  // that is fixed to the flexspline; 0.2 s at 10 rpm, 3 s at 20 rpm and 0.3 s at 10 rpm.
+  const GearSet gear = size25();
+  const DriveCrack crack = drive_cracks(gear)[1];
+  const CrackDuty duty = crack_duty(gear, crack, duty_history(gear));
+  test::expect_relative(duty.duration, 3.7, 1e-14);
+  const double turns = (0.2 * 10 + 3 * 20 + 0.3 * 10) / 60;
+  test::expect_relative(duty.cycles(), 202 * turns, 1e-12);
+  // The torques 150, 82, -60, 0 have one closed cycle, 150 to -60, which takes half a wave of each.
+  double between = 0.0;
+  for (const LoadCycle& cycle : duty.cycle)
+    if (cycle.from.torque != cycle.to.torque) {
+      between += cycle.count;
+      EXPECT_EQ(cycle.from.torque, 150);
+      EXPECT_EQ(cycle.to.torque, -60);
+      EXPECT_EQ(cycle.from.assembly, 1);
+      EXPECT_EQ(cycle.to.assembly, -1);
+    }
+  EXPECT_EQ(between, 1.0);
+  GearSet other = gear;
+  other.duty->fixed = FixedMember::flexspline;  // the wave passes U times in a turn of the input
+  const CrackDuty slower = crack_duty(other, crack, duty_history(other));
+  test::expect_relative(slower.cycles(), 2 * 101 * turns, 1e-12);
+}
+
+TEST(LoadCycles, ReferenceMomentaryPeaks) {
+  GearSet gear = size25();
+  gear.duty->peak = {{.torque = 300, .output_speed = 0.0, .duration = 0.1, .interval = 370}};
+  const CrackDuty duty = crack_duty(gear, drive_cracks(gear)[1], duty_history(gear));
+  test::expect_relative(duty.peaks, 0.01, 1e-12);
+  const LoadCycle& peak = duty.cycle.back();
+  EXPECT_TRUE(peak.rare);
+  EXPECT_EQ(peak.from.torque, 300);
+  EXPECT_EQ(peak.to.torque, -60);
+  test::expect_relative(peak.count, 0.01, 1e-12);
+}
+
+TEST(CrackSizes, IdentityAndWall) {
+  GearSet gear = size25();
+  std::vector<CrackSize> sizes;
+  for (const DriveCrack& crack : drive_cracks(gear)) sizes.push_back(crack.size);
+  sizes[0] = CrackSize::of(0.35e-3, 6e-3);
+  sizes[1].size = 5e-3;
+  const GearSet grown = with_crack_sizes(gear, sizes);
+  const std::vector<DriveCrack> cracks = drive_cracks(grown);
+  test::expect_relative(cracks[0].size.size, 0.35e-3, 1e-14);
+  test::expect_relative(cracks[0].size.half_length(), 6e-3, 1e-14);
+  EXPECT_EQ(cracks[1].size.size, 5e-3);
+  EXPECT_FALSE(break_through(gear, 1));  // is a through crack already
+  EXPECT_TRUE(break_through(gear, 0));
+  const auto& through = std::get<WallThroughCrack>(gear.flexspline->crack[0]);
+  EXPECT_EQ(through.half_length, 5e-3);
+  EXPECT_EQ(through.angle, 0.0);
+}
+
+}  // namespace
+}  // namespace strainwave
