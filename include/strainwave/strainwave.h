@@ -138,8 +138,8 @@ typedef struct sw_batch_task {
 /** Version of the library, "0.1.0"; never freed. */
 SW_API const char* sw_version(void);
 
-/** The commands as a JSON array of objects with name, summary, takes ("nothing" or "drive"),
- *  options (names) and documents (names). */
+/** The commands as a JSON array of objects with name, summary, takes ("nothing", "drive" or "drive
+ * or nothing"), options (names) and documents (names). */
 SW_API sw_error* sw_commands(sw_text* json);
 
 /** Reads a drive from TOML text of at most 1 MiB.

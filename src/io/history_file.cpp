@@ -371,25 +371,30 @@ DutyRecord read_duty_record(HistoryFile& file) {
   const double second = file.factor_to("s", time);
   const double newton_metre = file.factor_to("N*m", torque);
   const double radian_per_second = file.factor_to("rad/s", speed);
+  std::optional<DutyRow> last;
+  bool kept = true;  // the last row is in the record
   for (;;) {
     const std::vector<std::vector<double>>& block = file.read(wanted);
     if (block[0].empty()) break;
-    if (file.rows() > kMaxDutyRows)
-      throw InputError(TextPlace{.file = file.name()},
-                       fmt::format("has more than {} rows; give a representative part of it, or "
-                                   "count its cycles by strainwave duty --rainflow",
-                                   kMaxDutyRows));
     for (std::size_t i = 0; i < block[0].size(); ++i) {
-      const double at = second * block[0][i];
-      if (!record.rows.empty() && !(at > record.rows.back().time))
-        file.refuse(
-            i, time, block[0][i],
-            fmt::format("later than the row before, {:g}", record.rows.back().time / second));
-      record.rows.push_back({.time = at,
-                             .torque = newton_metre * block[1][i],
-                             .speed = radian_per_second * block[2][i]});
+      const DutyRow row{.time = second * block[0][i],
+                        .torque = newton_metre * block[1][i],
+                        .speed = radian_per_second * block[2][i]};
+      if (last && !(row.time > last->time))
+        file.refuse(i, time, block[0][i],
+                    fmt::format("later than the row before, {:g}", last->time / second));
+      // A row with the load of the row before adds nothing: that row holds on.
+      kept = !last || row.torque != last->torque || row.speed != last->speed;
+      if (kept) record.rows.push_back(row);
+      last = row;
     }
+    if (record.rows.size() > kMaxDutyRows)
+      throw InputError(TextPlace{.file = file.name()},
+                       fmt::format("changes its load more than {} times; give a representative "
+                                   "part of it, or count its cycles by strainwave duty --rainflow",
+                                   kMaxDutyRows));
   }
+  if (!kept) record.rows.push_back(*last);
   if (record.rows.size() < 2)
     throw InputError(TextPlace{.file = file.name()},
                      "has fewer than two rows of numbers; a row holds until the time of the next");

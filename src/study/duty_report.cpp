@@ -191,7 +191,10 @@ DutyReport duty_report(const GearSet& gear, std::optional<int> classes) {
     of.per_output_turn = cycles.per_output_turn;
     of.per_repetition = cycles.per_repetition;
     of.per_hour = cycles.per_hour;
-    if (of.cycle == "wave") of.between = cycles_between(cycles, history.residue, classes);
+    if (place == DutyPlace::outer_ring)
+      of.between = duty.places.front().between;  // it has the waves of the flexspline
+    else if (of.cycle == "wave")
+      of.between = cycles_between(cycles, history.residue, classes);
     set_loads(of, std::move(cycles.steps));
   }
   if (!cycles_per_output_turn(gear, DutyPlace::inner_ring))

@@ -236,6 +236,7 @@ const std::map<std::string, Example, std::less<>>& examples() {
   static const std::map<std::string, Example, std::less<>> all = {
       {"stiffness", {"article.toml", ""}},
       {"torsion", {"catalogue_size25.toml", ""}},
+      {"duty", {"", R"({"rainflow": "joint_history.csv", "column": "torque"})"}},
       {"require", {"article.toml", R"({"requirements": ["intact.stiffness >= 1 N*m/rad"]})"}},
       {"report", {"article.toml", R"({"date": "2026-01-01"})"}},
       {"sensitivity", {"article_scatter.toml", R"({"scatter": true, "samples": 1000})"}},
@@ -272,7 +273,8 @@ TEST(CApi, BehaviourEveryCommandAnswersAsTheFacade) {
     const auto& [file, options] = example->second;
     const std::string toml = file.empty() ? "" : file_text(file);
     const OptionTexts texts = {{"article.toml", file_text("article.toml")},
-                               {"through_crack.toml", file_text("through_crack.toml")}};
+                               {"through_crack.toml", file_text("through_crack.toml")},
+                               {"joint_history.csv", file_text("joint_history.csv")}};
     const AnswerHandle answer =
         answer_of(file.empty() ? DriveHandle() : read(toml), command.name, options, texts);
     ASSERT_TRUE(answer) << command.name;

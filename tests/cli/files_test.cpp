@@ -106,6 +106,25 @@ TEST_F(Files, BehaviourInputsThatTheCallerHasOpened) {
   EXPECT_EQ(run("stiffness --format csv /dev/stdin", "cat " + word(kDrive) + " | ").out, answer);
 }
 
+TEST_F(Files, BehaviourHistoriesOfAnyLength) {
+  // A history comes through a file or a pipe and may be longer than other tables, whose limit is
+  // 64 MiB.
+  const std::string history = word(kTables + "/joint_history.csv");
+  const std::string count = " --column torque --format csv";
+  const std::string answer = run("duty --rainflow " + history + count).out;
+  EXPECT_EQ(answer.find("range [N*m],mean [N*m],count [1]\n"), 0U) << answer;
+  EXPECT_EQ(run("duty --rainflow -" + count, "cat " + history + " | ").out, answer);
+  EXPECT_EQ(run("duty --rainflow /dev/stdin" + count, "cat " + history + " | ").out, answer);
+  const Outcome rows = run("duty --rainflow - --format csv --classes 8 | head -n 2",
+                           "seq -f '%040.0f' 1 2000000 | awk 'BEGIN{print \"x\"}{print}' | ");
+  EXPECT_EQ(rows.exit_code, 0);
+  EXPECT_EQ(rows.out, "range [1],mean [1],count [1]\n1966080,917504,0.5\n");
+  expect_refused("duty --rainflow " + word(kTables), 2, "is a directory");
+  expect_refused("duty --rainflow /dev/zero", 2, "may never end");
+  expect_refused("duty --rainflow - <&-", 2, "standard input is closed");
+  expect_refused("duty --rainflow ''", 2, "must name a file");
+}
+
 TEST_F(Files, BehaviourNamesOfAnyKind) {
   for (const std::string name :
        {"a b.toml", "a'b.toml", "a\"b.toml", "a\nb.toml", "\u00e4\u2014\u6c34.toml", "$(x).toml",

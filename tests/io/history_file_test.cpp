@@ -146,6 +146,17 @@ TEST(HistoryFile, BehaviourDutyRecord) {
   EXPECT_NEAR(record.rows[1].speed, -30 * units::rpm, 1e-15);
 }
 
+TEST(HistoryFile, BehaviourRowsWithoutANewLoad) {
+  // Equal rows are one load that lasts; the last row gives the end.
+  HistoryFile file(pieces_of("time [s],torque [N*m],output_speed [rad/s]\n"
+                             "0,1,2\n1,1,2\n2,1,2\n3,4,2\n4,4,5\n5,4,5\n6,4,5\n"),
+                   "h.csv");
+  const DutyRecord record = read_duty_record(file);
+  std::vector<double> times;
+  for (const DutyRow& row : record.rows) times.push_back(row.time);
+  EXPECT_EQ(times, (std::vector<double>{0, 3, 4, 6}));
+}
+
 TEST(HistoryFile, InputDutyRecord) {
   EXPECT_EQ(record_fault("time [s],torque [N*m]\n0,1\n"),
             "h.csv:1: has no column output_speed; its columns are time, torque");

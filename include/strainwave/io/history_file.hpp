@@ -78,13 +78,13 @@ class HistoryFile {
   std::unique_ptr<Contents> contents_;
 };
 
-/// Largest number of rows of the history of a drive, which stays in memory.
+/// Largest number of rows with a new load in the history of a drive.  They stay in memory.
 inline constexpr std::uint64_t kMaxDutyRows = 5'000'000;
 
 /// Reads the history of a duty: the columns time, torque, and output_speed or input_speed with
-/// their units.
+/// their units.  Rows with the load of the row before are left out, but for the last row.
 /// @throws InputError  if a column or its unit is missing, a time is not later than the one before,
-///                     there are fewer than two rows or more than kMaxDutyRows
+///                     there are fewer than two rows, or more than kMaxDutyRows with a new load
 [[nodiscard]] DutyRecord read_duty_record(HistoryFile& file);
 
 /// Reads the history that a drive names, if it names one.
