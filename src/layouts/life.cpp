@@ -208,7 +208,7 @@ std::vector<PlotPanel> life_panels(const LifeReport& report) {
   if (PlotPanel haigh = haigh_panel(report); !haigh.series.empty())
     panels.push_back(std::move(haigh));
   if (report.survival.empty()) return panels;
-  PlotSeries share{.label = "all parts with a known life"};
+  PlotSeries share{.label = "known parts"};
   for (const SurvivalPoint& point : report.survival) {
     share.x.push_back(point.time / hours_unit().in_si);
     share.y.push_back(100 * point.share);

@@ -29,8 +29,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kHour = 3600;
-constexpr int kCagePhases = 8;
-constexpr int kPositions = 360;  // of the wave, over a turn
+constexpr int kBallPhases = 8;
+constexpr int kWavePositions = 360;  // of the wave, over a turn
 constexpr double kMakersSpeed = 2000 * units::rpm;
 constexpr double kIso281RollerSlope = 9.0 / 8.0;
 constexpr std::string_view kBearing = "wave generator bearing";
@@ -292,9 +292,9 @@ class DrivenStates {
  public:
   explicit DrivenStates(const GearSet& sound) {
     const int balls = *sound.wave_generator->bearing->ball_count;
-    for (int phase = 0; phase < kCagePhases; ++phase) {
+    for (int phase = 0; phase < kBallPhases; ++phase) {
       CoupledOptions options;
-      options.cage_phase = 2 * pi * phase / (balls * kCagePhases);
+      options.cage_phase = 2 * pi * phase / (balls * kBallPhases);
       drives_.emplace_back(sound, options);
     }
   }
@@ -319,7 +319,7 @@ class DrivenStates {
   const std::vector<RimState>& rim(double torque) {
     const auto found = rims_.find(torque);
     if (found != rims_.end()) return found->second;
-    return rims_.emplace(torque, rim_states(drives_.front(), torque, kPositions)).first->second;
+    return rims_.emplace(torque, rim_states(drives_.front(), torque, kWavePositions)).first->second;
   }
 
  private:
@@ -353,7 +353,7 @@ void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& state
                      .rated = {},
                      .ratio = {},
                      .by_ratio = {},
-                     .cage_phases = kCagePhases};
+                     .cage_phases = kBallPhases};
   if (const auto& rated = of.limits.rated_torque) {
     const std::array load = {
         BallLoads{.forces = states.balls(rated->value),

@@ -173,7 +173,7 @@ TEST(CatalogueInput, InputRefusals) {
   EXPECT_NE(unknown.find("8, 11, 14"), std::string::npos) << unknown;
   EXPECT_NE(broken_rule([] { return catalogue_rows({.size = {}, .ratio = 0.0}); }).find("> 0"),
             std::string::npos);
-  EXPECT_NE(broken_rule([] { return catalogue_rows({.size = 100, .ratio = 100}); }).find("no row"),
+  EXPECT_NE(broken_rule([] { return catalogue_rows({.size = 100, .ratio = 30}); }).find("no row"),
             std::string::npos);
   EXPECT_NE(broken_rule([] { return nearest_stiffness(-1, 100); }).find("> 0"), std::string::npos);
   EXPECT_NE(broken_rule([] { return nearest_stiffness(1, 0); }).find("> 0"), std::string::npos);

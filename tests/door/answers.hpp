@@ -52,6 +52,7 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"duty", R"({"classes": 4})"},
       {"duty", R"({"rainflow": "joint_history.csv", "column": "torque"})"},
       {"duty", R"({"rainflow": "joint_history.csv", "column": "torque", "classes": 8})"},
+      {"life", "{}"},
       {"require", R"({"requirements": ["intact.stiffness > 1 N*m/rad",
                                         "cracked.positive.stiffness_change >= 1 %"]})"},
       {"report", R"({"date": "2026-01-31"})"},
