@@ -159,8 +159,11 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
         for (std::size_t i = begin; i <= end; ++i) {
           const TipCycle at = tip_cycle(mixed_mode_, factors_at(fronts, i, from, factor),
                                         factors_at(fronts, i, to, factor), poissons_ratio_);
+          // Of ranges that differ by rounding only, the one with the larger K_max counts.
+          // Otherwise rounding would decide, and the rate would jump along the path.
           const double more = at.full_range() - widest.full_range();
-          if (more > 0 || (more == 0 && at.largest > widest.largest)) widest = at;
+          const double rounding = 1e-12 * widest.full_range();
+          if (more > rounding || (more >= -rounding && at.largest > widest.largest)) widest = at;
         }
         std::swap(from.assembly, to.assembly);
         from.bending_moment = -from.bending_moment;

@@ -12,34 +12,6 @@
 namespace strainwave {
 namespace {
 
-/// One value of the constant load of a step, for counting: the mode of the torque that is largest.
-class SteadyValue {
- public:
-  explicit SteadyValue(const DriveCrack& crack) {
-    const std::vector<FrontIntensity> front = crack.front(crack.size, Faces::open);
-    double largest = 0.0;
-    for (const FrontIntensity& at : front)
-      for (const auto mode : {&UnitStressIntensity<2>::I, &UnitStressIntensity<2>::II,
-                              &UnitStressIntensity<2>::III}) {
-        const double size = std::abs((at.load.*mode)[kTorsion]);
-        if (size <= largest) continue;
-        largest = size;
-        axial_ = (at.load.*mode)[kAxial];
-        torsion_ = (at.load.*mode)[kTorsion];
-      }
-    reverses_ = crack.reverses;
-  }
-  [[nodiscard]] double of(const DutyStep& step) const {
-    const double T = reverses_ ? step.torque : std::abs(step.torque);
-    return axial_ * step.axial_force + torsion_ * T;
-  }
-
- private:
-  double axial_ = 0.0;
-  double torsion_ = 1.0;
-  bool reverses_ = true;
-};
-
 LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned) {
   LoadState state{.torque = step.torque, .axial_force = step.axial_force};
   switch (crack.turning) {
@@ -57,6 +29,68 @@ LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned)
   }
   return state;
 }
+
+/// The loads of the steps as one value each, for counting: K along the direction in which the
+/// constant loads of two steps differ most, at the point of the front where they do.
+class CountedValue {
+ public:
+  CountedValue(const DriveCrack& crack, const std::vector<DutyStep>& steps)
+      : crack_(crack), front_(crack.front(crack.size, Faces::open)) {
+    if (crack.bending) bending_ = crack.bending(crack.size);
+    double largest = 0.0;
+    for (std::size_t point = 0; point < front_.size() && !steps.empty(); ++point) {
+      const auto constant = [&](const DutyStep& step) {
+        LoadState state = state_of(crack, step, 1);
+        state.assembly = state.bending_moment = 0.0;
+        return factors(state, point);
+      };
+      const auto farthest = [&](const Modes& from) {
+        Modes widest{};
+        for (const DutyStep& step : steps) {
+          const Modes away = difference(constant(step), from);
+          if (product(away, away) > product(widest, widest)) widest = away;
+        }
+        return widest;
+      };
+      const Modes first = constant(steps.front());
+      const Modes outermost = farthest(first);
+      const Modes widest = farthest({first[0] + outermost[0], first[1] + outermost[1],
+                                     first[2] + outermost[2]});
+      if (product(widest, widest) <= largest) continue;
+      largest = product(widest, widest);
+      direction_ = widest;
+      point_ = point;
+    }
+  }
+
+  [[nodiscard]] double of(const DutyStep& step, double turned) const {
+    return product(factors(state_of(crack_, step, turned), point_), direction_);
+  }
+
+ private:
+  static double product(const Modes& a, const Modes& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Modes difference(const Modes& a, const Modes& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  [[nodiscard]] Modes factors(const LoadState& state, std::size_t point) const {
+    const FrontIntensity& at = front_[point];
+    const double T = crack_.reverses ? state.torque : std::abs(state.torque);
+    const auto of = [&](std::size_t mode, const auto& load) {
+      const double bent = bending_.empty() ? 0.0 : bending_[point][mode];
+      return load[kAxial] * state.axial_force + load[kTorsion] * T +
+             at.assembly[mode] * state.assembly + bent * state.bending_moment;
+    };
+    return {of(0, at.load.I), of(1, at.load.II), of(2, at.load.III)};
+  }
+
+  const DriveCrack& crack_;
+  std::vector<FrontIntensity> front_;
+  std::vector<Modes> bending_;
+  Modes direction_{};
+  std::size_t point_ = 0;
+};
 
 bool turns(const DriveCrack& crack, const DutyStep& step) {
   if (crack.turning == TurningLoad::none || step.output_speed == 0) return false;
@@ -101,13 +135,13 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     if (!turns(crack, step)) return 0.0;
     return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * per_turn;
   };
-  const SteadyValue value(crack);
   std::vector<double> left;  // turning cycles of each step that no other cycle uses
-  std::vector<double> values;
+  std::vector<double> values;  // both extremes of each step
   const std::vector<DutyStep>& steps = history.steps;
+  const CountedValue value(crack, steps);
   for (const DutyStep& step : steps) {
     left.push_back(turned_in(step));
-    values.push_back(value.of(step));
+    for (const double turned : {1.0, -1.0}) values.push_back(value.of(step, turned));
   }
   // (GR-21): the cycles between steps.
   const auto join = [&](std::size_t high, std::size_t low, double count) {
@@ -122,7 +156,7 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
   RainflowCounter counter;
   const auto take = [&](const CountedCycle& counted) {
     const bool down = counted.from.value > counted.to.value;
-    join((down ? counted.from : counted.to).place, (down ? counted.to : counted.from).place,
+    join((down ? counted.from : counted.to).place / 2, (down ? counted.to : counted.from).place / 2,
          counted.count);
   };
   counter.add(values, take);
@@ -140,10 +174,11 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
   for (const DutyMomentaryPeak& peak : history.peaks) {
     const std::size_t step = steps.size();
     const auto farthest = std::ranges::max_element(
-        values, {}, [here = value.of(peak.step)](double there) { return std::abs(there - here); });
+        values, {},
+        [here = value.of(peak.step, 1)](double there) { return std::abs(there - here); });
     duty.cycle.push_back(
         {.from = state_of(crack, peak.step, 1),
-         .to = state_of(crack, steps[static_cast<std::size_t>(farthest - values.begin())], -1),
+         .to = state_of(crack, steps[static_cast<std::size_t>(farthest - values.begin()) / 2], -1),
          .count = peak.per_repetition,
          .step = step,
          .rare = true});
