@@ -136,28 +136,57 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * per_turn;
   };
   std::vector<double> left;  // turning cycles of each step that no other cycle uses
-  std::vector<double> values;  // both extremes of each step
-  const std::vector<DutyStep>& steps = history.steps;
-  const CountedValue value(crack, steps);
-  for (const DutyStep& step : steps) {
+  std::vector<double> values;    // the extremes of each step
+  std::vector<std::size_t> step_of;  // the step of each value
+  // Steps that follow on each other with the same load are one step.
+  std::vector<DutyStep> steps;
+  std::vector<std::size_t> number;  // of the step in the duty
+  for (std::size_t b = 0; b < history.steps.size(); ++b) {
+    const DutyStep& step = history.steps[b];
+    const bool same = !steps.empty() && step.torque == steps.back().torque &&
+                      step.axial_force == steps.back().axial_force &&
+                      step.bending_moment == steps.back().bending_moment;
+    if (same) {
+      left.back() += turned_in(step);
+      continue;
+    }
+    steps.push_back(step);
+    number.push_back(b);
     left.push_back(turned_in(step));
-    for (const double turned : {1.0, -1.0}) values.push_back(value.of(step, turned));
+  }
+  const CountedValue value(crack, steps);
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    const double here = value.of(steps[b], 0);
+    const double one = value.of(steps[b], 1);
+    const double other = value.of(steps[b], -1);
+    const bool rose = here > value.of(steps[(b + steps.size() - 1) % steps.size()], 0);
+    const bool rises = value.of(steps[(b + 1) % steps.size()], 0) > here;
+    // The load changes from a valley to a peak or the other way, never against the wave.
+    const double first = rose ? std::max(one, other) : std::min(one, other);
+    const double second = rose ? std::min(one, other) : std::max(one, other);
+    values.insert(values.end(), {first, second});
+    if (rose != rises) values.push_back(first);
+    step_of.resize(values.size(), b);
   }
   // (GR-21): the cycles between steps.
   const auto join = [&](std::size_t high, std::size_t low, double count) {
     if (high == low) return;
-    duty.cycle.push_back({.from = state_of(crack, steps[high], 1),
-                          .to = state_of(crack, steps[low], -1),
+    const auto extreme = [&](const DutyStep& step, double sign) {
+      const bool turned_up = value.of(step, 1) >= value.of(step, -1);
+      return state_of(crack, step, turned_up ? sign : -sign);
+    };
+    duty.cycle.push_back({.from = extreme(steps[high], 1),
+                          .to = extreme(steps[low], -1),
                           .count = count,
-                          .step = high,
+                          .step = number[high],
                           .rare = false});
     for (const std::size_t used : {high, low}) left[used] = std::max(0.0, left[used] - count / 2);
   };
   RainflowCounter counter;
   const auto take = [&](const CountedCycle& counted) {
     const bool down = counted.from.value > counted.to.value;
-    join((down ? counted.from : counted.to).place / 2, (down ? counted.to : counted.from).place / 2,
-         counted.count);
+    join(step_of[(down ? counted.from : counted.to).place],
+         step_of[(down ? counted.to : counted.from).place], counted.count);
   };
   counter.add(values, take);
   counter.finish(history.residue, take);
@@ -167,18 +196,18 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
       duty.cycle.push_back({.from = state_of(crack, steps[b], 1),
                             .to = state_of(crack, steps[b], -1),
                             .count = left[b],
-                            .step = b,
+                            .step = number[b],
                             .rare = false});
   std::ranges::stable_sort(duty.cycle, {}, &LoadCycle::step);
   // Momentary peaks follow at the end of the repetition.
   for (const DutyMomentaryPeak& peak : history.peaks) {
-    const std::size_t step = steps.size();
+    const std::size_t step = history.steps.size();
     const auto farthest = std::ranges::max_element(
         values, {},
         [here = value.of(peak.step, 1)](double there) { return std::abs(there - here); });
     duty.cycle.push_back(
         {.from = state_of(crack, peak.step, 1),
-         .to = state_of(crack, steps[static_cast<std::size_t>(farthest - values.begin()) / 2], -1),
+         .to = state_of(crack, steps[step_of[static_cast<std::size_t>(farthest - values.begin())]], -1),
          .count = peak.per_repetition,
          .step = step,
          .rare = true});
