@@ -19,7 +19,7 @@ namespace {
 constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s]
 constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
-constexpr double kFirstJump = 1e-9;   // of a path, over a place where a rate jumps
+constexpr double kFirstJump = 1e-9;  // of a path, over a place where a rate jumps
 constexpr double kLongestJump = 1e-3;
 constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
 constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
@@ -299,7 +299,10 @@ class Path {
                                       : kFirstJump * step_factor_;
         for (std::size_t i = 0; i < state.size(); ++i) next[i] = state[i] + jump * slope[i];
         system(next, next_slope, 0.0);
-        if (next_slope.back() >= Growing::kStandsStill) return arrested(state);
+        if (next_slope.back() >= Growing::kStandsStill) {
+          state = next;
+          return arrested(state);
+        }
         if (ended(next)) return finish(state, next);
         state = next;
         slope = next_slope;
@@ -458,8 +461,9 @@ class Path {
 
   void begin_report() {
     const auto& cracks = growing_.cracks();
+    const double factor = growing_.amplification(growing_.start(0.0));
     for (const GrowingCrack& crack : cracks)
-      report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate));
+      report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate, factor));
     stands_still_.assign(cracks.size(), false);
   }
 

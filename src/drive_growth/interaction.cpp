@@ -10,6 +10,10 @@
 namespace strainwave {
 namespace {
 
+/// Skipped repetitions in one part over those between two peaks, per unit of the share: a quarter
+/// at a share of 0.01.
+constexpr double kPartsPerShare = 25;
+
 /// A tip that moves through the zone of the overload that governs.
 class TipBehindOverload {
  public:
@@ -118,7 +122,9 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
     if (!(distance > 0)) break;
     const bool refreshed = tip.overload_place() != place;
     const double allowed = refreshed ? left : share * tip.zone_of_overload() / distance;
-    const double jump = std::min(left, std::floor(allowed));
+    // At least some parts lie between two peaks, and halving the share doubles their number.
+    const double part = refreshed ? left : kPartsPerShare * share * repetitions;
+    const double jump = std::min(left, std::floor(std::min(allowed, part)));
     if (jump > 0) {
       tip.jump(jump, distance, refreshed);
       left -= jump;

@@ -54,8 +54,8 @@ class CountedValue {
       };
       const Modes first = constant(steps.front());
       const Modes outermost = farthest(first);
-      const Modes widest = farthest({first[0] + outermost[0], first[1] + outermost[1],
-                                     first[2] + outermost[2]});
+      const Modes widest =
+          farthest({first[0] + outermost[0], first[1] + outermost[1], first[2] + outermost[2]});
       if (product(widest, widest) <= largest) continue;
       largest = product(widest, widest);
       direction_ = widest;
@@ -135,8 +135,8 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     if (!turns(crack, step)) return 0.0;
     return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * per_turn;
   };
-  std::vector<double> left;  // turning cycles of each step that no other cycle uses
-  std::vector<double> values;    // the extremes of each step
+  std::vector<double> left;          // turning cycles of each step that no other cycle uses
+  std::vector<double> values;        // the extremes of each step
   std::vector<std::size_t> step_of;  // the step of each value
   // Steps that follow on each other with the same load are one step.
   std::vector<DutyStep> steps;
@@ -207,7 +207,8 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
         [here = value.of(peak.step, 1)](double there) { return std::abs(there - here); });
     duty.cycle.push_back(
         {.from = state_of(crack, peak.step, 1),
-         .to = state_of(crack, steps[step_of[static_cast<std::size_t>(farthest - values.begin())]], -1),
+         .to = state_of(crack, steps[step_of[static_cast<std::size_t>(farthest - values.begin())]],
+                        -1),
          .count = peak.per_repetition,
          .step = step,
          .rare = true});

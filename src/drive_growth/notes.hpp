@@ -11,7 +11,7 @@ namespace strainwave {
 
 /// Head of the report of one crack: law, origin of its constants, cycles, and its kink.
 [[nodiscard]] CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
-                                          const RateChoice& choice);
+                                          const RateChoice& choice, double amplification);
 
 /// Adds margin and factor to a crack that stands still.
 /// @param amplification  of the loads by the vibration [-]

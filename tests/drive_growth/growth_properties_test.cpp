@@ -85,21 +85,21 @@ TEST(GrowthProperties, BehaviourCriticalEndOfEachLaw) {  // GR-12, GR-24
   for (const RateLaw& law : laws()) {
     SCOPED_TRACE(law.index());
     GearSet gear = shaft_with(law);
-    gear.material.at("steel").fracture_toughness = 60e6;
     const double toughness = std::visit(
         [](const auto& l) {
           if constexpr (requires { l.toughness; })
             return l.toughness;
           else
-            return 60e6;
+            return 0.0;
         },
         law);
-    GrowthOptions options;
-    options.rate.mixed_mode = MixedMode::richard;
-    const GrowthReport report = grow_cracks(gear, options);
+    // The assessment and K_max use the same equivalent here, and K_max comes first.
+    if (toughness == 0) gear.material.at("steel").fracture_toughness = 60e6;
+    const GrowthReport report = grow_cracks(gear);
     EXPECT_EQ(report.end, DriveEnd::breaks);
     EXPECT_EQ(report.governing, kShaft);
-    test::expect_relative(report.cracks[0].series.back().K_max, toughness, 1e-8);
+    test::expect_relative(report.cracks[0].series.back().K_max, toughness == 0 ? 60e6 : toughness,
+                          1e-7);
     test::expect_relative(report.life.value_or(0), report.time, 1e-12);
     EXPECT_TRUE(std::isfinite(report.time));
     EXPECT_GT(report.time, 0.0);
@@ -162,19 +162,15 @@ half_length = "0.8 mm"
 angle = "0 deg")");
   for (DutyBlock& block : gear.duty->block) block.torque = 0;
   const GrowingCrack whole = test::only_crack(gear);
-  const double K_deep = GrowingCrack::governing(
-                            whole.loads(CrackSize::of(1.2e-3, 3e-3))[0])
-                            .largest;
-  const double K_start = GrowingCrack::governing(whole.loads(CrackSize::of(0.6e-3, 0.8e-3))[0])
-                             .largest;
-  const double K_end = GrowingCrack::governing(whole.loads(CrackSize::of(0.6e-3, 0.8e-3))[1])
-                           .largest;
+  const auto loads = whole.loads(whole.crack().size);
+  const double K_start = GrowingCrack::governing(loads[0]).largest;
+  const double K_end = GrowingCrack::governing(loads[1]).largest;
   ASSERT_LT(K_start, K_end);
   gear.material.at("steel").growth_bounds = threshold_of(2 * (K_start + K_end) / 2);
   GrowthOptions options;
-  options.stop.cycles = 1e5;
+  options.stop.cycles = 1e6;
   const GrowthReport report = grow_cracks(gear, options);
-  EXPECT_EQ(report.end, DriveEnd::until) << report.sentence << K_deep;
+  EXPECT_EQ(report.end, DriveEnd::until) << report.sentence;
   const GrowthPoint& last = report.cracks[0].series.back();
   EXPECT_GT(last.half_length, 1.5e-3);
   EXPECT_TRUE(report.cracks[0].events.empty() ||
@@ -194,7 +190,7 @@ TEST(GrowthProperties, BehaviourOneCrackRestsAndTheOtherGrows) {  // GR-24
   test::expect_relative(both.time, alone.time, 1e-6);
   ASSERT_EQ(both.cracks.size(), 2U);
   EXPECT_FALSE(both.cracks[1].grows);
-  EXPECT_EQ(both.cracks[1].series.back().size, 1e-6);
+  test::expect_relative(both.cracks[1].series.back().size, 1e-6, 1e-12);
 }
 
 TEST(GrowthProperties, ConvergenceStatedErrorCoversTheTrueOne) {  // GR-24

@@ -87,10 +87,10 @@ struct OneMode {
   std::string name;
   GearSet gear;
   double waves_per_turn = 0.0;
-  bool axial = false;      ///< the constant load is an axial force, else the torque
-  double constant = 0.0;   ///< K per unit of the constant load
-  double turning = 0.0;    ///< K per unit of the turning load
-  bool bending = false;    ///< the turning load is a bending moment, else the wave
+  bool axial = false;     ///< the constant load is an axial force, else the torque
+  double constant = 0.0;  ///< K per unit of the constant load
+  double turning = 0.0;   ///< K per unit of the turning load
+  bool bending = false;   ///< the turning load is a bending moment, else the wave
   std::size_t mode = 0;
 };
 
@@ -184,8 +184,8 @@ TEST(LoadCycles, CrosscheckEachWaveOfRandomDuties) {  // GR-21
       SCOPED_TRACE(trial);
       std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
       const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
-      for (Step& step : steps)
-        do step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
+      for (Step& step : steps) do
+          step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
         while (std::ranges::any_of(steps, [&](const Step& other) {
           return &other != &step && other.constant == step.constant;
         }));
@@ -220,8 +220,8 @@ TEST(LoadCycles, CrosscheckHalfCyclesOfRandomDuties) {  // GR-1, GR-21
       SCOPED_TRACE(trial);
       std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
       const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
-      for (Step& step : steps)
-        do step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
+      for (Step& step : steps) do
+          step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
         while (std::ranges::any_of(steps, [&](const Step& other) {
           return &other != &step && other.constant == step.constant;
         }));

@@ -109,8 +109,8 @@ TEST(SecondRoad, ReferenceBlocksOfAPublicProgram) {  // P2, P3; GR-1, GR-8, GR-9
     for (const CountedCycle& cycle : cycles) {
       const double high = std::max(cycle.from.value, cycle.to.value);
       const double low = std::min(cycle.from.value, cycle.to.value);
-      sum += cycle.count *
-             growth_rate(law, {.largest = K * high, .ratio = low / high}, a).per_cycle;
+      sum +=
+          cycle.count * growth_rate(law, {.largest = K * high, .ratio = low / high}, a).per_cycle;
     }
     return 1 / sum;
   };
@@ -119,9 +119,7 @@ TEST(SecondRoad, ReferenceBlocksOfAPublicProgram) {  // P2, P3; GR-1, GR-8, GR-9
   EXPECT_NEAR(blocks, 21247.5, 1.5);
   const auto growth = grow_at_constant_amplitude(
       Paris{6.9e-12, 3},
-      [](double a) {
-        return TipCycle{.largest = 200e6 * finite_plate(a) * std::sqrt(pi * a)};
-      },
+      [](double a) { return TipCycle{.largest = 200e6 * finite_plate(a) * std::sqrt(pi * a)}; },
       1e-3, 10e-3);
   test::expect_relative(growth.cycles.value(), value_of("P3.cycles"), 1e-9);
 }
@@ -135,9 +133,7 @@ TEST(SecondRoad, ReferenceSingleCyclesAndBlocks) {  // G3, G18; GR-1, GR-2, GR-1
     return cycles;
   };
   const auto K = [](double stress, double a) { return 1.12 * stress * std::sqrt(pi * a); };
-  EXPECT_EQ(loop([&](double a) {
-              return growth_rate(law, {.largest = K(200e6, a)}, a).per_cycle;
-            }),
+  EXPECT_EQ(loop([&](double a) { return growth_rate(law, {.largest = K(200e6, a)}, a).per_cycle; }),
             value_of("G3.cycles"));
   const auto cycles = cycles_of({-2, 1, -3, 5, -1, 3, -4, 4, -2}, Residue::half_cycles);
   const auto block = [&](double a, bool tensile) {
@@ -173,9 +169,7 @@ TEST(SecondRoad, ReferenceARateThatFallsToItsThreshold) {  // G8; GR-8, GR-9, GR
              .threshold_datum = 3e6};
   const double closed = 1 - law.closure.at_zero();
   law.coefficient = 1e-10 / (closed * closed);
-  const auto at = [](double a) {
-    return TipCycle{.largest = 1.12 * 60e6 * std::sqrt(pi * a)};
-  };
+  const auto at = [](double a) { return TipCycle{.largest = 1.12 * 60e6 * std::sqrt(pi * a)}; };
   test::expect_relative(grow_at_constant_amplitude(law, at, 1e-3, 1e-2).cycles.value(),
                         value_of("G8.cycles"), 1e-9);
   const double rest = value_of("G8.rest");
@@ -200,8 +194,9 @@ GearSet bent_shaft() {
 }
 
 TEST(SecondRoad, ReferenceShaftUnderTorqueAndRotatingBending) {  // GR-21 to GR-24
-  // Torque +-, three blocks of 2.5, 2.5 and 2 turns; single waves by three points of the standard.  The
-  // script integrates over the size.  Tolerance: ten digits of the script, 1e-9 of each step here.
+  // Torque +-, three blocks of 2.5, 2.5 and 2 turns; single waves by three points of the standard.
+  // The script integrates over the size.  Tolerance: ten digits of the script, 1e-9 of each step
+  // here.
   for (const auto& [depth, row] : rows_of("shaft.repetitions")) {
     const GrowthReport report = grow_cracks(bent_shaft(), test::until_size(kShaftCrack, depth));
     EXPECT_EQ(report.end, DriveEnd::until);
@@ -257,7 +252,8 @@ TEST(SecondRoad, ReferenceWillenborgCycleByCycle) {  // GR-19, GR-27
   test::expect_relative(report.repetitions, rows_of("shaft.willenborg").at(1.01e-3).value, 2e-3);
 }
 
-TEST(SecondRoad, ReferenceSurfaceCrackUnderTorqueAndWave) {  // FA-12, FR-4, FR-10, SP-3, GR-21 to GR-24
+TEST(SecondRoad,
+     ReferenceSurfaceCrackUnderTorqueAndWave) {  // FA-12, FR-4, FR-10, SP-3, GR-21 to GR-24
   GearSet gear = test::cracked_wall(R"(
 kind = "surface"
 depth = "0.4 mm"

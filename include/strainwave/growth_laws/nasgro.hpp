@@ -173,8 +173,7 @@ struct Nasgro {
   }
 
  private:
-  [[nodiscard]] double threshold_of(double ratio, double f, double A0,
-                                    double crack_size) const {
+  [[nodiscard]] double threshold_of(double ratio, double f, double A0, double crack_size) const {
     const double R = std::max(ratio, -2.0);
     const double datum = threshold_datum * std::sqrt(crack_size / (crack_size + intrinsic_size));
     const double open = (1 - f) / (1 - R);
