@@ -292,11 +292,12 @@ class Path {
     while (true) {
       progress_.at(std::min(0.99, state.back() / last));
       if (slope.back() >= Growing::kStandsStill) return arrested(state);
-      if (h < kShortestStep) {
+      // Behind a jump the next one may follow soon, if a tip rests and grows in turns.
+      const bool again = since_jump < 10 * jump;
+      if (h < (again ? 0.1 * jump : kShortestStep)) {
         // No step is short enough, so a rate jumps here.  If all cracks stand still beyond, they
         // are arrested; otherwise the path goes on behind the jump.
-        jump = since_jump < 10 * jump ? std::min(8 * jump, kLongestJump * step_factor_)
-                                      : kFirstJump * step_factor_;
+        jump = again ? std::min(8 * jump, kLongestJump * step_factor_) : kFirstJump * step_factor_;
         for (std::size_t i = 0; i < state.size(); ++i) next[i] = state[i] + jump * slope[i];
         system(next, next_slope, 0.0);
         if (next_slope.back() >= Growing::kStandsStill) {
@@ -308,7 +309,7 @@ class Path {
         slope = next_slope;
         since_jump = 0.0;
         since_assessment += jump;
-        h = std::max(10 * jump, 1e-6);
+        h = jump;
         continue;
       }
       if (since_assessment >= kAssessmentStep) {
