@@ -25,6 +25,8 @@ constexpr double kLongestStep = 0.05;                      // of a path in ln(si
 constexpr double kShortestStep = 1e-13;
 constexpr std::size_t kCoupledRows = 12;  // rows with the coupled drive
 constexpr double kSevered = 0.01;      // share of the stiffness below which a drive is severed [-]
+constexpr double kFirstJump = 1e-9;  // of a path, over a place where a rate jumps
+constexpr double kLongestJump = 1e-3;
 constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
 constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
 
@@ -308,10 +310,51 @@ class Path {
     double h = 1e-3 * step_factor_;
     double since_assessment = kAssessmentStep;
     const double last = growing_.last_repetition();
+    const auto ended = [&](const State& at) {
+      return at.back() >= last || growing_.end_at(at).has_value();
+    };
+    // The path ends between two neighbouring states.
+    const auto finish = [&](const State& before, const State& beyond) {
+      const auto end = growing_.end_at(beyond);
+      state = end ? beyond : before;
+      if (const auto failed = failing(before)) {
+        state = before;
+        return assessment_end(state, *failed);
+      }
+      if (!end) {
+        stop_at(state);
+        report_.end = last * growing_.duration() < 0.999 * kLongestDuty ? DriveEnd::until
+                                                                        : DriveEnd::too_slow;
+        return false;
+      }
+      return finish_at(state, *end);
+    };
+    double jump = kFirstJump * step_factor_;
+    double since_jump = 1.0;
     record(state);
     while (true) {
       progress_.at(std::min(0.99, state.back() / last));
-      if (slope.back() >= Growing::kStandsStill || h < kShortestStep) return arrested(state);
+      if (slope.back() >= Growing::kStandsStill) return arrested(state);
+      // Behind a jump the next one may follow soon, if a tip rests and grows in turns.
+      const bool again = since_jump < 10 * jump;
+      if (h < (again ? 0.1 * jump : kShortestStep)) {
+        // No step is short enough, so a rate jumps here.  If all cracks stand still beyond, they
+        // are arrested; otherwise the path goes on behind the jump.
+        jump = again ? std::min(8 * jump, kLongestJump * step_factor_) : kFirstJump * step_factor_;
+        for (std::size_t i = 0; i < state.size(); ++i) next[i] = state[i] + jump * slope[i];
+        system(next, next_slope, 0.0);
+        if (next_slope.back() >= Growing::kStandsStill) {
+          state = next;
+          return arrested(state);
+        }
+        if (ended(next)) return finish(state, next);
+        state = next;
+        slope = next_slope;
+        since_jump = 0.0;
+        since_assessment += jump;
+        h = jump;
+        continue;
+      }
       if (since_assessment >= kAssessmentStep) {
         since_assessment = 0.0;
         if (const auto failed = failing(state)) return assessment_end(state, *failed);
@@ -336,9 +379,6 @@ class Path {
         continue;
       }
       ++report_.steps;
-      const auto ended = [&](const State& at) {
-        return at.back() >= last || growing_.end_at(at).has_value();
-      };
       if (ended(next)) {
         State before = state;
         double below = 0.0;
@@ -356,21 +396,10 @@ class Path {
             before = at;
           }
         }
-        const auto end = growing_.end_at(next);
-        state = end ? next : before;
-        if (const auto failed = failing(before)) {
-          state = before;
-          return assessment_end(state, *failed);
-        }
-        if (!end) {
-          stop_at(state);
-          report_.end = last * growing_.duration() < 0.999 * kLongestDuty ? DriveEnd::until
-                                                                          : DriveEnd::too_slow;
-          return false;
-        }
-        return finish_at(state, *end);
+        return finish(before, next);
       }
       since_assessment += h;
+      since_jump += h;
       state = next;
       slope = next_slope;
       record(state);
@@ -489,8 +518,9 @@ class Path {
 
   void begin_report() {
     const auto& cracks = growing_.cracks();
+    const double factor = growing_.amplification(growing_.start(0.0));
     for (const GrowingCrack& crack : cracks) {
-      report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate));
+      report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate, factor));
       for (Note& note : crack_notes(growing_.gear(), crack, options_.rate))
         report_.notes.push_back(std::move(note));
     }

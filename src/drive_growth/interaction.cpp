@@ -10,6 +10,10 @@
 namespace strainwave {
 namespace {
 
+/// Skipped repetitions in one part over those between two peaks, per unit of the share: a quarter
+/// at a share of 0.01.
+constexpr double kPartsPerShare = 25;
+
 /// A tip that moves through the zone of the overload that governs.
 class TipBehindOverload {
  public:
@@ -19,7 +23,11 @@ class TipBehindOverload {
         size_(crack_size),
         rule_(interaction),
         zone_{.yield_strength = crack.yield_strength(), .factor = interaction.zone_factor},
-        share_(share) {}
+        share_(share) {
+    // The threshold of K_max is that of R = 0, so it is the same for all cycles.
+    if (interaction.rule == InteractionRule::willenborg)
+      threshold_ = crack.threshold({.largest = 1.0, .ratio = 0.0}, crack_size).value_or(0.0);
+  }
 
   /// Distance that the tip has moved [m].
   [[nodiscard]] double moved() const { return moved_; }
@@ -61,10 +69,8 @@ class TipBehindOverload {
     if (rule_.rule == InteractionRule::wheeler)
       return rate_of(cycle) * wheeler_factor(zone_, overload_, size_ + moved_, cycle.largest,
                                              rule_.wheeler_exponent);
-    const double threshold =
-        crack_.threshold({.largest = cycle.largest, .ratio = 0.0}, size_).value_or(0.0);
     return rate_of(willenborg_cycle({.zone = zone_,
-                                     .threshold = threshold,
+                                     .threshold = threshold_,
                                      .shut_off_ratio = rule_.shut_off_ratio,
                                      .negative = rule_.negative},
                                     overload_, size_ + moved_, cycle));
@@ -75,6 +81,7 @@ class TipBehindOverload {
   const Interaction& rule_;
   PlasticZone zone_;
   double share_;
+  double threshold_ = 0.0;
   double moved_ = 0.0;
   Overload overload_;
 };
@@ -83,9 +90,8 @@ class TipBehindOverload {
 
 double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoad> loads,
                                double crack_size, const Interaction& interaction, double share) {
-  for (const TipLoad& load : loads)
-    if (std::isinf(crack.rate_of(load.cycle, crack_size)))
-      return std::numeric_limits<double>::infinity();
+  if (std::isinf(crack.rate_of(GrowingCrack::governing(loads), crack_size)))
+    return std::numeric_limits<double>::infinity();
   if (interaction.rule == InteractionRule::none) return crack.growth(loads, crack_size);
   // (GR-27): peaks that come less than once in a repetition, and the repetitions between them.
   double rarest = 1.0;
@@ -116,7 +122,9 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
     if (!(distance > 0)) break;
     const bool refreshed = tip.overload_place() != place;
     const double allowed = refreshed ? left : share * tip.zone_of_overload() / distance;
-    const double jump = std::min(left, std::floor(allowed));
+    // At least some parts lie between two peaks, and halving the share doubles their number.
+    const double part = refreshed ? left : kPartsPerShare * share * repetitions;
+    const double jump = std::min(left, std::floor(std::min(allowed, part)));
     if (jump > 0) {
       tip.jump(jump, distance, refreshed);
       left -= jump;

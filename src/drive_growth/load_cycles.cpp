@@ -12,34 +12,6 @@
 namespace strainwave {
 namespace {
 
-/// One value of the constant load of a step, for counting: the mode of the torque that is largest.
-class SteadyValue {
- public:
-  explicit SteadyValue(const DriveCrack& crack) {
-    const std::vector<FrontIntensity> front = crack.front(crack.size, Faces::open);
-    double largest = 0.0;
-    for (const FrontIntensity& at : front)
-      for (const auto mode : {&UnitStressIntensity<2>::I, &UnitStressIntensity<2>::II,
-                              &UnitStressIntensity<2>::III}) {
-        const double size = std::abs((at.load.*mode)[kTorsion]);
-        if (size <= largest) continue;
-        largest = size;
-        axial_ = (at.load.*mode)[kAxial];
-        torsion_ = (at.load.*mode)[kTorsion];
-      }
-    reverses_ = crack.reverses;
-  }
-  [[nodiscard]] double of(const DutyStep& step) const {
-    const double T = reverses_ ? step.torque : std::abs(step.torque);
-    return axial_ * step.axial_force + torsion_ * T;
-  }
-
- private:
-  double axial_ = 0.0;
-  double torsion_ = 1.0;
-  bool reverses_ = true;
-};
-
 LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned) {
   LoadState state{.torque = step.torque, .axial_force = step.axial_force};
   switch (crack.turning) {
@@ -57,6 +29,68 @@ LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned)
   }
   return state;
 }
+
+/// The loads of the steps as one value each, for counting: K along the direction in which the
+/// constant loads of two steps differ most, at the point of the front where they do.
+class CountedValue {
+ public:
+  CountedValue(const DriveCrack& crack, const std::vector<DutyStep>& steps)
+      : crack_(crack), front_(crack.front(crack.size, Faces::open)) {
+    if (crack.bending) bending_ = crack.bending(crack.size);
+    double largest = 0.0;
+    for (std::size_t point = 0; point < front_.size() && !steps.empty(); ++point) {
+      const auto constant = [&](const DutyStep& step) {
+        LoadState state = state_of(crack, step, 1);
+        state.assembly = state.bending_moment = 0.0;
+        return factors(state, point);
+      };
+      const auto farthest = [&](const Modes& from) {
+        Modes widest{};
+        for (const DutyStep& step : steps) {
+          const Modes away = difference(constant(step), from);
+          if (product(away, away) > product(widest, widest)) widest = away;
+        }
+        return widest;
+      };
+      const Modes first = constant(steps.front());
+      const Modes outermost = farthest(first);
+      const Modes widest =
+          farthest({first[0] + outermost[0], first[1] + outermost[1], first[2] + outermost[2]});
+      if (product(widest, widest) <= largest) continue;
+      largest = product(widest, widest);
+      direction_ = widest;
+      point_ = point;
+    }
+  }
+
+  [[nodiscard]] double of(const DutyStep& step, double turned) const {
+    return product(factors(state_of(crack_, step, turned), point_), direction_);
+  }
+
+ private:
+  static double product(const Modes& a, const Modes& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Modes difference(const Modes& a, const Modes& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  [[nodiscard]] Modes factors(const LoadState& state, std::size_t point) const {
+    const FrontIntensity& at = front_[point];
+    const double T = crack_.reverses ? state.torque : std::abs(state.torque);
+    const auto of = [&](std::size_t mode, const auto& load) {
+      const double bent = bending_.empty() ? 0.0 : bending_[point][mode];
+      return load[kAxial] * state.axial_force + load[kTorsion] * T +
+             at.assembly[mode] * state.assembly + bent * state.bending_moment;
+    };
+    return {of(0, at.load.I), of(1, at.load.II), of(2, at.load.III)};
+  }
+
+  const DriveCrack& crack_;
+  std::vector<FrontIntensity> front_;
+  std::vector<Modes> bending_;
+  Modes direction_{};
+  std::size_t point_ = 0;
+};
 
 bool turns(const DriveCrack& crack, const DutyStep& step) {
   if (crack.turning == TurningLoad::none || step.output_speed == 0) return false;
@@ -101,29 +135,58 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     if (!turns(crack, step)) return 0.0;
     return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * per_turn;
   };
-  const SteadyValue value(crack);
-  std::vector<double> left;  // turning cycles of each step that no other cycle uses
-  std::vector<double> values;
-  const std::vector<DutyStep>& steps = history.steps;
-  for (const DutyStep& step : steps) {
+  std::vector<double> left;          // turning cycles of each step that no other cycle uses
+  std::vector<double> values;        // the extremes of each step
+  std::vector<std::size_t> step_of;  // the step of each value
+  // Steps that follow on each other with the same load are one step.
+  std::vector<DutyStep> steps;
+  std::vector<std::size_t> number;  // of the step in the duty
+  for (std::size_t b = 0; b < history.steps.size(); ++b) {
+    const DutyStep& step = history.steps[b];
+    const bool same = !steps.empty() && step.torque == steps.back().torque &&
+                      step.axial_force == steps.back().axial_force &&
+                      step.bending_moment == steps.back().bending_moment;
+    if (same) {
+      left.back() += turned_in(step);
+      continue;
+    }
+    steps.push_back(step);
+    number.push_back(b);
     left.push_back(turned_in(step));
-    values.push_back(value.of(step));
+  }
+  const CountedValue value(crack, steps);
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    const double here = value.of(steps[b], 0);
+    const double one = value.of(steps[b], 1);
+    const double other = value.of(steps[b], -1);
+    const bool rose = here > value.of(steps[(b + steps.size() - 1) % steps.size()], 0);
+    const bool rises = value.of(steps[(b + 1) % steps.size()], 0) > here;
+    // The load changes from a valley to a peak or the other way, never against the wave.
+    const double first = rose ? std::max(one, other) : std::min(one, other);
+    const double second = rose ? std::min(one, other) : std::max(one, other);
+    values.insert(values.end(), {first, second});
+    if (rose != rises) values.push_back(first);
+    step_of.resize(values.size(), b);
   }
   // (GR-21): the cycles between steps.
   const auto join = [&](std::size_t high, std::size_t low, double count) {
     if (high == low) return;
-    duty.cycle.push_back({.from = state_of(crack, steps[high], 1),
-                          .to = state_of(crack, steps[low], -1),
+    const auto extreme = [&](const DutyStep& step, double sign) {
+      const bool turned_up = value.of(step, 1) >= value.of(step, -1);
+      return state_of(crack, step, turned_up ? sign : -sign);
+    };
+    duty.cycle.push_back({.from = extreme(steps[high], 1),
+                          .to = extreme(steps[low], -1),
                           .count = count,
-                          .step = high,
+                          .step = number[high],
                           .rare = false});
     for (const std::size_t used : {high, low}) left[used] = std::max(0.0, left[used] - count / 2);
   };
   RainflowCounter counter;
   const auto take = [&](const CountedCycle& counted) {
     const bool down = counted.from.value > counted.to.value;
-    join((down ? counted.from : counted.to).place, (down ? counted.to : counted.from).place,
-         counted.count);
+    join(step_of[(down ? counted.from : counted.to).place],
+         step_of[(down ? counted.to : counted.from).place], counted.count);
   };
   counter.add(values, take);
   counter.finish(history.residue, take);
@@ -133,17 +196,19 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
       duty.cycle.push_back({.from = state_of(crack, steps[b], 1),
                             .to = state_of(crack, steps[b], -1),
                             .count = left[b],
-                            .step = b,
+                            .step = number[b],
                             .rare = false});
   std::ranges::stable_sort(duty.cycle, {}, &LoadCycle::step);
   // Momentary peaks follow at the end of the repetition.
   for (const DutyMomentaryPeak& peak : history.peaks) {
-    const std::size_t step = steps.size();
+    const std::size_t step = history.steps.size();
     const auto farthest = std::ranges::max_element(
-        values, {}, [here = value.of(peak.step)](double there) { return std::abs(there - here); });
+        values, {},
+        [here = value.of(peak.step, 1)](double there) { return std::abs(there - here); });
     duty.cycle.push_back(
         {.from = state_of(crack, peak.step, 1),
-         .to = state_of(crack, steps[static_cast<std::size_t>(farthest - values.begin())], -1),
+         .to = state_of(crack, steps[step_of[static_cast<std::size_t>(farthest - values.begin())]],
+                        -1),
          .count = peak.per_repetition,
          .step = step,
          .rare = true});

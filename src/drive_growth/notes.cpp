@@ -160,13 +160,13 @@ std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
 }
 
 CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
-                            const RateChoice& choice) {
+                            const RateChoice& choice, double amplification) {
   CrackGrowth told{.path = crack.crack().path, .kind = crack.crack().kind};
   told.law = std::visit([](const auto& l) { return std::string(l.kKind); }, crack.law());
   told.constants = origin_of(gear, crack, choice);
   const CrackDuty& duty = crack.duty();
   told.cycles_per_hour = duty.duration > 0 ? duty.cycles() / duty.duration * 3600 : 0.0;
-  for (const std::vector<TipLoad>& at_tip : crack.loads(crack.crack().size))
+  for (const std::vector<TipLoad>& at_tip : crack.loads(crack.crack().size, amplification))
     told.grows = told.grows || crack.growth(at_tip, crack.crack().size.size) > 0;
   const Modes K = crack.worst_factors(crack.crack().size);
   if (K[2] == 0 && (K[0] != 0 || K[1] != 0) && K[0] >= 0)

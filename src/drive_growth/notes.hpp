@@ -12,7 +12,7 @@ namespace strainwave {
 
 /// Head of the report of one crack: law, origin of its constants, cycles, and its kink.
 [[nodiscard]] CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
-                                          const RateChoice& choice);
+                                          const RateChoice& choice, double amplification);
 
 /// Notes on the stress of a crack and on the constants of its law.
 [[nodiscard]] std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,

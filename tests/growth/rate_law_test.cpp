@@ -289,7 +289,7 @@ TEST(RateLaw, InputEachRuleBrokenOnce) {
   EXPECT_EQ(refused(Paris{-1e-12, 3}), "coefficient");
   EXPECT_EQ(refused(Paris{nan, 3}), "coefficient");
   EXPECT_EQ(refused(Paris{1e-12, 0}), "exponent");
-  EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{0, 3}, 1e6)), "coefficient");
+  EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{0, 3}, 1e6)), "upper_coefficient");
   EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{1e-12, 3}, 0)), "meet");
   EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{1.02e-12, 3}, 1e6)), "meet");
   EXPECT_EQ(refused(Walker{1e-12, 3, 1.5}), "gamma");

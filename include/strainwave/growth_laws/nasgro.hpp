@@ -11,6 +11,7 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/power.hpp"
 #include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
@@ -28,8 +29,9 @@ struct NewmanClosure {
   }
   /// f = K_op/K_max.
   /// @param ratio  R [-]; < 1
-  [[nodiscard]] double opening(double ratio) const {
-    const double A0 = at_zero();
+  [[nodiscard]] double opening(double ratio) const { return opening(ratio, at_zero()); }
+  /// The same with A_0 given, because its computation takes most of the time.
+  [[nodiscard]] double opening(double ratio, double A0) const {
     const double A1 = (0.415 - 0.071 * constraint) * stress_level;
     if (ratio < 0) return A0 + A1 * std::max(ratio, -2.0);
     const double A3 = 2 * A0 + A1 - 1;
@@ -111,17 +113,19 @@ struct Nasgro {
   /// Below R = -2, where the opening has no further data, K_max at the threshold stays.
   /// @param crack_size  a [m]; > 0
   [[nodiscard]] double threshold(double ratio, double crack_size) const {
-    return threshold_of(ratio, closure.opening(ratio), crack_size);
+    const double A0 = closure.at_zero();
+    return threshold_of(ratio, closure.opening(ratio, A0), A0, crack_size);
   }
 
   /// da/dN [m]; 0 up to the threshold; K_max < K_c.
   [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const {
-    const double f = closure.opening(cycle.ratio);
-    const double over = 1 - threshold_of(cycle.ratio, f, crack_size) / cycle.full_range();
+    const double A0 = closure.at_zero();
+    const double f = closure.opening(cycle.ratio, A0);
+    const double over = 1 - threshold_of(cycle.ratio, f, A0, crack_size) / cycle.full_range();
     if (!(over > 0)) return 0.0;
     const double effective = (1 - f) * cycle.largest / units::MPa;
-    return coefficient * std::pow(effective, exponent) * std::pow(over, threshold_exponent) /
-           std::pow(1 - cycle.largest / toughness, instability_exponent);  // (GR-8)
+    return coefficient * power(effective, exponent) * power(over, threshold_exponent) /
+           power(1 - cycle.largest / toughness, instability_exponent);  // (GR-8)
   }
 
   template <class Visitor>
@@ -169,18 +173,17 @@ struct Nasgro {
   }
 
  private:
-  [[nodiscard]] double threshold_of(double ratio, double f, double crack_size) const {
+  [[nodiscard]] double threshold_of(double ratio, double f, double A0, double crack_size) const {
     const double R = std::max(ratio, -2.0);
     const double datum = threshold_datum * std::sqrt(crack_size / (crack_size + intrinsic_size));
-    const double A0 = closure.at_zero();
     const double open = (1 - f) / (1 - R);
     const double slope = R < 0 ? slope_minus : slope_plus;
-    const double power = 1 + R * slope;
+    const double exponent_of_opening = 1 + R * slope;
     const double below = (1 - ratio) / (1 - R);  // 1 from R = -2 on
     if (form == NasgroThreshold::from_zero)
-      return below * datum * std::pow((1 - A0) / open, power);  // (GR-9)
+      return below * datum * power((1 - A0) / open, exponent_of_opening);  // (GR-9)
     return below * datum /
-           (std::pow(open, power) * std::pow(1 - A0, slope_plus - R * slope));  // (GR-10)
+           (power(open, exponent_of_opening) * power(1 - A0, slope_plus - R * slope));  // (GR-10)
   }
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-
 #include "strainwave/core/units.hpp"
 #include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/power.hpp"
 #include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
@@ -20,7 +19,7 @@ struct Paris {
 
   /// da/dN [m] without threshold and toughness.
   [[nodiscard]] double rate(const TipCycle& cycle) const {
-    return coefficient * std::pow(cycle.full_range() / units::MPa, exponent);  // (GR-2, MA-1)
+    return coefficient * power(cycle.full_range() / units::MPa, exponent);  // (GR-2, MA-1)
   }
 
   template <class Visitor>

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_growth/load_cycles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "growth_support.hpp"
+#include "support/expect.hpp"
+#include "support/random_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+using test::Dice;
+
+/// Largest and least value of each cycle with the sum of its counts.
+using Extremes = std::map<std::pair<double, double>, double>;
+
+/// ASTM E1049, 5.4.4, on a history of reversals.
+Extremes three_points(const std::vector<double>& reversals) {
+  Extremes sum;
+  std::vector<double> s;
+  const auto count = [&](double a, double b, double weight) {
+    sum[{std::max(a, b), std::min(a, b)}] += weight;
+  };
+  for (const double x : reversals) {
+    if (!s.empty() && x == s.back()) continue;
+    if (s.size() >= 2 && (x > s.back()) == (s.back() > s[s.size() - 2])) s.pop_back();
+    s.push_back(x);
+    while (s.size() >= 4 &&
+           std::abs(s[s.size() - 2] - s[s.size() - 3]) <= std::abs(s.back() - s[s.size() - 2]) &&
+           std::abs(s[s.size() - 2] - s[s.size() - 3]) <=
+               std::abs(s[s.size() - 3] - s[s.size() - 4])) {
+      count(s[s.size() - 2], s[s.size() - 3], 1.0);
+      s.erase(s.end() - 3, s.end() - 1);
+    }
+  }
+  for (std::size_t i = 1; i < s.size(); ++i) count(s[i - 1], s[i], 0.5);
+  return sum;
+}
+
+/// A history that follows on itself begins and ends at its largest value.
+Extremes from_largest(std::vector<double> history) {
+  std::rotate(history.begin(), std::max_element(history.begin(), history.end()), history.end());
+  history.push_back(history.front());
+  return three_points(history);
+}
+
+/// One step of a duty, as one number: constant + turning extremes.
+struct Step {
+  double constant = 0.0;
+  double turning = 0.0;
+  double waves = 0.0;
+};
+
+/// The history with each wave; a change between two steps joins two extremes of the wave.  Sets the
+/// waves of steps that are higher or lower than both neighbours to a half number.
+std::vector<double> each_wave(std::vector<Step>& steps) {
+  std::vector<double> history;
+  const std::size_t n = steps.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Step& at = steps[i];
+    const bool rises = at.constant > steps[(i + n - 1) % n].constant;
+    const bool goes_on = steps[(i + 1) % n].constant > at.constant;
+    const double high = at.constant + at.turning;
+    const double low = at.constant - at.turning;
+    for (int k = 0; k < static_cast<int>(at.waves); ++k) {
+      history.push_back(rises ? high : low);
+      history.push_back(rises ? low : high);
+    }
+    if (rises == goes_on) continue;
+    history.push_back(rises ? high : low);
+    at.waves += 0.5;
+  }
+  return history;
+}
+
+/// A crack whose K is one number under the loads of its duty.
+struct OneMode {
+  std::string name;
+  GearSet gear;
+  double waves_per_turn = 0.0;
+  bool axial = false;     ///< the constant load is an axial force, else the torque
+  double constant = 0.0;  ///< K per unit of the constant load
+  double turning = 0.0;   ///< K per unit of the turning load
+  bool bending = false;   ///< the turning load is a bending moment, else the wave
+  std::size_t mode = 0;
+};
+
+OneMode inclined_crack() {
+  OneMode crack{.name = "45 degrees, torque", .gear = test::cracked_wall(R"(
+kind = "through"
+half_length = "2 mm"
+angle = "45 deg")")};
+  crack.waves_per_turn = 202;
+  const DriveCrack made = drive_cracks(crack.gear).front();
+  const FrontIntensity at = made.front(made.size, Faces::open)[1];
+  crack.constant = at.load.I[kTorsion];
+  crack.turning = at.assembly[0];
+  return crack;
+}
+
+OneMode circumferential_crack() {
+  OneMode crack{.name = "90 degrees, axial force", .gear = test::cracked_wall(R"(
+kind = "through"
+half_length = "2 mm"
+angle = "90 deg")")};
+  crack.waves_per_turn = 202;
+  crack.axial = true;
+  const DriveCrack made = drive_cracks(crack.gear).front();
+  const FrontIntensity at = made.front(made.size, Faces::open)[1];
+  crack.constant = at.load.I[kAxial];
+  crack.turning = at.assembly[0];
+  return crack;
+}
+
+OneMode shaft_crack() {
+  OneMode crack{.name = "shaft, axial force and bending", .gear = test::unbreakable_shaft()};
+  crack.waves_per_turn = 1;
+  crack.axial = true;
+  crack.bending = true;
+  const DriveCrack made = drive_cracks(crack.gear).front();
+  crack.constant = made.front(made.size, Faces::open)[0].load.I[kAxial];
+  crack.turning = made.bending(made.size)[0][0];
+  return crack;
+}
+
+/// Makes the duty of a crack from steps in units of K.
+void set_duty(OneMode& crack, const std::vector<Step>& steps, Residue residue) {
+  crack.gear.duty->residue = residue;
+  crack.gear.duty->block.clear();
+  for (const Step& step : steps) {
+    const double turns = step.waves / crack.waves_per_turn;
+    DutyBlock block{.duration = 2 * std::numbers::pi * turns, .output_speed = 1.0};
+    (crack.axial ? block.axial_force : block.torque) = step.constant / crack.constant;
+    if (crack.bending) block.bending_moment = step.turning / crack.turning;
+    crack.gear.duty->block.push_back(block);
+  }
+}
+
+Extremes counted(const OneMode& crack) {
+  Extremes sum;
+  const CrackDuty duty =
+      crack_duty(crack.gear, drive_cracks(crack.gear).front(), duty_history(crack.gear));
+  const auto K = [&](const LoadState& state) {
+    return crack.constant * (crack.axial ? state.axial_force : state.torque) +
+           crack.turning * (crack.bending ? state.bending_moment : state.assembly);
+  };
+  for (const LoadCycle& cycle : duty.cycle) {
+    const double a = K(cycle.from);
+    const double b = K(cycle.to);
+    sum[{std::max(a, b), std::min(a, b)}] += cycle.count;
+  }
+  return sum;
+}
+
+/// Sum of the counts whose range is at least a number, at each of the numbers.
+std::vector<double> exceedances(const Extremes& cycles, const std::vector<double>& ranges) {
+  std::vector<double> sums;
+  for (const double range : ranges) {
+    double sum = 0.0;
+    for (const auto& [extremes, count] : cycles)
+      if (extremes.first - extremes.second >= range * (1 - 1e-9)) sum += count;
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+TEST(LoadCycles, CrosscheckEachWaveOfRandomDuties) {  // GR-21
+  // Every wave of a duty as one number, counted by the three points of ASTM E1049, against the
+  // product's few cycles.  All extremes are whole numbers times one unit of K, so each cycle must
+  // have the same extremes and the same count.
+  Dice dice(5);
+  for (OneMode crack : {inclined_crack(), circumferential_crack(), shaft_crack()}) {
+    SCOPED_TRACE(crack.name);
+    for (int trial = 0; trial < 60; ++trial) {
+      SCOPED_TRACE(trial);
+      std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
+      const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
+      for (Step& step : steps) do
+          step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
+        while (std::ranges::any_of(steps, [&](const Step& other) {
+          return &other != &step && other.constant == step.constant;
+        }));
+      const std::vector<double> history = each_wave(steps);
+      set_duty(crack, steps, Residue::repeated);
+      const Extremes expected = from_largest(history);
+      const Extremes actual = counted(crack);
+      std::vector<double> ranges;
+      for (const auto& [extremes, count] : expected)
+        ranges.push_back(extremes.first - extremes.second);
+      const std::vector<double> a = exceedances(actual, ranges);
+      const std::vector<double> b = exceedances(expected, ranges);
+      for (std::size_t i = 0; i < ranges.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-9) << ranges[i];
+      for (const auto& [extremes, count] : expected) {
+        double found = 0.0;
+        for (const auto& [of, times] : actual)
+          if (std::abs(of.first - extremes.first) < 1 && std::abs(of.second - extremes.second) < 1)
+            found += times;
+        EXPECT_NEAR(found, count, 1e-9) << extremes.first << " " << extremes.second;
+      }
+    }
+  }
+}
+
+TEST(LoadCycles, CrosscheckHalfCyclesOfRandomDuties) {  // GR-1, GR-21
+  // The same with the residue as half cycles.  The product also closes the first and the last wave
+  // of the history, so no range may come less often, and at most one cycle comes in addition.
+  Dice dice(6);
+  for (OneMode crack : {inclined_crack(), circumferential_crack(), shaft_crack()}) {
+    SCOPED_TRACE(crack.name);
+    for (int trial = 0; trial < 60; ++trial) {
+      SCOPED_TRACE(trial);
+      std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
+      const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
+      for (Step& step : steps) do
+          step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
+        while (std::ranges::any_of(steps, [&](const Step& other) {
+          return &other != &step && other.constant == step.constant;
+        }));
+      const std::vector<double> history = each_wave(steps);
+      set_duty(crack, steps, Residue::half_cycles);
+      const Extremes expected = three_points(history);
+      std::vector<double> ranges;
+      for (const auto& [extremes, count] : expected)
+        ranges.push_back(extremes.first - extremes.second);
+      const std::vector<double> a = exceedances(counted(crack), ranges);
+      const std::vector<double> b = exceedances(expected, ranges);
+      for (std::size_t i = 0; i < ranges.size(); ++i) {
+        EXPECT_GE(a[i], b[i] - 1e-9) << ranges[i];
+        EXPECT_LE(a[i], b[i] + 1 + 1e-9) << ranges[i];
+      }
+    }
+  }
+}
+
+TEST(LoadCycles, CrosscheckWavesOfDifferentHeight) {  // GR-21
+  // Rotating bending differs from step to step.  Every range comes as often as in the history of
+  // all waves, apart from half a wave for each change between two steps.
+  Dice dice(7);
+  OneMode crack = shaft_crack();
+  for (int trial = 0; trial < 100; ++trial) {
+    SCOPED_TRACE(trial);
+    std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 6)));
+    for (Step& step : steps)
+      step = {dice.integer(-40, 40) * 1e5, dice.integer(1, 60) * 1e5, 1.0 * dice.integer(3, 6)};
+    const std::vector<double> history = each_wave(steps);
+    set_duty(crack, steps, Residue::repeated);
+    const Extremes expected = from_largest(history);
+    std::vector<double> ranges;
+    for (const auto& [extremes, count] : expected)
+      ranges.push_back(extremes.first - extremes.second);
+    const Extremes actual = counted(crack);
+    const std::vector<double> a = exceedances(actual, ranges);
+    const std::vector<double> b = exceedances(expected, ranges);
+    const double ends = static_cast<double>(steps.size());
+    for (std::size_t i = 0; i < ranges.size(); ++i) EXPECT_NEAR(a[i], b[i], ends) << ranges[i];
+    // The widest cycle of all, and its number.
+    const double widest = *std::ranges::max_element(ranges);
+    double most = 0.0;
+    for (const auto& [extremes, count] : actual)
+      most = std::max(most, extremes.first - extremes.second);
+    test::expect_relative(most, widest, 1e-9);
+  }
+}
+
+TEST(LoadCycles, BehaviourAxialForceOfAnAnnularCrack) {  // GR-21
+  // Torque tears an annular crack in mode III and an axial force opens it in mode I.  A force that
+  // changes while the torque rests makes cycles.
+  GearSet gear = test::unbreakable_shaft();
+  gear.duty->block[0].torque = 0;
+  gear.duty->block[0].axial_force = 3e5;
+  const GrowingCrack crack = test::only_crack(gear);
+  ASSERT_EQ(crack.duty().cycle.size(), 1U);
+  EXPECT_EQ(crack.duty().cycle[0].from.axial_force, 3e5);
+  EXPECT_EQ(crack.duty().cycle[0].to.axial_force, 0.0);
+  EXPECT_EQ(crack.duty().cycle[0].count, 1.0);
+  EXPECT_GT(crack.growth(crack.loads({.size = 1e-3})[0], 1e-3), 0.0);
+}
+
+TEST(LoadCycles, BehaviourMomentaryPeaks) {  // GR-21
+  // A peak of -9000 N*m joins the step that is farthest from it, 6000 N*m, and makes the waves of
+  // its own duration less one: 0.1 s of 60 turns a minute are 20.2 waves.
+  GearSet gear = inclined_crack().gear;
+  gear.duty->peak = {{.torque = -9000,
+                      .output_speed = 2 * std::numbers::pi,
+                      .duration = 0.1,
+                      .interval = 10 * duty_history(gear).duration}};
+  const CrackDuty duty = crack_duty(gear, drive_cracks(gear).front(), duty_history(gear));
+  std::vector<LoadCycle> rare;
+  for (const LoadCycle& cycle : duty.cycle)
+    if (cycle.rare) rare.push_back(cycle);
+  ASSERT_EQ(rare.size(), 2U);
+  EXPECT_EQ(rare[0].from.torque, -9000);
+  EXPECT_EQ(rare[0].to.torque, 6000);
+  test::expect_relative(rare[0].count, 0.1, 1e-12);
+  EXPECT_EQ(rare[1].to.torque, -9000);
+  EXPECT_EQ(rare[1].from.assembly, 1);
+  EXPECT_EQ(rare[1].to.assembly, -1);
+  test::expect_relative(rare[1].count, 0.1 * 19.2, 1e-12);
+  test::expect_relative(duty.peaks, 0.1, 1e-12);
+  EXPECT_EQ(rare[0].step, 3U);
+  // Without the peak the waves and the cycles between steps are those of 12 turns of the output.
+  double waves = 0.0;
+  for (const LoadCycle& cycle : duty.cycle)
+    if (!cycle.rare) waves += cycle.count;
+  test::expect_relative(waves, 12 * 202.0, 1e-12);
+  test::expect_relative(duty.cycles(), waves + 0.1 * 20.2, 1e-12);
+}
+
+TEST(LoadCycles, IdentityPieces) {  // GR-23
+  // Blocks that are cut into pieces of any lengths grow the crack by the same amount; so do blocks
+  // in the other order, because their residue closes.
+  Dice dice(8);
+  const OneMode crack = inclined_crack();
+  for (int trial = 0; trial < 20; ++trial) {
+    GearSet whole = crack.gear;
+    whole.duty->block.clear();
+    const int blocks = dice.integer(2, 5);
+    for (int i = 0; i < blocks; ++i)
+      whole.duty->block.push_back({.duration = dice.uniform(1, 10),
+                                   .output_speed = dice.uniform(0.5, 6),
+                                   .torque = dice.uniform(-8000, 8000)});
+    GearSet cut = whole;
+    cut.duty->block.clear();
+    for (const DutyBlock& block : whole.duty->block) {
+      double left = block.duration;
+      while (left > 0) {
+        DutyBlock piece = block;
+        piece.duration = std::min(left, dice.uniform(0.3, 4));
+        left -= piece.duration;
+        cut.duty->block.push_back(piece);
+      }
+    }
+    const auto grown = [](const GearSet& gear) {
+      const GrowingCrack at = test::only_crack(gear);
+      const auto loads = at.loads({.size = 2e-3});
+      return at.growth(loads[0], 2e-3);
+    };
+    const double given = grown(whole);
+    EXPECT_GT(given, 0.0);
+    test::expect_relative(grown(cut), given, 1e-11);
+    GearSet turned = whole;
+    std::rotate(turned.duty->block.begin(), turned.duty->block.begin() + 1,
+                turned.duty->block.end());
+    test::expect_relative(grown(turned), given, 1e-11);
+  }
+}
+
+}  // namespace
+}  // namespace strainwave

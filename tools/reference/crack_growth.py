@@ -1,0 +1,441 @@
+"""Growth of cracks: a second road for strainwave's laws, cycles of a duty, and lives.
+
+Written from the formulas of the theory manual (chapters FR, FA, SB, SP, GR) and from the published
+cases, not from the library's source.  It takes another road wherever there is one:
+
+* The library integrates over the length of a path in the logarithms of the sizes.  Here the sizes
+  themselves are integrated, over the other size or over the number of repetitions, by a method of
+  order 8 (scipy DOP853), and lives of one size by quadrature (QUADPACK).
+* The library joins extremes of the steps of a duty.  Here every wave of the duty is a number in one
+  long history, and three points of ASTM E1049 count it.
+* Newman and Raju's factors are those of newman_raju.py, a second text of the fits.
+* Load interaction is a loop over single cycles.
+
+Cases P1 to P3, G3, G8, G18: surface crack in a plate; NASGRO of an aluminium (easigrow's
+7050-T7451) under a block; Paris in a finite plate; single cycles; a law that falls to its
+threshold; a block.  easigrow prints 139 380 (P3) and 21 247.5 (P2) for its loops.
+
+Drive cases: an annular crack in a solid shaft (handbook's K of torsion and tension, (SB-3) of
+bending) under three blocks with rotating bending; a surface crack in the wall of a flexspline under
+torque and wave; and where they rest and start.
+
+In double precision; the integrators work to 1e-12.  Each row states its digits.
+"""
+import functools
+import math
+
+import numpy as np
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
+
+from reference_csv import Table, publish
+
+PI = math.pi
+
+
+# --- Laws, in MPa, m ----------------------------------------------------------------------------
+
+def paris(C, m):
+    return lambda K_max, R, a: C * (K_max * (1 - R)) ** m
+
+
+def walker(C, m, gamma):
+    def rate(K_max, R, a):
+        return C * (K_max if R < 0 else K_max * (1 - R) ** gamma) ** m
+    return rate
+
+
+def nasgro(C, n, p, q, K_c, datum, form, slopes, alpha, s, a_0):
+    """Newman's opening and the NASGRO equation; form 0 or 1: stress ratio of the datum."""
+    A0 = (0.825 - 0.34 * alpha + 0.05 * alpha ** 2) * math.cos(PI * s / 2) ** (1 / alpha)
+    A1 = (0.415 - 0.071 * alpha) * s
+    A3 = 2 * A0 + A1 - 1
+    A2 = 1 - A0 - A1 - A3
+
+    def rate(K_max, R, a):
+        f = A0 + A1 * max(R, -2) if R < 0 else max(R, A0 + A1 * R + A2 * R ** 2 + A3 * R ** 3)
+        th = datum * math.sqrt(a / (a + a_0))
+        slope = slopes[0] if R >= 0 else slopes[1]
+        if form == 0:
+            th *= ((1 - A0) * (1 - R) / (1 - f)) ** (1 + slope * R)
+        else:
+            th *= ((1 - R) / (1 - f)) ** (1 + slope * R)
+            th /= (1 - A0) ** (slopes[0] * (1 - R) if R >= 0 else slopes[0] - R * slopes[1])
+        DK = K_max * (1 - R)
+        if DK <= th:
+            return 0.0
+        return (C * ((1 - f) / (1 - R) * DK) ** n * (1 - th / DK) ** p / (1 - K_max / K_c) ** q)
+    return rate
+
+
+# --- Counting -----------------------------------------------------------------------------------
+
+def reversals(values):
+    out = []
+    for v in values:
+        if out and v == out[-1]:
+            continue
+        if len(out) > 1 and (out[-1] - out[-2]) * (v - out[-1]) > 0:
+            out[-1] = v
+        else:
+            out.append(v)
+    return out
+
+
+def three_points(values):
+    """ASTM E1049 5.4.4: (from, to, count)."""
+    stack, cycles = [], []
+    for v in reversals(values):
+        stack.append(v)
+        while len(stack) >= 3:
+            x, y = abs(stack[-1] - stack[-2]), abs(stack[-2] - stack[-3])
+            if x < y:
+                break
+            if len(stack) == 3:
+                cycles.append((stack[0], stack[1], 0.5))
+                stack.pop(0)
+            else:
+                cycles.append((stack[-3], stack[-2], 1.0))
+                del stack[-3:-1]
+    cycles += [(a, b, 0.5) for a, b in zip(stack, stack[1:])]
+    return cycles
+
+
+def repeated(values):
+    """Of a history that follows on itself: it begins and ends at its largest value."""
+    top = max(range(len(values)), key=lambda i: values[i])
+    turned = list(values[top:]) + list(values[:top]) + [values[top]]
+    merged = {}
+    for a, b, count in three_points(turned):
+        key = (max(a, b), min(a, b))
+        merged[key] = merged.get(key, 0.0) + count
+    return merged
+
+
+# --- Published cases -----------------------------------------------------------------------------
+
+def newman_raju(a, c, t, phi, bending):
+    """K over the stress times sqrt(pi a), wide plate, a <= c."""
+    r, al, s = a / c, a / t, math.sin(phi)
+    M = (1.13 - 0.09 * r + (-0.54 + 0.89 / (0.2 + r)) * al ** 2
+         + (0.5 - 1 / (0.65 + r) + 14 * (1 - r) ** 24) * al ** 4)
+    g = 1 + (0.1 + 0.35 * al ** 2) * (1 - s) ** 2
+    f = (r ** 2 * math.cos(phi) ** 2 + s ** 2) ** 0.25
+    F = M * g * f / math.sqrt(1 + 1.464 * r ** 1.65)
+    if not bending:
+        return F
+    H1 = 1 - 0.34 * al - 0.11 * r * al
+    H2 = (1 - (1.22 + 0.12 * r) * al
+          + (0.55 - 1.05 * r ** 0.75 + 0.47 * r ** 1.5) * al ** 2)
+    return F * (H1 + (H2 - H1) * s ** (0.2 + r + 0.6 * al))
+
+
+def plate(bending):
+    """P1: cycles and half length when a = 8 mm.  Independent variable: the depth."""
+    t, stress, C, m = 10e-3, 200.0, 6.9e-12, 3
+
+    def rates(a, c):
+        root = stress * math.sqrt(PI * a)
+        deep = root * newman_raju(a, c, t, PI / 2, bending)
+        end = root * newman_raju(a, c, t, 0.0, bending)
+        return C * deep ** m, C * end ** m
+
+    def slope(a, y):
+        da, dc = rates(a, max(y[0], a))
+        return [dc / da, 1 / da]
+    solved = solve_ivp(slope, (1e-3, 8e-3), [1e-3, 0.0], method="DOP853", rtol=1e-12, atol=1e-18)
+    return solved.y[1, -1], solved.y[0, -1]
+
+
+def finite_plate(a):
+    x = a / 50e-3
+    return (1 - x / 2 + 0.37 * x ** 2 - 0.044 * x ** 3) / math.sqrt(1 - x)
+
+
+def easigrow_block():
+    """P2: blocks from 1 to 10 mm."""
+    law = nasgro(6.35e-10, 2.5, 1, 1, 35.16, 0.8, 0, (2.2, 2.2), 2, 0.3, 38.1e-6)
+    cycles = repeated([0, 1, .1, .8, .3, .9, .2, .6, 0])
+
+    def inverse(a):
+        K = 120 * finite_plate(a) * math.sqrt(PI * a)
+        return 1 / sum(n * law(K * hi, lo / hi, a) for (hi, lo), n in cycles.items())
+    return quad(inverse, 1e-3, 10e-3, epsrel=1e-12, limit=400)[0]
+
+
+def finite_plate_paris():
+    """P3"""
+    return quad(lambda a: 1 / (6.9e-12 * (200 * finite_plate(a) * math.sqrt(PI * a)) ** 3), 1e-3,
+                10e-3, epsrel=1e-12)[0]
+
+
+def single_cycles():
+    """G3: cycles of a loop, Paris, Y 1.12, 200 MPa, 1 to 10 mm."""
+    a, N = 1e-3, 0
+    while a < 1e-2:
+        a += 6.9e-12 * (1.12 * 200 * math.sqrt(PI * a)) ** 3
+        N += 1
+    return N
+
+
+def falls_to_threshold():
+    """G8: C DK^2 (1 - 3/DK), Y 1.12, 60 MPa, 1 to 10 mm: cycles, size at rest."""
+    def inverse(a):
+        K = 1.12 * 60 * math.sqrt(PI * a)
+        return 1 / (1e-10 * K ** 2 * (1 - 3 / K))
+    return quad(inverse, 1e-3, 1e-2, epsrel=1e-13)[0], (3 / (1.12 * 60)) ** 2 / PI
+
+
+ASTM = [-2, 1, -3, 5, -1, 3, -4, 4, -2]
+
+
+def block(tensile, loop):
+    """G18: the standard's history times 40 MPa as a block, half cycles, 1 to 10 mm."""
+    total = 0.0
+    for a, b, count in three_points(ASTM):
+        low = max(min(a, b), 0) if tensile else min(a, b)
+        total += count * max(max(a, b) - low, 0) ** 3
+
+    def rate(a):
+        return 6.9e-12 * total * (1.12 * 40 * math.sqrt(PI * a)) ** 3
+    if not loop:
+        return quad(lambda a: 1 / rate(a), 1e-3, 1e-2, epsrel=1e-13)[0]
+    a, N = 1e-3, 0
+    while a < 1e-2:
+        a += rate(a)
+        N += 1
+    return N
+
+
+# --- Drives ---------------------------------------------------------------------------------------
+
+NU = 0.3
+
+
+def equivalent(K):
+    """(GR-13)"""
+    return math.sqrt(max(K[0], 0) ** 2 + K[1] ** 2 + K[2] ** 2 / (1 - NU))
+
+
+def tip_cycle(A, B):
+    """(GR-22)"""
+    largest = max(equivalent(A), equivalent(B))
+    if largest <= 0:
+        return 0.0, 0.0
+    return largest, 1 - equivalent([abs(x - y) for x, y in zip(A, B)]) / largest
+
+
+def count_duty(steps, value, waves):
+    """Cycles of a duty, each wave of it an entry of one history.
+
+    steps: loads of each step; value(load, turned): the counted number, with equal waves in all
+    steps; waves: their number in each step.  The loads change between two steps while the wave goes
+    on from one extreme to the next one, so a change downwards leaves a peak and reaches a valley,
+    and half of half a wave belongs to either step.  A step that is higher or lower than both
+    neighbours thus has a half number of waves, any other one a whole number.
+    Returns {(step high, step low): count}; two steps must not share a value."""
+    history, owner = [], {}
+    for j, load in enumerate(steps):
+        hi, lo = value(load, 1), value(load, -1)
+        owner[hi], owner[lo] = j, j
+        rises = steps[j] > steps[j - 1]
+        goes_on = steps[(j + 1) % len(steps)] > load
+        extremes = [hi, lo] if rises else [lo, hi]
+        if rises == goes_on:
+            assert waves[j] == int(waves[j])
+            history += extremes * int(waves[j])
+        else:
+            assert waves[j] == int(waves[j]) + 0.5
+            history += extremes * int(waves[j]) + extremes[:1]
+    counted = {}
+    for (hi, lo), n in repeated(history).items():
+        key = owner[hi], owner[lo]
+        counted[key] = counted.get(key, 0.0) + n
+    return counted
+
+
+def wider_phase(state, high, low):
+    """The wider of the two phases of the turning load."""
+    one, other = (tip_cycle(state(high, sign), state(low, -sign)) for sign in (1, -1))
+    ranges = [K * (1 - R) for K, R in (one, other)]
+    if abs(ranges[0] - ranges[1]) <= 1e-9 * max(ranges):  # equal ranges: the larger K_max counts
+        return max(one, other)
+    return one if ranges[0] > ranges[1] else other
+
+
+class Shaft:
+    """Solid shaft of 60 mm, annular crack, three blocks of 2.5, 2.5 and 2 turns: torque 4000, -1500,
+    2600 N m, bending moment 700 N m, axial force 0."""
+    d = 60e-3
+    steps = ((4000.0, 700.0), (-1500.0, 700.0), (2600.0, 700.0))
+    turns = (2.5, 2.5, 2)
+    C, m, gamma = 6.9e-12, 3, 0.5
+
+    def factors(self, a, T, M):
+        de = self.d - 2 * a
+        x = de / self.d
+        p3 = 1 + x / 2 + 3 / 8 * x ** 2 + 5 / 16 * x ** 3 + 35 / 128 * x ** 4 + 0.208 * x ** 5
+        p2 = (1 + x / 2 + 3 / 8 * x ** 2 + 0.58424627 * x ** 3 - 1.86002070 * x ** 4
+              + 6.24772954 * x ** 5 - 7.75789181 * x ** 6 + 3.90166257 * x ** 7)
+        root = 3 / 8 * math.sqrt(x * PI * a) * 1e-6
+        return [root * p2 * 32 * M / (PI * de ** 3), 0.0, root * p3 * 16 * T / (PI * de ** 3)]
+
+    @functools.lru_cache
+    def cycles(self):
+        # Torque alone is counted: bending is another mode.  A little of it keeps the waves apart.
+        return count_duty(self.steps, lambda s, turned: s[0] + 1e-6 * turned, self.turns)
+
+    def tip_cycles(self, a, factor=1.0):
+        def state(load, sign):
+            return self.factors(a, factor * load[0], factor * sign * load[1])
+        return [(wider_phase(state, self.steps[j], self.steps[k]), n)
+                for (j, k), n in self.cycles().items()]
+
+    def growth(self, a):
+        law = walker(self.C, self.m, self.gamma)
+        return sum(n * law(*cycle, a) for cycle, n in self.tip_cycles(a))
+
+    def repetitions(self, a_end):
+        return quad(lambda a: 1 / self.growth(a), 0.5e-3, a_end, epsrel=1e-12, limit=200)[0]
+
+    def start(self, threshold):
+        """Factor on the loads from which a crack of 0.5 mm grows, and the size from which it grows
+        at the given loads, for a threshold of the full range."""
+        def widest(a, factor=1.0):
+            return max(K * (1 - R) for (K, R), _ in self.tip_cycles(a, factor))
+        return (brentq(lambda f: widest(0.5e-3, f) - threshold, 0.1, 50, xtol=1e-14),
+                brentq(lambda a: widest(a) - threshold, 1e-5, 20e-3, xtol=1e-16))
+
+
+class Wall:
+    """Flexspline of 160 mm, wall 2.24 mm, E 210 GPa, w_0 0.8 mm; surface crack at 60 degrees, a 0.4
+    mm, c 0.7 mm; torque 6000, 1000, -3000 N m in steps of 807.5, 808 and
+    807.5 waves."""
+    r, t, beta, E = 78.88e-3, 2.24e-3, PI / 3, 210e9
+    w0 = 0.8e-3
+    steps = (6000.0, 1000.0, -3000.0)
+    waves = (807.5, 808, 807.5)
+    C, m, gamma = 6.9e-12, 3, 0.5
+
+    def factors(self, a, c, phi, T, wave):
+        rho, root = a / c, math.sqrt(PI * a)
+        sigma_b = self.E / (1 - NU ** 2) * self.t / 2 * 3 * self.w0 / self.r ** 2
+        sin, cos = math.sin(self.beta), math.cos(self.beta)
+        bredt = T / (2 * PI * self.r ** 2 * self.t)
+        normal = bredt * math.sin(2 * self.beta)
+        shear = bredt * math.cos(2 * self.beta)
+        normal_b = wave * sigma_b * (cos ** 2 + NU * sin ** 2)
+        shear += wave * -(1 - NU) * sigma_b * sin * cos
+        k2 = 1 - rho ** 2
+        E, K = ellipe(k2), ellipk(k2)
+        B = ((k2 - NU) * E + NU * (1 - k2) * K) / k2 if k2 > 1e-6 else PI * (2 - NU) / 4
+        f = (rho ** 2 * math.cos(phi) ** 2 + math.sin(phi) ** 2) ** 0.25
+        return [1e-6 * root * (normal * newman_raju(a, c, self.t, phi, False)
+                               + normal_b * newman_raju(a, c, self.t, phi, True)),
+                1e-6 * root * shear * rho * math.cos(phi) / (B * f),
+                1e-6 * root * shear * (1 - NU) * math.sin(phi) / (B * f)]
+
+    @functools.lru_cache
+    def cycles(self):
+        # Mode I at the deepest point: torque and wave in their proportion.
+        value = lambda T, turned: self.factors(0.4e-3, 0.7e-3, PI / 2, T, turned)[0]
+        return count_duty(self.steps, value, self.waves)
+
+    def growth(self, a, c, phi, factor=1.0):
+        law = walker(self.C, self.m, self.gamma)
+
+        def state(T, sign):
+            return self.factors(a, c, phi, factor * T, sign)
+        return sum(n * law(*wider_phase(state, self.steps[j], self.steps[k]), a)
+                   for (j, k), n in self.cycles().items())
+
+    def until_length(self, c_end):
+        """Repetitions and depth; independent variable: the repetitions."""
+        def slope(N, y):
+            a, c = y
+            return [self.growth(a, c, PI / 2), self.growth(a, c, 0.0)]
+
+        def reached(N, y):
+            return y[1] - c_end
+        reached.terminal = True
+        scale = 0.7e-3 / self.growth(0.4e-3, 0.7e-3, 0.0)
+        solved = solve_ivp(slope, (0, 100 * scale), [0.4e-3, 0.7e-3], method="DOP853", rtol=1e-12,
+                           atol=1e-18, events=reached)
+        return solved.t_events[0][0], solved.y_events[0][0][0]
+
+
+def willenborg_loop():
+    """The shaft under torque 0 to 3000 N m twice and 0 to 6000 N m once, in this order, 15-5PH of
+    the library (part-through), generalised Willenborg with beta 2, R_so 2.65, minimum closed, cycle
+    by cycle at the changing size.  K = K_III (Richard).  From 1 mm to 1.01 mm, after one repetition
+    at the first size: repetitions."""
+    law = nasgro(1.359e-12, 4, 0.25, 0.25, 71.42, 2.165, 1, (1.36, -0.10), 2.5, 0.3, 38.1e-6)
+    yield_, beta, R_so = 1100.0, 2, 2.65
+    A0 = (0.825 - 0.34 * 2.5 + 0.05 * 2.5 ** 2) * math.cos(PI * 0.3 / 2) ** (1 / 2.5)
+    shaft = Shaft()
+
+    def threshold(a):
+        return 2.165 * math.sqrt(a / (a + 38.1e-6)) / (1 - A0) / (1 - A0) ** 1.36
+
+    def zone(K):
+        return (K / yield_) ** 2 / (beta * PI)
+    a, a_over, K_over, N = 1e-3, 1e-3, 0.0, -1
+    grown = 0.0
+    while True:
+        if N == 0:
+            a_over -= a - 1e-3  # the repetition before took place at the first size
+            a = 1e-3
+        if a >= 1.01e-3:
+            return N, grown
+        N += 1
+        for T in (3000.0, 3000.0, 6000.0):
+            K = shaft.factors(a, T, 0.0)[2]
+            if a + zone(K) >= a_over + zone(K_over):
+                a += law(K, 0.0, a)
+                a_over, K_over = a, K
+                continue
+            through = (a - a_over) / zone(K_over)
+            share = max(1 - threshold(a) / K, 0) / (R_so - 1)
+            down = share * max(K_over * math.sqrt(max(1 - through, 0)) - K, 0)
+            if K - down > 0:
+                a += law(K - down, 0.0, a)
+
+
+OURS = "computed here"
+
+
+def tables():
+    table = Table("crack_growth", "size [m]")
+    none = ""
+    for name, bending in (("P1.tension", False), ("P1.bending", True)):
+        N, c = plate(bending)
+        table.add(f"{name}.cycles", (none,), N, "1", OURS, digits=10, printed=12)
+        table.add(f"{name}.half_length", (none,), c, "m", OURS, digits=10, printed=12)
+    table.add("P2.blocks", (none,), easigrow_block(), "1", OURS, digits=10, printed=12)
+    table.add("P3.cycles", (none,), finite_plate_paris(), "1", OURS, digits=11, printed=13)
+    table.add("G3.cycles", (none,), single_cycles(), "1", OURS)
+    N, rest = falls_to_threshold()
+    table.add("G8.cycles", (none,), N, "1", OURS, digits=11, printed=13)
+    table.add("G8.rest", (none,), rest, "m", OURS, digits=12, printed=14)
+    table.add("G18.blocks", (none,), block(False, False), "1", OURS, digits=11, printed=13)
+    table.add("G18.tensile_blocks", (none,), block(True, False), "1", OURS, digits=11, printed=13)
+    table.add("G18.loop", (none,), block(False, True), "1", OURS)
+    shaft = Shaft()
+    for mm in (1, 3, 8):
+        table.add("shaft.repetitions", (mm * 1e-3,), shaft.repetitions(mm * 1e-3), "1", OURS,
+                  digits=10, printed=12)
+    factor, size = shaft.start(20.0)
+    table.add("shaft.factor_to_grow", (0.5e-3,), factor, "1", OURS, digits=10, printed=12)
+    table.add("shaft.size_at_rest", (none,), size, "m", OURS, digits=10, printed=12)
+    table.add("shaft.willenborg", (1.01e-3,), willenborg_loop()[0], "1", OURS, digits=4)
+    wall = Wall()
+    for c in (1e-3, 1.5e-3, 2.5e-3):
+        N, a = wall.until_length(c)
+        table.add("wall.repetitions", (c,), N, "1", OURS, digits=9, printed=11)
+        table.add("wall.depth", (c,), a, "m", OURS, digits=9, printed=11)
+    return [table]
+
+
+if __name__ == "__main__":
+    publish(*tables())
