@@ -187,6 +187,16 @@ class PathReader {
     walk_field<Ts...>(rest, {"kind"});
   }
 
+  /// Whether a path begins with the name of a field of a struct.
+  template <class Element>
+  static bool begins_with_field(std::string_view path) {
+    const std::string_view key = path.substr(0, path.find_first_of(".["));
+    bool found = false;
+    if constexpr (Described<Element>)
+      Element::describe([&](const Field& field, auto) { found = found || field.name == key; });
+    return found;
+  }
+
   /// A name chosen by the user may contain dots; the program prints it without quotes.
   template <class Element>
   void walk_named(std::string_view rest) {
@@ -195,7 +205,10 @@ class PathReader {
       push(key_step(*quoted));
       return walk<Element>(rest);
     }
-    const std::size_t dot = rest.rfind('.');
+    // The name ends where a field of the element follows, which may have fields of its own.
+    std::size_t dot = rest.rfind('.');
+    for (std::size_t at = rest.find('.'); at < dot; at = rest.find('.', at + 1))
+      if (begins_with_field<Element>(rest.substr(at + 1))) dot = at;
     push(key_step(std::string(rest.substr(0, dot))));
     walk<Element>(dot == std::string_view::npos ? std::string_view() : rest.substr(dot));
   }
