@@ -249,7 +249,17 @@ class Path {
       }
     report_.repetitions = state.back();
     report_.time = state.back() * duration;
+    end_ = state;
     if (told_) describe_rest(state);
+  }
+
+  /// Largest difference of the time and of the sizes at the end to another computation [-].
+  [[nodiscard]] double difference(const Path& other) const {
+    if (end_.size() != other.end_.size() || !(end_.back() > 0)) return 1.0;
+    double largest = std::abs(other.end_.back() / end_.back() - 1);
+    for (std::size_t i = 0; i + 1 < end_.size(); ++i)
+      largest = std::max(largest, std::abs(other.end_[i] - end_[i]));
+    return largest;
   }
 
  private:
@@ -536,6 +546,7 @@ class Path {
   bool told_ = true;
   std::vector<bool> stands_still_;
   State acceptable_;
+  State end_;
   double first_positive_ = 0.0;
   double first_negative_ = 0.0;
 };
@@ -568,11 +579,15 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   if (options.interaction.rule != InteractionRule::none) report.equations.emplace_back("GR-27");
   if (gear.duty && gear.duty->resonance) report.equations.emplace_back("GR-28");
   if (gear.duty) report.rainflow = std::string(enum_name(gear.duty->residue));
-  Path(gear, options, report, progress.part(0, 0.7), 1.0).run(true);
+  const Progress first_part = progress.part(0, 0.7);
+  Path path(gear, options, report, first_part, 1.0);
+  path.run(true);
   if (!report.cracks.empty() && report.time > 0) {
     GrowthReport fine;
-    Path(gear, options, fine, progress.part(0.7, 1), 0.5).run(false);
-    report.step_error = std::abs(fine.time / report.time - 1);
+    const Progress second_part = progress.part(0.7, 1);
+    Path half(gear, options, fine, second_part, 0.5);
+    half.run(false);
+    report.step_error = path.difference(half);
   }
   complete(report, gear, options.rate);
   for (CrackGrowth& crack : report.cracks) thin(crack.series, options.points);

@@ -285,6 +285,22 @@ TEST(LoadCycles, BehaviourAxialForceOfAnAnnularCrack) {  // GR-21
   EXPECT_GT(crack.growth(crack.loads({.size = 1e-3})[0], 1e-3), 0.0);
 }
 
+TEST(LoadCycles, BehaviourOneModeRestsAndTheOtherChanges) {  // GR-21
+  // A large constant force beside a small torque that changes, and the other way round: what
+  // changes is counted.
+  GearSet gear = test::unbreakable_shaft();
+  for (DutyBlock& block : gear.duty->block) block.axial_force = 5e6;
+  gear.duty->block[0].torque = 10;
+  const CrackDuty torque = test::only_crack(gear).duty();
+  ASSERT_EQ(torque.cycle.size(), 1U);
+  EXPECT_EQ(torque.cycle[0].from.torque + torque.cycle[0].to.torque, 10);
+  for (DutyBlock& block : gear.duty->block) block.torque = 50000;
+  gear.duty->block[0].axial_force = 5e6 + 100;
+  const CrackDuty force = test::only_crack(gear).duty();
+  ASSERT_EQ(force.cycle.size(), 1U);
+  EXPECT_EQ(force.cycle[0].from.axial_force + force.cycle[0].to.axial_force, 10e6 + 100);
+}
+
 TEST(LoadCycles, BehaviourMomentaryPeaks) {  // GR-21
   // A peak of -9000 N*m joins the step that is farthest from it, 6000 N*m, and makes the waves of
   // its own duration less one: 0.1 s of 60 turns a minute are 20.2 waves.
