@@ -42,7 +42,7 @@ class SingleCycles {
   void once(const TipCycle& cycle) {
     const PlasticZone zone{.yield_strength = crack_.yield_strength(), .factor = rule_.zone_factor};
     const double own = zone.size(cycle.largest);
-    if (moved_ + own >= overload_.crack_size + zone.size(overload_.largest) - kSize) {
+    if (kSize + moved_ + own >= overload_.crack_size + zone.size(overload_.largest)) {
       moved_ += crack_.rate_of(cycle, kSize);
       overload_ = {.crack_size = kSize + moved_, .largest = cycle.largest};
       return;
