@@ -34,7 +34,8 @@ class SingleCycles {
   void repeat(const std::vector<TipLoad>& loads, bool rare) {
     for (const TipLoad& load : loads)
       if (load.rare == rare)
-        for (int i = 0; i < (rare ? 1 : static_cast<int>(load.count)); ++i) once(load.cycle);
+        for (int i = 0; i < static_cast<int>(rare ? 300 * load.count + 0.5 : load.count); ++i)
+          once(load.cycle);
   }
   [[nodiscard]] double moved() const { return moved_; }
 
@@ -111,6 +112,8 @@ TEST(Interaction, CrosscheckSingleCyclesBetweenRarePeaks) {  // GR-27
         load = {.cycle = {.largest = dice.uniform(10e6, 30e6), .ratio = dice.uniform(-0.5, 0.5)},
                 .count = 1.0 * dice.integer(1, 9)};
       const double peak = trial % 3 == 0 ? 9e6 : dice.uniform(32e6, 45e6);
+      // Two waves of another peak come with it.
+      loads.push_back({.cycle = {.largest = 15e6, .ratio = 0}, .count = 2.0 / 300, .rare = true});
       loads.push_back({.cycle = {.largest = peak, .ratio = 0}, .count = 1.0 / 300, .rare = true});
       const Interaction interaction = rule_of(rule);
       const double grown = growth_with_interaction(crack, loads, kSize, interaction, 0.002);

@@ -331,6 +331,52 @@ TEST(LoadCycles, BehaviourMomentaryPeaks) {  // GR-21
   test::expect_relative(duty.cycles(), waves + 0.1 * 20.2, 1e-12);
 }
 
+TEST(LoadCycles, CrosscheckRaceUnderTheBalls) {  // GR-21
+  // A crack of the inner race is loaded by each ball that passes, from 0 to the K of the torque at
+  // that time, which is not proportional to the torque.
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  gear.duty = Duty{};
+  gear.duty->block = {{.duration = 10, .output_speed = 1.0, .torque = 40},
+                      {.duration = 5, .output_speed = -2.0, .torque = -87}};
+  const std::vector<DriveCrack> cracks = drive_cracks(gear);
+  const auto race = std::ranges::find(cracks, TurningLoad::balls, &DriveCrack::turning);
+  ASSERT_NE(race, cracks.end());
+  gear.material.at(race->material).growth = {Paris{6.9e-12, 3}};
+  const GrowingCrack crack(gear, *race, duty_history(gear), {});
+  const auto loads = crack.loads(race->size);
+  const double per_turn = *cycles_per_output_turn(gear, DutyPlace::inner_ring);
+  std::vector<double> K;
+  for (const double torque : {40.0, 87.0}) {
+    GearSet at = gear;
+    at.load.torque = torque;
+    double largest = 0.0;
+    for (const DriveCrack& made : drive_cracks(at))
+      if (made.path == race->path)
+        for (const FrontIntensity& front : made.front(race->size, Faces::open))
+          largest = std::max(
+              largest, tip_cycle(MixedMode::energy,
+                                 {front.load.I[kTorsion] * torque, front.load.II[kTorsion] * torque,
+                                  front.load.III[kTorsion] * torque},
+                                 {}, 0.3)
+                           .largest);
+    K.push_back(largest);
+  }
+  EXPECT_GT(std::abs(K[1] / K[0] / (87.0 / 40) - 1), 0.01);
+  double low = 0.0;
+  double high = 0.0;
+  for (const TipLoad& load : loads[0]) {
+    const bool of_high = std::abs(load.cycle.largest / K[1] - 1) < 0.02;
+    EXPECT_TRUE(of_high || std::abs(load.cycle.largest / K[0] - 1) < 0.02) << load.cycle.largest;
+    EXPECT_EQ(load.cycle.ratio, 0.0);
+    (of_high ? high : low) += load.count;
+  }
+  const double turns = 10 / (2 * std::numbers::pi);
+  // The change between the two torques takes half a pass from the lower one.
+  EXPECT_NEAR(low, turns * per_turn, 0.5 + 1e-9);
+  EXPECT_NEAR(high, turns * per_turn, 0.5 + 1e-9);
+  test::expect_relative(low + high, 2 * turns * per_turn, 1e-12);
+}
+
 TEST(LoadCycles, IdentityPieces) {  // GR-23
   // Blocks that are cut into pieces of any lengths grow the crack by the same amount; so do blocks
   // in the other order, because their residue closes.
