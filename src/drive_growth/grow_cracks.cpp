@@ -531,7 +531,7 @@ class Path {
       first_negative_ = row.negative;
     }
     row.change = std::min(row.positive / first_positive_, row.negative / first_negative_) - 1;
-    row.resonance = std::sqrt(1 + row.change);
+    row.resonance = std::sqrt(1 + row.change);  // (GR-25)
     for (const CrackStrength& crack : strength_at(state))
       if (const auto reserve = crack.least_reserve())
         row.reserve = std::min(row.reserve.value_or(*reserve), *reserve);

@@ -185,7 +185,8 @@ double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
 
 double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) const {
   double sum = 0.0;
-  for (const TipLoad& load : loads) sum += load.count * rate_of(load.cycle, crack_size);
+  for (const TipLoad& load : loads)  // (GR-23)
+    sum += load.count * rate_of(load.cycle, crack_size);
   return sum;
 }
 
