@@ -288,11 +288,21 @@ class Path {
       }
     report_.repetitions = state.back();
     report_.time = state.back() * duration;
+    end_ = state;
     if (!told_) return;
     describe_rest(state);
     thin(report_.stiffness, options_.points);
     thin(gears_, options_.points);
     add_coupled_drive();
+  }
+
+  /// Largest difference of the time and of the sizes at the end to another computation [-].
+  [[nodiscard]] double difference(const Path& other) const {
+    if (end_.size() != other.end_.size() || !(end_.back() > 0)) return 1.0;
+    double largest = std::abs(other.end_.back() / end_.back() - 1);
+    for (std::size_t i = 0; i + 1 < end_.size(); ++i)
+      largest = std::max(largest, std::abs(other.end_[i] - end_[i]));
+    return largest;
   }
 
  private:
@@ -610,7 +620,7 @@ class Path {
       first_negative_ = row.negative;
     }
     row.change = std::min(row.positive / first_positive_, row.negative / first_negative_) - 1;
-    row.resonance = std::sqrt(1 + row.change);
+    row.resonance = std::sqrt(1 + row.change);  // (GR-25)
     for (const CrackStrength& crack : strength_at(state))
       if (const auto reserve = crack.least_reserve())
         row.reserve = std::min(row.reserve.value_or(*reserve), *reserve);
@@ -634,6 +644,7 @@ class Path {
   std::vector<bool> stands_still_;
   State acceptable_;
   std::vector<GearSet> gears_;  // of the rows of stiffness
+  State end_;
   double first_positive_ = 0.0;
   double first_negative_ = 0.0;
 };
@@ -659,12 +670,14 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   GrowthCheckpoint none;
   GrowthCheckpoint& stored = checkpoint != nullptr ? *checkpoint : none;
   const Progress coarse = progress.part(0, 0.3);
-  Path(gear, options, report, coarse, stored, 0).run();
+  Path path(gear, options, report, coarse, stored, 0);
+  path.run();
   if (!report.cracks.empty() && report.time > 0) {
     GrowthReport fine;
     const Progress halved = progress.part(0.3, 1);
-    Path(gear, options, fine, halved, stored, 1).run();
-    report.step_error = std::abs(fine.time / report.time - 1);
+    Path half(gear, options, fine, halved, stored, 1);
+    half.run();
+    report.step_error = path.difference(half);
   }
   complete(report, gear, options.rate);
   for (CrackGrowth& crack : report.cracks) thin(crack.series, options.points);

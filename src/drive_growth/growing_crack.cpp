@@ -68,8 +68,9 @@ TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to, double po
 }
 
 GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
-                           const RateChoice& choice)
+                           const RateChoice& choice, CracksAtTorques at_torque)
     : crack_(std::move(crack)),
+      at_torque_(std::move(at_torque)),
       duty_(crack_duty(gear, crack_, history)),
       mixed_mode_(choice.mixed_mode) {
   const std::string member = crack_.path.substr(0, crack_.path.find('.'));
@@ -191,7 +192,8 @@ double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
 
 double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) const {
   double sum = 0.0;
-  for (const TipLoad& load : loads) sum += load.count * rate_of(load.cycle, crack_size);
+  for (const TipLoad& load : loads)  // (GR-23)
+    sum += load.count * rate_of(load.cycle, crack_size);
   return sum;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "strainwave/core/error.hpp"
@@ -38,15 +39,22 @@ class TipBehindOverload {
     double left = count;
     while (left > 0) {
       const bool governs = size_ + moved_ + own_zone >= zone_end();
-      const double rate = governs ? rate_of(load.cycle) : retarded_rate(load.cycle);
+      double rate = governs ? rate_of(load.cycle) : retarded_rate(load.cycle, moved_);
       if (governs) {
         moved_ += left * rate;
         overload_ = {.crack_size = size_ + moved_, .largest = load.cycle.largest};
         return;
       }
       if (!(rate > 0)) return;
-      // The zone shrinks while the tip moves, so the cycles go on in parts.
-      const double part = std::min(left, std::max(1.0, share_ * zone_of_overload() / rate));
+      // The zone shrinks while the tip moves, so the cycles go on in parts, each with the rate in
+      // its middle.
+      const double rest = zone_end() - size_ - moved_;
+      const double part = std::min(left, std::max(1.0, std::floor(share_ * rest / rate)));
+      if (part > 1) {
+        const double middle = moved_ + (part - 1) * rate / 2;  // a cycle has the rate of its begin
+        rate = size_ + middle + own_zone < zone_end() ? retarded_rate(load.cycle, middle)
+                                                      : rate_of(load.cycle);
+      }
       moved_ += part * rate;
       left -= part;
     }
@@ -65,15 +73,15 @@ class TipBehindOverload {
  private:
   [[nodiscard]] double zone_end() const { return overload_.crack_size + zone_of_overload(); }
   [[nodiscard]] double rate_of(const TipCycle& cycle) const { return crack_.rate_of(cycle, size_); }
-  [[nodiscard]] double retarded_rate(const TipCycle& cycle) const {
+  [[nodiscard]] double retarded_rate(const TipCycle& cycle, double moved) const {
     if (rule_.rule == InteractionRule::wheeler)
-      return rate_of(cycle) * wheeler_factor(zone_, overload_, size_ + moved_, cycle.largest,
-                                             rule_.wheeler_exponent);
+      return rate_of(cycle) *
+             wheeler_factor(zone_, overload_, size_ + moved, cycle.largest, rule_.wheeler_exponent);
     return rate_of(willenborg_cycle({.zone = zone_,
                                      .threshold = threshold_,
                                      .shut_off_ratio = rule_.shut_off_ratio,
                                      .negative = rule_.negative},
-                                    overload_, size_ + moved_, cycle));
+                                    overload_, size_ + moved, cycle));
   }
 
   const GrowingCrack& crack_;
@@ -107,6 +115,18 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
     for (const TipLoad& load : loads)
       if (load.rare) tip.apply(load, load.count * repetitions);
   };
+  if (rarest == 1.0) {
+    // The largest cycle governs whenever it comes, so a repetition that begins behind it needs no
+    // other one before it.
+    const auto largest =
+        std::ranges::max_element(loads, {}, [](const TipLoad& load) { return load.cycle.largest; });
+    tip.apply(*largest, largest->count);
+    const double begin = tip.moved();
+    for (auto load = std::next(largest); load != loads.end(); ++load) tip.apply(*load, load->count);
+    for (auto load = loads.begin(); load != std::next(largest); ++load)
+      tip.apply(*load, load->count);
+    return tip.moved() - begin;
+  }
   // The first pass brings the overload that acts when the second one begins.
   repeat();
   peaks();

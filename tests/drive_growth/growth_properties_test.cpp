@@ -193,6 +193,33 @@ TEST(GrowthProperties, BehaviourOneCrackRestsAndTheOtherGrows) {  // GR-24
   test::expect_relative(both.cracks[1].series.back().size, 1e-6, 1e-12);
 }
 
+TEST(GrowthProperties, BehaviourThroughTheWall) {  // GR-26
+  // At 0.8 of the wall the crack goes on as a crack through the wall with the same half length, and
+  // grows like one that had this length from the beginning.
+  GearSet gear = test::cracked_wall(R"(
+kind = "surface"
+depth = "1 mm"
+half_length = "1.2 mm"
+angle = "45 deg")");
+  gear.material.at("steel").fracture_toughness = 60e6;
+  const GrowthReport report = grow_cracks(gear);
+  ASSERT_EQ(report.cracks.size(), 1U);
+  const CrackGrowth& crack = report.cracks[0];
+  ASSERT_GE(crack.events.size(), 2U);
+  EXPECT_EQ(crack.events[0].event, CrackEvent::through_wall);
+  test::expect_relative(crack.events[0].size, 0.8 * 2.24e-3, 1e-9);
+  const double half_length = crack.events[0].half_length;
+  EXPECT_GT(half_length, 1.8e-3);
+  EXPECT_LT(crack.events[0].time, report.time);
+  GearSet through = gear;
+  WallThroughCrack next{.half_length = half_length};
+  next.angle = std::get<WallSurfaceCrack>(gear.flexspline->crack[0]).angle;
+  through.flexspline->crack = {next};
+  const GrowthReport rest = grow_cracks(through);
+  EXPECT_EQ(rest.end, report.end);
+  test::expect_relative(report.time - crack.events[0].time, rest.time, 1e-6);
+}
+
 TEST(GrowthProperties, ConvergenceStatedErrorCoversTheTrueOne) {  // GR-24
   // At coarse tolerances the difference to half steps is at least a tenth of the error that a fine
   // tolerance reveals, and the error falls with the tolerance.

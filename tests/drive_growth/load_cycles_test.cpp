@@ -285,6 +285,22 @@ TEST(LoadCycles, BehaviourAxialForceOfAnAnnularCrack) {  // GR-21
   EXPECT_GT(crack.growth(crack.loads({.size = 1e-3})[0], 1e-3), 0.0);
 }
 
+TEST(LoadCycles, BehaviourOneModeRestsAndTheOtherChanges) {  // GR-21
+  // A large constant force beside a small torque that changes, and the other way round: what
+  // changes is counted.
+  GearSet gear = test::unbreakable_shaft();
+  for (DutyBlock& block : gear.duty->block) block.axial_force = 5e6;
+  gear.duty->block[0].torque = 10;
+  const CrackDuty torque = test::only_crack(gear).duty();
+  ASSERT_EQ(torque.cycle.size(), 1U);
+  EXPECT_EQ(torque.cycle[0].from.torque + torque.cycle[0].to.torque, 10);
+  for (DutyBlock& block : gear.duty->block) block.torque = 50000;
+  gear.duty->block[0].axial_force = 5e6 + 100;
+  const CrackDuty force = test::only_crack(gear).duty();
+  ASSERT_EQ(force.cycle.size(), 1U);
+  EXPECT_EQ(force.cycle[0].from.axial_force + force.cycle[0].to.axial_force, 10e6 + 100);
+}
+
 TEST(LoadCycles, BehaviourMomentaryPeaks) {  // GR-21
   // A peak of -9000 N*m joins the step that is farthest from it, 6000 N*m, and makes the waves of
   // its own duration less one: 0.1 s of 60 turns a minute are 20.2 waves.
@@ -313,6 +329,52 @@ TEST(LoadCycles, BehaviourMomentaryPeaks) {  // GR-21
     if (!cycle.rare) waves += cycle.count;
   test::expect_relative(waves, 12 * 202.0, 1e-12);
   test::expect_relative(duty.cycles(), waves + 0.1 * 20.2, 1e-12);
+}
+
+TEST(LoadCycles, CrosscheckRaceUnderTheBalls) {  // GR-21
+  // A crack of the inner race is loaded by each ball that passes, from 0 to the K of the torque at
+  // that time, which is not proportional to the torque.
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  gear.duty = Duty{};
+  gear.duty->block = {{.duration = 10, .output_speed = 1.0, .torque = 40},
+                      {.duration = 5, .output_speed = -2.0, .torque = -87}};
+  const std::vector<DriveCrack> cracks = drive_cracks(gear);
+  const auto race = std::ranges::find(cracks, TurningLoad::balls, &DriveCrack::turning);
+  ASSERT_NE(race, cracks.end());
+  gear.material.at(race->material).growth = {Paris{6.9e-12, 3}};
+  const GrowingCrack crack(gear, *race, duty_history(gear), {});
+  const auto loads = crack.loads(race->size);
+  const double per_turn = *cycles_per_output_turn(gear, DutyPlace::inner_ring);
+  std::vector<double> K;
+  for (const double torque : {40.0, 87.0}) {
+    GearSet at = gear;
+    at.load.torque = torque;
+    double largest = 0.0;
+    for (const DriveCrack& made : drive_cracks(at))
+      if (made.path == race->path)
+        for (const FrontIntensity& front : made.front(race->size, Faces::open))
+          largest = std::max(
+              largest, tip_cycle(MixedMode::energy,
+                                 {front.load.I[kTorsion] * torque, front.load.II[kTorsion] * torque,
+                                  front.load.III[kTorsion] * torque},
+                                 {}, 0.3)
+                           .largest);
+    K.push_back(largest);
+  }
+  EXPECT_GT(std::abs(K[1] / K[0] / (87.0 / 40) - 1), 0.01);
+  double low = 0.0;
+  double high = 0.0;
+  for (const TipLoad& load : loads[0]) {
+    const bool of_high = std::abs(load.cycle.largest / K[1] - 1) < 0.02;
+    EXPECT_TRUE(of_high || std::abs(load.cycle.largest / K[0] - 1) < 0.02) << load.cycle.largest;
+    EXPECT_EQ(load.cycle.ratio, 0.0);
+    (of_high ? high : low) += load.count;
+  }
+  const double turns = 10 / (2 * std::numbers::pi);
+  // The change between the two torques takes half a pass from the lower one.
+  EXPECT_NEAR(low, turns * per_turn, 0.5 + 1e-9);
+  EXPECT_NEAR(high, turns * per_turn, 0.5 + 1e-9);
+  test::expect_relative(low + high, 2 * turns * per_turn, 1e-12);
 }
 
 TEST(LoadCycles, IdentityPieces) {  // GR-23

@@ -14,6 +14,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
+#include "strainwave/growth_laws/power.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -65,6 +66,14 @@ TEST(RateLaw, LimitAtTheUnitOfDeltaKItIsTheCoefficient) {  // MA-1
   const Paris law{3e-12, 2.5};
   EXPECT_EQ(law.rate({.largest = 1e6}), 3e-12);
   test::expect_relative(law.rate({.largest = 4e6}), 3e-12 * 32, 1e-14);  // 4^2.5 = 2^5
+}
+
+TEST(RateLaw, CrosscheckPowers) {
+  // Roots and products instead of std::pow: rounding only.
+  for (const double exponent : {0.0, 0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 2.5, -1.3})
+    for (double base = 1e-6; base < 1e4; base *= 1.37)
+      test::expect_relative(power(base, exponent), std::pow(base, exponent), 1e-15);
+  EXPECT_EQ(power(0.0, 0.25), 0.0);
 }
 
 TEST(RateLaw, ReferenceWalkerInClosedForm) {  // GR-4

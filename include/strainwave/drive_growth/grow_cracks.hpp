@@ -203,7 +203,7 @@ struct GrowthReport {
   std::vector<StiffnessOverLife> stiffness;
   int steps = 0;            ///< of the integration
   double tolerance = 0.0;   ///< of each step [-]
-  double step_error = 0.0;  ///< difference of the time to a computation with half steps [-]
+  double step_error = 0.0;  ///< largest difference to a computation with half steps [-]
   std::string rainflow;     ///< rule of the residue
   std::string mixed_mode;   ///< rule of mixed modes
   std::string interaction;  ///< rule of overloads
@@ -232,7 +232,8 @@ struct GrowthReport {
     field({"interaction", "", "rule of overloads"}, &G::interaction);
     field({"steps", "", "steps of the integration"}, &G::steps);
     field({"tolerance", "1", "tolerance of each step"}, &G::tolerance);
-    field({"step_error", "1", "relative change of the time if each step is halved"},
+    field({"step_error", "1",
+           "largest relative change of time and sizes at the end if each step is halved"},
           &G::step_error);
   }
 };

@@ -86,7 +86,7 @@ class GrowingCrack {
   [[nodiscard]] double yield_strength() const;
   /// The cycle with the largest K_max.
   [[nodiscard]] static TipCycle governing(std::span<const TipLoad> loads);
-  /// The cycle with the largest range over its threshold at R; the widest if the law has none.
+  /// The cycle with the largest range.
   [[nodiscard]] TipCycle widest(std::span<const TipLoad> loads) const;
   /// Threshold of the range of a cycle, of the law or of the material [Pa*m^0.5]; absent: none.
   [[nodiscard]] std::optional<double> threshold(const TipCycle& cycle, double crack_size) const;

@@ -37,8 +37,8 @@ struct Interaction {
 ///
 /// @param loads       of a tip, in the order of the duty
 /// @param crack_size  a [m]; > 0
-/// @param share       of the overload's zone by which equal cycles advance in one step [-]; the
-///                    error is about this share of the retardation
+/// @param share       of what is left of the overload's zone by which equal cycles advance in one
+///                    step, and of its whole zone by which equal repetitions are skipped [-]
 /// @throws InputError  if a constant is out of range, or the yield strength is not known
 [[nodiscard]] double growth_with_interaction(const GrowingCrack& crack,
                                              std::span<const TipLoad> loads, double crack_size,

@@ -49,8 +49,9 @@ struct CrackDuty {
 /// step.  A momentary peak gives a cycle from the least load of the duty, and its own turning
 /// cycles.
 ///
-/// @param history  of duty_history(gear); the rainflow cycles are those of the mode of K that is
-///                 largest at the crack
+/// @param history  of duty_history(gear); the rainflow cycles are those of K along the direction,
+/// in
+///                 the space of the three modes, in which the constant loads differ most
 /// @throws InputError  if a crack of a race needs the number of balls and the file gives none
 [[nodiscard]] CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
                                    const DutyHistory& history);

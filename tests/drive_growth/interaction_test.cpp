@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_growth/interaction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "growth_support.hpp"
+#include "strainwave/growth/load_interaction.hpp"
+#include "support/expect.hpp"
+#include "support/random_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+using test::Dice;
+
+constexpr double kSize = 2e-3;
+
+GrowingCrack stainless_crack() {
+  GearSet gear = test::growing_shaft();
+  return test::only_crack(gear, {.mixed_mode = MixedMode::richard, .law = "15-5PH H900"});
+}
+
+Interaction rule_of(InteractionRule rule) { return {.rule = rule, .zone_factor = 2.0}; }
+
+/// One cycle after the other, with no cycle taken twice: growth in a repetition after many.
+class SingleCycles {
+ public:
+  SingleCycles(const GrowingCrack& crack, const Interaction& rule) : crack_(crack), rule_(rule) {}
+
+  void repeat(const std::vector<TipLoad>& loads, bool rare) {
+    for (const TipLoad& load : loads)
+      if (load.rare == rare)
+        for (int i = 0; i < static_cast<int>(rare ? 300 * load.count + 0.5 : load.count); ++i)
+          once(load.cycle);
+  }
+  [[nodiscard]] double moved() const { return moved_; }
+
+ private:
+  void once(const TipCycle& cycle) {
+    const PlasticZone zone{.yield_strength = crack_.yield_strength(), .factor = rule_.zone_factor};
+    const double own = zone.size(cycle.largest);
+    if (kSize + moved_ + own >= overload_.crack_size + zone.size(overload_.largest)) {
+      moved_ += crack_.rate_of(cycle, kSize);
+      overload_ = {.crack_size = kSize + moved_, .largest = cycle.largest};
+      return;
+    }
+    if (rule_.rule == InteractionRule::wheeler) {
+      moved_ +=
+          crack_.rate_of(cycle, kSize) *
+          wheeler_factor(zone, overload_, kSize + moved_, cycle.largest, rule_.wheeler_exponent);
+      return;
+    }
+    const double threshold =
+        crack_.threshold({.largest = cycle.largest, .ratio = 0.0}, kSize).value_or(0.0);
+    moved_ += crack_.rate_of(willenborg_cycle({.zone = zone,
+                                               .threshold = threshold,
+                                               .shut_off_ratio = rule_.shut_off_ratio,
+                                               .negative = rule_.negative},
+                                              overload_, kSize + moved_, cycle),
+                             kSize);
+  }
+  const GrowingCrack& crack_;
+  const Interaction& rule_;
+  double moved_ = 0.0;
+  Overload overload_;
+};
+
+TEST(Interaction, CrosscheckSingleCyclesOfARepetition) {  // GR-27
+  // Random repetitions of up to 200 cycles of a step, the tenth one against a loop over single
+  // cycles.
+  const GrowingCrack crack = stainless_crack();
+  Dice dice(3);
+  for (const InteractionRule rule : {InteractionRule::wheeler, InteractionRule::willenborg})
+    for (int trial = 0; trial < 25; ++trial) {
+      std::vector<TipLoad> loads(static_cast<std::size_t>(dice.integer(2, 8)));
+      for (TipLoad& load : loads)
+        load = {.cycle = {.largest = dice.uniform(8e6, 40e6), .ratio = dice.uniform(-1, 0.6)},
+                .count = 1.0 * dice.integer(1, 200)};
+      const Interaction interaction = rule_of(rule);
+      const double grown = growth_with_interaction(crack, loads, kSize, interaction, 0.01);
+      SingleCycles single(crack, interaction);
+      for (int i = 0; i < 9; ++i) single.repeat(loads, false);
+      const double before = single.moved();
+      single.repeat(loads, false);
+      test::expect_relative(grown, single.moved() - before, 2e-3);
+      // Overloads slow the crack, and one load alone is not slowed.
+      EXPECT_LE(grown, crack.growth(loads, kSize) * (1 + 1e-12));
+      const std::vector<TipLoad> alone = {loads[0]};
+      test::expect_relative(growth_with_interaction(crack, alone, kSize, interaction, 0.01),
+                            crack.growth(alone, kSize), 1e-12);
+      // Any order of the repetition that begins elsewhere is the same duty.
+      std::vector<TipLoad> turned = loads;
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      test::expect_relative(growth_with_interaction(crack, turned, kSize, interaction, 0.01), grown,
+                            2e-3);
+    }
+}
+
+TEST(Interaction, CrosscheckSingleCyclesBetweenRarePeaks) {  // GR-27
+  // A peak once in 300 repetitions, larger or smaller than the other loads.  Tolerance: at this
+  // share 15 repetitions are skipped at once.
+  const GrowingCrack crack = stainless_crack();
+  Dice dice(4);
+  for (const InteractionRule rule : {InteractionRule::wheeler, InteractionRule::willenborg})
+    for (int trial = 0; trial < 12; ++trial) {
+      std::vector<TipLoad> loads(3);
+      for (TipLoad& load : loads)
+        load = {.cycle = {.largest = dice.uniform(10e6, 30e6), .ratio = dice.uniform(-0.5, 0.5)},
+                .count = 1.0 * dice.integer(1, 9)};
+      const double peak = trial % 3 == 0 ? 9e6 : dice.uniform(32e6, 45e6);
+      // Two waves of another peak come with it.
+      loads.push_back({.cycle = {.largest = 15e6, .ratio = 0}, .count = 2.0 / 300, .rare = true});
+      loads.push_back({.cycle = {.largest = peak, .ratio = 0}, .count = 1.0 / 300, .rare = true});
+      const Interaction interaction = rule_of(rule);
+      const double grown = growth_with_interaction(crack, loads, kSize, interaction, 0.002);
+      SingleCycles single(crack, interaction);
+      double before = 0.0;
+      for (int period = 0; period < 3; ++period) {
+        before = single.moved();
+        for (int i = 0; i < 300; ++i) single.repeat(loads, false);
+        single.repeat(loads, true);
+      }
+      test::expect_relative(grown, (single.moved() - before) / 300, 2e-2);
+    }
+}
+
+TEST(Interaction, BehaviourWithoutRuleAndAtFracture) {
+  const GrowingCrack crack = stainless_crack();
+  const std::vector<TipLoad> loads = {{.cycle = {.largest = 20e6, .ratio = 0}, .count = 7},
+                                      {.cycle = {.largest = 30e6, .ratio = 0}, .count = 0.25}};
+  double sum = 0.0;
+  for (const TipLoad& load : loads) sum += load.count * crack.rate_of(load.cycle, kSize);
+  EXPECT_GT(sum, 0.0);
+  test::expect_relative(growth_with_interaction(crack, loads, kSize, {}, 0.01), sum, 1e-14);
+  const std::vector<TipLoad> breaks = {loads[0], {.cycle = {.largest = 90e6}, .count = 1e-9}};
+  for (const InteractionRule rule :
+       {InteractionRule::none, InteractionRule::wheeler, InteractionRule::willenborg})
+    EXPECT_TRUE(std::isinf(growth_with_interaction(crack, breaks, kSize, rule_of(rule), 0.01)));
+  // Nothing grows below the threshold.
+  const std::vector<TipLoad> rests = {{.cycle = {.largest = 1e6}, .count = 1e6}};
+  EXPECT_EQ(growth_with_interaction(crack, rests, kSize, rule_of(InteractionRule::wheeler), 0.01),
+            0.0);
+}
+
+}  // namespace
+}  // namespace strainwave
