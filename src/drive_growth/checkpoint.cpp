@@ -18,7 +18,7 @@ namespace {
                                            line));
 }
 
-/// A step from "pass tried next x x x", its numbers in hexadecimal.
+/// A step from its numbers in hexadecimal: those of its members, then the state.
 PathStep step_of(std::string_view text, std::size_t line) {
   std::vector<double> numbers;
   while (!text.empty()) {
@@ -31,12 +31,15 @@ PathStep step_of(std::string_view text, std::size_t line) {
     numbers.push_back(number);
     text = blank == std::string_view::npos ? std::string_view() : text.substr(blank + 1);
   }
-  constexpr std::size_t kHead = 3;
+  constexpr std::size_t kHead = 6;
   if (numbers.size() < kHead + 2) refuse_line(line);
   return {.pass = static_cast<int>(numbers[0]),
           .state = {numbers.begin() + kHead, numbers.end()},
           .next_length = numbers[2],
-          .tried = static_cast<int>(numbers[1])};
+          .tried = static_cast<int>(numbers[1]),
+          .since_assessment = numbers[3],
+          .since_jump = numbers[4],
+          .jump = numbers[5]};
 }
 
 /// A number in hexadecimal as std::from_chars reads it.
@@ -71,7 +74,9 @@ std::optional<PathStep> GrowthCheckpoint::next(int pass) {
 
 void GrowthCheckpoint::add(const PathStep& step) const {
   if (!append_) return;
-  std::vector<std::string> words = {hex(step.pass), hex(step.tried), hex(step.next_length)};
+  std::vector<std::string> words = {hex(step.pass),        hex(step.tried),
+                                    hex(step.next_length), hex(step.since_assessment),
+                                    hex(step.since_jump),  hex(step.jump)};
   for (const double number : step.state) words.push_back(hex(number));
   append_(fmt::format("{}\n", fmt::join(words, " ")));
 }

@@ -24,7 +24,7 @@ constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s
 constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
 constexpr std::size_t kCoupledRows = 12;  // rows with the coupled drive
-constexpr double kSevered = 0.01;      // share of the stiffness below which a drive is severed [-]
+constexpr double kSevered = 0.01;    // share of the stiffness below which a drive is severed [-]
 constexpr double kFirstJump = 1e-9;  // of a path, over a place where a rate jumps
 constexpr double kLongestJump = 1e-3;
 constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
@@ -373,10 +373,12 @@ class Path {
       if (std::optional<PathStep> stored = checkpoint_.next(pass_)) {
         if (stored->state.size() != state.size())
           throw InputError("--resume", "has a step of another drive; remove the file");
-        since_assessment += h;
         state = std::move(stored->state);
         h = stored->next_length;
         report_.steps = stored->tried;
+        since_assessment = stored->since_assessment;
+        since_jump = stored->since_jump;
+        jump = stored->jump;
         system(state, slope, 0.0);
         record(state);
         continue;
@@ -415,6 +417,13 @@ class Path {
       record(state);
       h = std::min(
           {5 * h, 0.9 * h * std::pow(std::max(excess, 1e-5), -0.2), kLongestStep * step_factor_});
+      checkpoint_.add({.pass = pass_,
+                       .state = state,
+                       .next_length = h,
+                       .tried = report_.steps,
+                       .since_assessment = since_assessment,
+                       .since_jump = since_jump,
+                       .jump = jump});
     }
   }
 

@@ -202,20 +202,20 @@ std::map<std::string_view, std::string> unit_patterns() {
       any({words_like("N*m"), force + times + length, length + times + force});
   const std::string stress = any({words_like("Pa"), fmt::format("{}/{}\\^2", force, length),
                                   fmt::format("{0}/{1}/{1}", force, length)});
-  return {{"m", length},
-          {"s", words_like("s")},
-          {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, words_like("s"))})},
-          {"N", force},
-          {"rad", angle},
-          {"N*m", torque},
-          {"Pa", stress},
-          {"1/Pa", any({fmt::format("1/{}", words_like("Pa")),
-                        fmt::format("{}\\^2/{}", length, force),
-                        fmt::format("{}\\^3/\\({}\\)", length, torque)})},
-          {"N/m", fmt::format("{}/{}", force, length)},
-          {"Pa*m^0.5", any({fmt::format("{}{}{}\\^0?\\.5", stress, times, length),
-                            fmt::format("{}/{}\\^1\\.5", force, length)})},
-          {"rad/(N*m)", fmt::format("{}/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
+  return {
+      {"m", length},
+      {"s", words_like("s")},
+      {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, words_like("s"))})},
+      {"N", force},
+      {"rad", angle},
+      {"N*m", torque},
+      {"Pa", stress},
+      {"1/Pa", any({fmt::format("1/{}", words_like("Pa")), fmt::format("{}\\^2/{}", length, force),
+                    fmt::format("{}\\^3/\\({}\\)", length, torque)})},
+      {"N/m", fmt::format("{}/{}", force, length)},
+      {"Pa*m^0.5", any({fmt::format("{}{}{}\\^0?\\.5", stress, times, length),
+                        fmt::format("{}/{}\\^1\\.5", force, length)})},
+      {"rad/(N*m)", fmt::format("{}/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
 }
 
 /// The texts of quantities that the reader accepts, with the sign and dimension of the field.  The

@@ -58,11 +58,13 @@ TEST(Checkpoint, InputLinesThatCannotBeRead) {
   };
   EXPECT_EQ(message(""), "no error");
   EXPECT_EQ(message("0p+0 1p+0 1p+0 1p+0"), "no error");  // without its end: left out
-  EXPECT_NE(message("0p+0 1p+0 1p+0 1p+0 1p+0\nx 1p+0 1p+0 1p+0 1p+0\n").find("step 2"),
-            std::string::npos);
+  EXPECT_NE(
+      message("0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\nx 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n")
+          .find("step 2"),
+      std::string::npos);
   EXPECT_NE(message("0p+0 1p+0\n").find("step 1"), std::string::npos);
   const auto other_drive = [] {
-    GrowthCheckpoint checkpoint("0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n", {});
+    GrowthCheckpoint checkpoint("0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n", {});
     return grow_cracks(drive_to_resume(), {}, {}, &checkpoint);
   };
   EXPECT_NE(test::broken_rule(other_drive).find("another drive"), std::string::npos);

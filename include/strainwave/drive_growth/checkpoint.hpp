@@ -16,6 +16,11 @@ struct PathStep {
   std::vector<double> state;  ///< after the step
   double next_length = 0.0;   ///< of the step that follows
   int tried = 0;              ///< steps so far, with those that were refused
+  /// path since the last failure assessment and since the last jump of a rate, and the length of
+  /// that jump
+  double since_assessment = 0.0;
+  double since_jump = 0.0;
+  double jump = 0.0;
 };
 
 /// The accepted steps of a computation, so that a stopped one goes on to the same last digit.
