@@ -433,7 +433,7 @@ TEST(InputTemplate, BehaviourItsDimensionsFitTogether) {
     EXPECT_NE(text.find(std::string(table.meaning)), std::string::npos) << table.kind;
     EXPECT_FALSE(table.meaning.empty()) << table.kind;
   }
-  EXPECT_EQ(n_kinds, 11);
+  EXPECT_EQ(n_kinds, 17);
 }
 
 TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {

@@ -1209,7 +1209,8 @@ TEST(CheckRange, BehaviourTheFullDriveHasEveryNumberThatADriveCanHave) {
   EXPECT_EQ(present, possible);
   EXPECT_GT(present.size(), 60U);
   // All numbers are in their ranges, so the fault is not a range.
-  EXPECT_EQ(refusal(full).rule(), "radial_displacement < pitch_diameter/2");
+  EXPECT_EQ(refusal(full).rule(), "");
+  EXPECT_EQ(refusal(full).field(), "material.steel.growth[1]");
 }
 
 TEST(CheckRange, InputEveryNumberRefusesWhatIsNoNumber) {
@@ -1263,7 +1264,16 @@ TEST(CheckRange, ReferenceRanges) {
                                      "flexspline.crack[4].position",
                                      "mesh.lobe_gap",
                                      "mesh.crack[0].position",
-                                     "circular_spline.crack[0].position"};
+                                     "circular_spline.crack[0].position",
+                                     "material.steel.growth[5].slope_plus",
+                                     "material.steel.growth[5].slope_minus",
+                                     "duty.block[0].output_speed",
+                                     "duty.block[0].input_speed",
+                                     "duty.block[0].torque",
+                                     "duty.block[0].axial_force",
+                                     "duty.peak[0].output_speed",
+                                     "duty.peak[0].input_speed",
+                                     "duty.peak[0].torque"};
   const std::set<std::string> may_be_zero = {"output_shaft.inner_diameter",
                                              "tolerance.thickness_deviation",
                                              "wave_generator.displacements.bearing",
@@ -1274,9 +1284,27 @@ TEST(CheckRange, ReferenceRanges) {
                                              "flexspline.flange_compliance",
                                              "mesh.gap_factor",
                                              "mesh.coning",
-                                             "rating.friction_torque"};
+                                             "rating.friction_torque",
+                                             "material.steel.growth[4].threshold",
+                                             "material.steel.growth[5].threshold_exponent",
+                                             "material.steel.growth[5].instability_exponent",
+                                             "material.steel.growth[5].intrinsic_size",
+                                             "material.steel.growth[5].over_thickness.A",
+                                             "material.steel.growth[5].over_thickness.B",
+                                             "material.steel.growth_bounds.short_crack_size",
+                                             "duty.block[0].radial_force",
+                                             "duty.block[0].bending_moment",
+                                             "duty.resonance.frequency_ratio"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},
+      {"material.steel.fatigue.slope", ">= 1"},
+      {"material.steel.fatigue.size_factor", "> 0 and <= 1"},
+      {"material.steel.growth[2].gamma", ">= 0 and <= 1"},
+      {"material.steel.growth[5].closure.constraint", ">= 1 and <= 3"},
+      {"material.steel.growth[5].closure.stress_level", "> 0 and < 1"},
+      {"material.steel.growth_bounds.stress_ratio[0]", "<= 1"},
+      {"material.steel.growth_bounds.stress_ratio[1]", "<= 1"},
+      {"output_bearing.load_factor", ">= 1"},
       {"wave_generator.bearing.inner_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.outer_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.loaded_balls", ">= 1"},
