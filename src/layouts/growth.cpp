@@ -146,7 +146,7 @@ std::string growth_text(const GrowthReport& report, const GearSet& gear,
       shown_number(report.duty_duration), report.rainflow, report.mixed_mode);
   text += text_tables(growth_tables(report));
   if (!report.cracks.empty())
-    text += fmt::format("\n{} steps; halving each step changes the time by {:.1e} of its value.\n",
+    text += fmt::format("\n{} steps; halving each step changes time and sizes by at most {:.1e}.\n",
                         report.steps, report.step_error);
   if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
   return text + '\n' + equations_text(report.equations);
