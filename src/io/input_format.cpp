@@ -83,6 +83,7 @@ void for_each_table(const std::string& path, const F& f) {
         for_each_alternative<Inner>([&]<class Alternative>() {
           table.kind = Alternative::kKind;
           f.template operator()<Alternative>(table);
+          for_each_table<Alternative>(at, f);
         });
       } else {
         f.template operator()<Inner>(table);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <variant>
 
 #include "strainwave/core/error.hpp"
@@ -35,6 +36,21 @@ Nasgro nasgro(const NasgroLaw& law) {
 
 }  // namespace
 
+std::optional<RateLaw> single_rate_law(const MaterialRecord& record) {
+  if (record.growth.empty()) return std::nullopt;
+  const GrowthLaw& first = record.growth.front();
+  if (const auto* law = std::get_if<NasgroLaw>(&first); law && record.growth.size() == 1)
+    return nasgro(*law);
+  const auto* const low = std::get_if<ParisLaw>(&first);
+  if (low && record.growth.size() == 1) return paris(*low);
+  const auto* const high =
+      record.growth.size() == 2 ? std::get_if<ParisLaw>(&record.growth[1]) : nullptr;
+  if (low == nullptr || high == nullptr || !low->to || low->stress_ratio != high->stress_ratio ||
+      low->environment != high->environment)
+    return std::nullopt;
+  return TwoLines::of(paris(*low), paris(*high), *low->to);
+}
+
 RateLaw rate_law(const MaterialRecord& record) {
   if (record.growth.empty()) {
     std::string known;
@@ -44,21 +60,14 @@ RateLaw rate_law(const MaterialRecord& record) {
                                              "for {}",
                                              record.name, known));
   }
-  const GrowthLaw& first = record.growth.front();
-  if (const auto* law = std::get_if<NasgroLaw>(&first); law && record.growth.size() == 1)
-    return nasgro(*law);
-  const auto* const low = std::get_if<ParisLaw>(&first);
-  if (low && record.growth.size() == 1) return paris(*low);
-  const auto* const high = std::get_if<ParisLaw>(&record.growth[1]);
-  if (record.growth.size() > 2 || low == nullptr || high == nullptr || !low->to ||
-      low->stress_ratio != high->stress_ratio || low->environment != high->environment)
+  const std::optional<RateLaw> law = single_rate_law(record);
+  if (!law)
     throw InputError("material",
                      fmt::format("{} has several laws of growth that are not two branches of one "
                                  "law; give the constants of one law",
                                  record.name));
-  const RateLaw law = TwoLines::of(paris(*low), paris(*high), *low->to);
-  require_constants(law);
-  return law;
+  require_constants(*law);
+  return *law;
 }
 
 GrowthBounds growth_bounds(const MaterialRecord& record) {

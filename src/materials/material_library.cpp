@@ -300,11 +300,12 @@ Material completed(const Material& own, const MaterialRecord& record) {
             material.fatigue =
                 FatigueStrength{.limit = reversed->value, .cycles = reversed->cycles};
           });
-  if (!record.growth.empty())
+  const std::optional<RateLaw> law = single_rate_law(record);
+  if (law)
     std::visit(
         [&](const Evidence& evidence) {
           whole(!own.growth.empty(), "growth", "law of crack growth", evidence,
-                [&] { material.growth = {rate_law(record)}; });
+                [&] { material.growth = {*law}; });
         },
         record.growth.front());
   if (!record.threshold.empty())
@@ -312,7 +313,7 @@ Material completed(const Material& own, const MaterialRecord& record) {
           "threshold of crack growth " +
               shown_quantity(record.threshold.front().value, "Pa*m^0.5", 4),
           record.threshold.front(), [&] { material.growth_bounds = growth_bounds(record); });
-  else if (!record.growth.empty() && !own.growth_bounds && own.growth.empty()) {
+  else if (law && !own.growth_bounds && own.growth.empty()) {
     material.growth_bounds = growth_bounds(record);
     material.from_library.emplace_back("growth_bounds");
   }

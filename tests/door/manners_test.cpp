@@ -192,7 +192,7 @@ TEST(UnitsCommand, IdentityEveryUnitIsListedWithWhatTheReaderMakesOfIt) {
         factors[i].get<double>())
         << units[i];
   const std::string text = answer_in("units", "", "{}", "").document("text");
-  EXPECT_NE(text.find("drive.pitch_diameter and"), std::string::npos) << text;
+  EXPECT_NE(text.find("material.<name>.fatigue.roughness and"), std::string::npos) << text;
 }
 
 // --- Explain -------------------------------------------------------------------------------------

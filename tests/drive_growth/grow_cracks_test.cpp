@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -328,6 +329,33 @@ TEST(GrowCracks, InputEachRuleBrokenOnce) {
   gear.material.at("steel").yield_strength.reset();
   gear.material.at("steel").ultimate_strength.reset();
   EXPECT_NE(message(gear, options).find("yield_strength"), std::string::npos);
+}
+
+TEST(GrowCracks, BehaviourNotes) {
+  const auto has = [](const GrowthReport& report, const std::string& code) {
+    return std::ranges::any_of(report.notes, [&](const Note& note) { return note.code == code; });
+  };
+  const GrowthReport wall =
+      grow_cracks(read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml"));
+  EXPECT_EQ(wall.end, DriveEnd::range);
+  for (const char* const code :
+       {"growth.upper_bound", "growth.turns", "growth.unverified", "growth.range"})
+    EXPECT_TRUE(has(wall, code)) << code;
+  // The unverified sign of C_th shows as another threshold at the R of the wave.
+  EXPECT_TRUE(std::ranges::any_of(wall.notes, [](const Note& note) {
+    return note.text.find("with the other sign of C_th") != std::string::npos;
+  }));
+  // The coupled drive softens too; the maker's numbers stand in the first and the last row.
+  ASSERT_TRUE(wall.stiffness.front().K1_positive && wall.stiffness.back().K1_positive);
+  EXPECT_LT(*wall.stiffness.back().K1_positive, *wall.stiffness.front().K1_positive);
+  GearSet gear = shaft();
+  EXPECT_FALSE(has(grow_cracks(gear), "growth.law_range"));
+  GrowthBounds bounds;
+  bounds.stress_ratio = {0.5, 1.0};
+  gear.material.at("steel").growth_bounds = bounds;
+  const GrowthReport outside = grow_cracks(gear);
+  EXPECT_TRUE(has(outside, "growth.law_range"));
+  EXPECT_TRUE(has(outside, "growth.ends"));
 }
 
 }  // namespace

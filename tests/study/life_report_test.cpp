@@ -45,7 +45,7 @@ GearSet joint(int size = 25, double ratio = 100) {
   steel.fatigue = FatigueStrength{.limit = 600e6, .cycles = 2e6, .slope = 5, .roughness = 3e-6};
   const double module = gear.drive.pitch_diameter / (2 * ratio);
   gear.flexspline->tooth_root = ToothRoot{.height = 1.1 * module, .root_radius = 0.38 * module};
-  gear.duty = Duty{.history = {}, .block = kMakersCycle, .peak = {}};
+  gear.duty = Duty{.history = {}, .block = kMakersCycle, .peak = {}, .resonance = {}};
   return gear;
 }
 
@@ -136,7 +136,7 @@ TEST(LifeReport, ScalingOfSize) {
     gear.rating = Rating{
         .T1 = 14 * s * s * s, .T2 = 48 * s * s * s, .T3 = {}, .rated_torque = 87 * s * s * s};
     gear.rating->bearing_life = 1e7;
-    gear.duty = Duty{.history = {}, .block = kMakersCycle, .peak = {}};
+    gear.duty = Duty{.history = {}, .block = kMakersCycle, .peak = {}, .resonance = {}};
     for (DutyBlock& block : gear.duty->block) block.torque *= s * s * s;
     return life_report(gear);
   };

@@ -41,11 +41,12 @@ struct TwoLines {
     Field upper = law_fields::kCoefficient;
     upper.name = "upper_coefficient";
     upper.doc = "growth per cycle of the second law at a range of 1 MPa*m^0.5";
-    upper.example = R"("1.2e-11 m")";
+    upper.example = R"("8.28e-12 m")";
     field(upper, &TwoLines::upper_coefficient);
     upper = law_fields::kExponent;
     upper.name = "upper_exponent";
     upper.doc = "exponent of the second law";
+    upper.example = "2.9";
     field(upper, &TwoLines::upper_exponent);
   }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "strainwave/growth_laws/rate_law.hpp"
 #include "strainwave/materials/material_record.hpp"
 #include "strainwave/model/input/material_life.hpp"
@@ -15,6 +17,10 @@ namespace strainwave {
 ///
 /// @throws InputError  if the record has no law, or several that are not branches of one
 [[nodiscard]] RateLaw rate_law(const MaterialRecord& record);
+
+/// As rate_law, without a check of the constants; absent if the record has no law, or several that
+/// are not branches of one.
+[[nodiscard]] std::optional<RateLaw> single_rate_law(const MaterialRecord& record);
 
 /// Threshold of the record, and the ranges for which its law is stated.
 [[nodiscard]] GrowthBounds growth_bounds(const MaterialRecord& record);

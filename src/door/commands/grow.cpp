@@ -20,7 +20,7 @@ namespace {
 
 struct GrowOptions {
   std::string until = "event";
-  std::string law;
+  std::optional<std::string> law;
   MixedMode mixed_mode = MixedMode::energy;
   InteractionRule interaction = InteractionRule::none;
   std::optional<double> zone_factor;
@@ -40,7 +40,6 @@ struct GrowOptions {
            .unit = "",
            .doc = "steel of the material library whose law of growth replaces that of the file; "
                   "the file's if left out",
-           .fallback = R"("")",
            .names = "material"},
           &GrowOptions::law);
     field({.name = "mixed_mode",
@@ -100,8 +99,8 @@ std::string checkpoint_head(const Request& request, const GrowOptions& o) {
     for (const DutyRow& row : record->rows)
       history += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
   const std::string asked =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law, enum_name(o.mixed_mode),
-                  enum_name(o.interaction), o.zone_factor.value_or(0),
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
+                  enum_name(o.mixed_mode), enum_name(o.interaction), o.zone_factor.value_or(0),
                   o.wheeler_exponent.value_or(-1), request.drive.text, history);
   return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
 }
@@ -185,11 +184,11 @@ Command grow_command() {
           [](const Request& request, const GrowOptions& o) {
             const GearSet& gear = request.drive.gear;
             GrowthOptions options;
-            options.rate = {.mixed_mode = o.mixed_mode, .law = o.law};
+            options.rate = {.mixed_mode = o.mixed_mode, .law = o.law.value_or("")};
             options.interaction = interaction_of(o);
             options.points = o.points;
             options.stop = from_option([&] { return stop_of(gear, o.until); });
-            if (!o.law.empty()) from_option([&] { (void)rate_law(require_material(o.law)); });
+            if (o.law) from_option([&] { (void)rate_law(require_material(*o.law)); });
             GrowthCheckpoint checkpoint = checkpoint_of(request, o);
             return grow_cracks(gear, options, request.progress, &checkpoint);
           },

@@ -184,7 +184,7 @@ struct Duty {
   std::optional<std::string> history;
   std::vector<DutyBlock> block;
   std::vector<DutyPeak> peak;
-  std::optional<DutyResonance> resonance;  ///< absent: the torques of the duty act as they are
+  std::optional<DutyResonance> resonance = {};  ///< absent: the torques of the duty act as they are
 
   template <class Visitor>
   static void describe(Visitor&& field) {

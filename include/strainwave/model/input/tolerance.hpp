@@ -9,7 +9,7 @@ namespace strainwave {
 
 /// Tolerances of the parts of the coupled drive (TC-36).  They do not scale with the deflection.
 struct Tolerance {
-  int grade = 5;  ///< class of both toothed parts by ISO 1328-1:2013 [-]; 1 to 11
+  int grade = 5;  ///< class of flexspline and circular spline by ISO 1328-1:2013 [-]; 1 to 11
   /// standard deviation of the thickness of the teeth along the pitch circle [m]; absent: a third
   /// of the single pitch deviation, as of flanks that deviate independently
   std::optional<double> thickness_deviation;
@@ -18,16 +18,15 @@ struct Tolerance {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(
-        Field{.name = "grade",
-              .unit = "1",
-              .doc = "tolerance class that the flanks of both toothed parts meet by ISO 1328-1; it "
-                     "limits the deviations of the pitch",
-              .range = {.lower = 1.0, .lower_open = false, .upper = 11.0, .upper_open = false},
-              .example = "5",
-              .fallback = "5",
-              .usual = {.lower = 3.0, .upper = 8.0}},
-        &Tolerance::grade);
+    field(Field{.name = "grade",
+                .unit = "1",
+                .doc = "tolerance class of flexspline and circular spline by ISO 1328-1; it "
+                       "limits the deviations of the pitch",
+                .range = {.lower = 1.0, .lower_open = false, .upper = 11.0, .upper_open = false},
+                .example = "5",
+                .fallback = "5",
+                .usual = {.lower = 3.0, .upper = 8.0}},
+          &Tolerance::grade);
     field(Field{.name = "thickness_deviation",
                 .unit = "m",
                 .doc = "standard deviation of the thickness of the teeth along the pitch circle; "
