@@ -284,14 +284,14 @@ Material completed(const Material& own, const MaterialRecord& record) {
   take(material.yield_strength, "yield_strength", !own.yield_strength);
   take(material.ultimate_strength, "ultimate_strength", !own.ultimate_strength);
   take(material.fracture_toughness, "fracture_toughness", !own.fracture_toughness);
+  // Numbers of fatigue and growth do not enter stiffness and strength, so they do not decide
+  // whether the material is verified; `life` and `grow` state their confidence.
   const auto whole = [&](bool given, std::string_view name, const std::string& words,
                          const Evidence& evidence, const auto& fill) {
     if (given) return;
     fill();
     material.from_library.emplace_back(name);
-    taken.push_back(fmt::format("{} ({}{}{})", words, enum_name(evidence.confidence),
-                                evidence.remark.empty() ? "" : "; ", evidence.remark));
-    if (evidence.confidence == Confidence::unverified) unverified.push_back(words);
+    taken.push_back(fmt::format("{} ({})", words, enum_name(evidence.confidence)));
   };
   const auto reversed = std::ranges::find(record.fatigue_limit, -1.0, &FatigueLimit::stress_ratio);
   if (reversed != record.fatigue_limit.end())

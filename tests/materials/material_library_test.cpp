@@ -648,8 +648,9 @@ TEST(AsMaterial, BehaviourNumbersAndOrigin) {
       a.origin,
       "values of the material library, Alpha 1: Young's modulus 200 GPa (handbook; as printed), "
       "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength 1000 "
-      "MPa (standard), fracture toughness 60 MPa*m^0.5 (derived); these values are unverified, so "
-      "check them before you base a decision on them: Poisson's ratio");
+      "MPa (standard), fracture toughness 60 MPa*m^0.5 (derived), fatigue limit 450 MPa "
+      "(handbook), threshold of crack growth 4 MPa*m^0.5 (standard); these values are unverified, "
+      "so check them before you base a decision on them: Poisson's ratio");
   const Material b = as_material(library.material[1]);
   EXPECT_EQ(b.shear_modulus, 80e9);
   EXPECT_EQ(b.poissons_ratio, std::nullopt);
@@ -666,13 +667,15 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
   EXPECT_EQ(a.youngs_modulus, 200e9);
   EXPECT_EQ(a.poissons_ratio, 0.25);
   EXPECT_EQ(a.fracture_toughness, 75e6);
-  EXPECT_EQ(a.from_library, (std::vector<std::string>{"youngs_modulus", "poissons_ratio",
-                                                      "yield_strength", "ultimate_strength"}));
+  EXPECT_EQ(a.from_library,
+            (std::vector<std::string>{"youngs_modulus", "poissons_ratio", "yield_strength",
+                                      "ultimate_strength", "fatigue", "growth_bounds"}));
   EXPECT_EQ(
       a.origin,
       "based on Alpha 1 of the material library; values of the library: Young's modulus 200 GPa "
       "(handbook; as printed), Poisson's ratio 0.25 (unverified), yield strength 900 MPa "
-      "(measured), tensile strength 1000 MPa (standard); own values: fracture_toughness 75 "
+      "(measured), tensile strength 1000 MPa (standard), fatigue limit 450 MPa (handbook), "
+      "threshold of crack growth 4 MPa*m^0.5 (standard); own values: fracture_toughness 75 "
       "MPa*m^0.5; these values are unverified, so check them before you base a decision on them: "
       "Poisson's ratio");
   EXPECT_TRUE(a.in_file());
