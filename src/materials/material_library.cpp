@@ -285,7 +285,7 @@ Material completed(const Material& own, const MaterialRecord& record) {
   take(material.ultimate_strength, "ultimate_strength", !own.ultimate_strength);
   take(material.fracture_toughness, "fracture_toughness", !own.fracture_toughness);
   // Numbers of fatigue and growth do not enter stiffness and strength, so they do not decide
-  // whether the material is verified; `life` and `grow` state their confidence.
+  // whether the material is verified; the origin names their confidence.
   const auto whole = [&](bool given, std::string_view name, const std::string& words,
                          const Evidence& evidence, const auto& fill) {
     if (given) return;
