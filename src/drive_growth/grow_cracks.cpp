@@ -225,6 +225,11 @@ class Growing {
         at_torque = std::move(rim->at_torque);
         unchanged_.back() = all[i].size;
       }
+      if (all[i].turning == TurningLoad::balls &&
+          !cycles_per_output_turn(gear_, DutyPlace::inner_ring)) {
+        if (first_time) report_.notes.push_back(unknown_balls_note(all[i].path));
+        continue;
+      }
       in_drive_.push_back(i);
       in_report_.push_back(in_report_.size());
       cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));

@@ -99,6 +99,15 @@ Note coupled_crack_note(const std::string& path) {
       .next_step = "Inspect the part, or assess the crack by finite elements."};
 }
 
+Note unknown_balls_note(const std::string& path) {
+  return {.code = "growth.unknown_balls",
+          .text = "the number of balls that pass is not known, so the growth is not computed",
+          .path = path,
+          .equation = "GR-21",
+          .severity = Severity::cannot_tell,
+          .next_step = "Give wave_generator.bearing with its ball_count."};
+}
+
 Note no_curve_note(const std::string& why) {
   return {.code = "growth.no_curve",
           .text = "the coupled drive has no solution with the grown cracks: " + why,
@@ -241,9 +250,16 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
         if (crack.factor_to_grow)
           margins += fmt::format("{}{} grows again from {:.4g} times the loads",
                                  margins.empty() ? "; " : ", ", crack.path, *crack.factor_to_grow);
+      const std::string when = report.time > 0 ? " any more after " + hours(report.time) : "";
+      const std::size_t all = drive_cracks(gear).size();
+      const std::size_t left_out = all - report.cracks.size();
       report.sentence =
-          fmt::format("No crack grows{}, so the cracks do not end the life{}.",
-                      report.time > 0 ? " any more after " + hours(report.time) : "", margins);
+          left_out == 0
+              ? fmt::format("No crack grows{}, so the cracks do not end the life{}.", when, margins)
+              : fmt::format(
+                    "No crack that can be computed grows{}, but {} of {} cracks cannot be "
+                    "told{}.",
+                    when, left_out, all, margins);
       break;
     }
     case DriveEnd::severed:

@@ -26,6 +26,9 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// A crack that only the coupled drive models.
 [[nodiscard]] Note coupled_crack_note(const std::string& path);
 
+/// A crack of a race in a bearing whose balls are not counted.
+[[nodiscard]] Note unknown_balls_note(const std::string& path);
+
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);
 

@@ -356,6 +356,13 @@ TEST(GrowCracks, BehaviourNotes) {
   const GrowthReport outside = grow_cracks(gear);
   EXPECT_TRUE(has(outside, "growth.law_range"));
   EXPECT_TRUE(has(outside, "growth.ends"));
+  // The article's drive has no bearing in numbers, so its race crack is named and left out.
+  const GrowthReport article =
+      grow_cracks(read_gear_set_file(STRAINWAVE_EXAMPLES "/article_duty.toml"));
+  EXPECT_TRUE(has(article, "growth.unknown_balls"));
+  EXPECT_EQ(article.cracks.size(), 2U);
+  EXPECT_NE(article.sentence.find("1 of 3 cracks cannot be told"), std::string::npos)
+      << article.sentence;
 }
 
 }  // namespace
