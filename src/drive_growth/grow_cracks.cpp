@@ -56,7 +56,6 @@ class Growing {
   [[nodiscard]] const GearSet& gear() const { return gear_; }
   [[nodiscard]] const std::vector<GrowingCrack>& cracks() const { return cracks_; }
   [[nodiscard]] bool none() const { return cracks_.empty(); }
-  [[nodiscard]] std::size_t index_in_report(std::size_t k) const { return in_report_[k]; }
 
   /// Time of a repetition [s].
   [[nodiscard]] double duration() const { return history_.duration; }
@@ -198,7 +197,11 @@ class Growing {
     std::optional<RimCrack> found;
     for_each_crack(gear_, [&](const std::string& path, const auto& crack) {
       if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, RimAxialCrack>)
-        if (path == wanted) found = rim_crack(gear_, path, crack, history_);
+        if (path == wanted) try {
+            found = rim_crack(gear_, path, crack, history_);
+          } catch (const SolverError&) {
+            // The coupled drive has no equilibrium at a torque of the duty; the crack is named.
+          }
     });
     return found;
   }
@@ -207,7 +210,6 @@ class Growing {
     cracks_.clear();
     first_.clear();
     in_drive_.clear();
-    in_report_.clear();
     unchanged_.clear();
     std::size_t at = 0;
     const bool first_time = report_.cracks.empty();
@@ -231,7 +233,6 @@ class Growing {
         continue;
       }
       in_drive_.push_back(i);
-      in_report_.push_back(in_report_.size());
       cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));
       first_.push_back(at);
       at += cracks_.back().tips().size();
@@ -245,9 +246,8 @@ class Growing {
   DutyHistory history_;
   double first_stiffness_;
   std::vector<GrowingCrack> cracks_;
-  std::vector<std::size_t> first_;      // first tip of each crack in the state
-  std::vector<std::size_t> in_drive_;   // index among drive_cracks
-  std::vector<std::size_t> in_report_;  // index among the report's cracks
+  std::vector<std::size_t> first_;     // first tip of each crack in the state
+  std::vector<std::size_t> in_drive_;  // index among drive_cracks
   std::vector<CrackSize> unchanged_;
 };
 
@@ -500,7 +500,7 @@ class Path {
       event(before, end.crack, CrackEvent::range);
       if (growing_.through_wall(state, end.crack)) {
         if (told_) {
-          CrackGrowth& crack = report_.cracks[growing_.index_in_report(end.crack)];
+          CrackGrowth& crack = report_.cracks[end.crack];
           crack.events.back().event = CrackEvent::through_wall;
         }
         state = growing_.start(before.back());
@@ -532,7 +532,7 @@ class Path {
   void event(const State& state, std::size_t k, CrackEvent what) {
     if (!told_) return;
     const CrackSize size = growing_.size_of(state, k);
-    report_.cracks[growing_.index_in_report(k)].events.push_back(
+    report_.cracks[k].events.push_back(
         {.event = what,
          .time = state.back() * growing_.duration(),
          .cycles = state.back() * growing_.cracks()[k].duty().cycles(),
@@ -581,8 +581,8 @@ class Path {
   void describe_rest(const State& state) {
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k)
       if (stands_still_[k])
-        describe_arrest(report_.cracks[growing_.index_in_report(k)], growing_.cracks()[k],
-                        growing_.size_of(state, k), growing_.amplification(state));
+        describe_arrest(report_.cracks[k], growing_.cracks()[k], growing_.size_of(state, k),
+                        growing_.amplification(state));
   }
 
   /// Adds a row to the series, if the last one is far enough.
@@ -610,7 +610,7 @@ class Path {
       }
       const double cycles = crack.duty().cycles();
       const TipCycle widest = crack.widest(loads[fastest]);
-      std::vector<GrowthPoint>& series = report_.cracks[growing_.index_in_report(k)].series;
+      std::vector<GrowthPoint>& series = report_.cracks[k].series;
       const double time = state.back() * growing_.duration();
       if (!series.empty() && series.back().time == time && series.back().size == size.size &&
           series.back().half_length == size.half_length())

@@ -37,19 +37,15 @@ bool has_toughness(const RateLaw& law) {
 
 /// A crack of the bearing at each torque of the duty, because K is not proportional to the torque.
 CracksAtTorques race_at_torques(const GearSet& gear, const DriveCrack& crack,
-                                const CrackDuty& duty) {
+                                const DutyHistory& history) {
   CracksAtTorques made;
-  for (const LoadCycle& cycle : duty.cycle)
-    for (const LoadState* const state : {&cycle.from, &cycle.to}) {
-      const double torque = std::abs(state->torque);
-      const bool known =
-          std::ranges::any_of(made, [&](const auto& at) { return at.first == torque; });
-      if (torque == 0 || known) continue;
-      GearSet at = gear;
-      at.load.torque = torque;
-      for (DriveCrack& other : drive_cracks(at))
-        if (other.path == crack.path) made.emplace_back(torque, std::move(other));
-    }
+  for (const double torque : torques_of(history, true)) {
+    if (torque == 0) continue;
+    GearSet at = gear;
+    at.load.torque = torque;
+    for (DriveCrack& other : drive_cracks(at))
+      if (other.path == crack.path) made.emplace_back(torque, std::move(other));
+  }
   return made;
 }
 
@@ -70,8 +66,9 @@ TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to, double po
 GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                            const RateChoice& choice, CracksAtTorques at_torque)
     : crack_(std::move(crack)),
-      at_torque_(std::move(at_torque)),
-      duty_(crack_duty(gear, crack_, history)),
+      at_torque_(crack_.turning == TurningLoad::balls ? race_at_torques(gear, crack_, history)
+                                                      : std::move(at_torque)),
+      duty_(crack_duty(gear, crack_, history, at_torque_)),
       mixed_mode_(choice.mixed_mode) {
   const std::string member = crack_.path.substr(0, crack_.path.find('.'));
   const Material& material = material_of(gear, crack_.material, member + ".material");
@@ -98,7 +95,6 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHist
     limits_.intrinsic_size = bounds->short_crack_size;
   }
   if (!has_toughness(law_)) limits_.toughness = material.fracture_toughness;
-  if (crack_.turning == TurningLoad::balls) at_torque_ = race_at_torques(gear, crack_, duty_);
 }
 
 std::span<const Tip> GrowingCrack::tips() const {
@@ -107,65 +103,40 @@ std::span<const Tip> GrowingCrack::tips() const {
   return surface ? std::span<const Tip>(kBoth) : std::span<const Tip>(kBoth).first(1);
 }
 
-Modes GrowingCrack::factors_at(const std::vector<SizedFront>& fronts, std::size_t point,
-                               const LoadState& state, double factor) const {
-  const double torque = state.torque * factor;
-  const double T = crack_.reverses ? torque : std::abs(torque);
-  std::size_t which = 0;  // the crack itself, or that of the nearest torque
-  const double sought = crack_.reverses ? state.torque : std::abs(state.torque);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < at_torque_.size(); ++i) {
-    const double distance = std::abs(at_torque_[i].first - sought);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    which = i + 1;
-  }
-  const FrontIntensity& at = fronts[which].load[point];
-  const std::array<const std::array<double, 2>*, 3> load = {&at.load.I, &at.load.II, &at.load.III};
-  Modes K{};
-  for (std::size_t mode = 0; mode < K.size(); ++mode) {
-    K[mode] = (*load[mode])[kAxial] * state.axial_force * factor + (*load[mode])[kTorsion] * T +
-              at.assembly[mode] * state.assembly + at.constant[mode];
-    if (!fronts[which].bending.empty())
-      K[mode] += fronts[which].bending[point][mode] * state.bending_moment * factor;
-  }
-  return K;
-}
-
-std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, double factor) const {
+CrackFactors GrowingCrack::factors(const CrackSize& size) const {
   const bool bent = std::ranges::any_of(duty_.cycle, [](const LoadCycle& cycle) {
     return cycle.from.bending_moment != 0 || cycle.to.bending_moment != 0;
   });
-  std::vector<SizedFront> fronts;
-  const auto add = [&](const DriveCrack& crack) {
-    fronts.push_back({crack.front(size, Faces::open), {}});
-    if (bent && crack.bending) fronts.back().bending = crack.bending(size);
-  };
-  add(crack_);
-  for (const auto& [torque, crack] : at_torque_) add(crack);
-  const std::size_t last = fronts.front().load.size() - 1;
+  return {crack_, at_torque_, size, bent};
+}
+
+std::pair<std::size_t, std::size_t> GrowingCrack::points_of(Tip tip, std::size_t points) const {
+  // A surface crack grows at its deepest point and at the surface; any other one by its worst
+  // point.
+  if (tips().size() == 1) return {0, points};
+  return tip == Tip::depth ? std::pair{points - 1, points}
+                           : std::pair{std::size_t{0}, std::size_t{1}};
+}
+
+std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, double factor) const {
+  const CrackFactors K = factors(size);
   std::vector<std::vector<TipLoad>> result;
   for (const Tip tip : tips()) {
-    // A surface crack grows at its deepest point and at the surface; any other one by its worst
-    // point.
-    const bool surface = tips().size() == 2;
-    const std::size_t begin = surface && tip == Tip::depth ? last : 0;
-    const std::size_t end = surface && tip == Tip::length ? 0 : last;
+    const std::pair<std::size_t, std::size_t> points = points_of(tip, K.points());
     std::vector<TipLoad>& at_tip = result.emplace_back();
     at_tip.reserve(duty_.cycle.size());
     for (const LoadCycle& cycle : duty_.cycle) {
       // The load that turns may meet the constant loads in either phase.
       LoadState from = cycle.from;
       LoadState to = cycle.to;
-      const bool one_phase = from.assembly == 0 && from.bending_moment == 0 && to.assembly == 0 &&
-                             to.bending_moment == 0;
+      const bool one_phase = !from.turns() && !to.turns();
       // Of the phases and points, the fastest growth counts; a cycle without growth by its range.
       TipCycle worst;
       double fastest = 0.0;
       for (int phase = 0; phase < (one_phase ? 1 : 2); ++phase) {
-        for (std::size_t i = begin; i <= end; ++i) {
-          const TipCycle at = tip_cycle(mixed_mode_, factors_at(fronts, i, from, factor),
-                                        factors_at(fronts, i, to, factor), poissons_ratio_);
+        for (std::size_t i = points.first; i < points.second; ++i) {
+          const TipCycle at =
+              tip_cycle(mixed_mode_, K.at(i, from, factor), K.at(i, to, factor), poissons_ratio_);
           const double rate = rate_of(at, size.size);
           if (rate < fastest) continue;
           if (rate == fastest && at.full_range() <= worst.full_range()) continue;
@@ -231,19 +202,19 @@ std::optional<double> GrowingCrack::threshold(const TipCycle& cycle, double crac
 }
 
 Modes GrowingCrack::worst_factors(const CrackSize& size) const {
-  std::vector<SizedFront> fronts{{crack_.front(size, Faces::open), {}}};
-  for (const auto& [torque, crack] : at_torque_)
-    fronts.push_back({crack.front(size, Faces::open), {}});
+  const CrackFactors K = factors(size);
+  const std::pair<std::size_t, std::size_t> points = points_of(Tip::depth, K.points());
   Modes worst{};
   double largest = 0.0;
   for (const LoadCycle& cycle : duty_.cycle)
-    for (const LoadState* const state : {&cycle.from, &cycle.to}) {
-      const Modes K = factors_at(fronts, fronts.front().load.size() - 1, *state, 1.0);
-      const double equivalent = equivalent_factor(mixed_mode_, as_factors(K), poissons_ratio_);
-      if (equivalent <= largest) continue;
-      largest = equivalent;
-      worst = K;
-    }
+    for (const LoadState* const state : {&cycle.from, &cycle.to})
+      for (std::size_t i = points.first; i < points.second; ++i) {
+        const Modes here = K.at(i, *state);
+        const double equivalent = equivalent_factor(mixed_mode_, as_factors(here), poissons_ratio_);
+        if (equivalent <= largest) continue;
+        largest = equivalent;
+        worst = here;
+      }
   return worst;
 }
 

@@ -34,15 +34,15 @@ LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned)
 /// constant loads of two steps differ most, at the point of the front where they do.
 class CountedValue {
  public:
-  CountedValue(const DriveCrack& crack, const std::vector<DutyStep>& steps)
-      : crack_(crack), front_(crack.front(crack.size, Faces::open)) {
-    if (crack.bending) bending_ = crack.bending(crack.size);
+  CountedValue(const DriveCrack& crack, const CracksAtTorques& at_torque,
+               const std::vector<DutyStep>& steps)
+      : crack_(crack), factors_(crack, at_torque, crack.size) {
     double largest = 0.0;
-    for (std::size_t point = 0; point < front_.size() && !steps.empty(); ++point) {
+    for (std::size_t point = 0; point < factors_.points() && !steps.empty(); ++point) {
       const auto constant = [&](const DutyStep& step) {
         LoadState state = state_of(crack, step, 1);
         state.assembly = state.bending_moment = 0.0;
-        return factors(state, point);
+        return factors_.at(point, state);
       };
       const auto farthest = [&](const Modes& from) {
         Modes widest{};
@@ -64,7 +64,7 @@ class CountedValue {
   }
 
   [[nodiscard]] double of(const DutyStep& step, double turned) const {
-    return product(factors(state_of(crack_, step, turned), point_), direction_);
+    return product(factors_.at(point_, state_of(crack_, step, turned)), direction_);
   }
 
  private:
@@ -74,20 +74,9 @@ class CountedValue {
   static Modes difference(const Modes& a, const Modes& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
-  [[nodiscard]] Modes factors(const LoadState& state, std::size_t point) const {
-    const FrontIntensity& at = front_[point];
-    const double T = crack_.reverses ? state.torque : std::abs(state.torque);
-    const auto of = [&](std::size_t mode, const auto& load) {
-      const double bent = bending_.empty() ? 0.0 : bending_[point][mode];
-      return load[kAxial] * state.axial_force + load[kTorsion] * T +
-             at.assembly[mode] * state.assembly + bent * state.bending_moment;
-    };
-    return {of(0, at.load.I), of(1, at.load.II), of(2, at.load.III)};
-  }
 
   const DriveCrack& crack_;
-  std::vector<FrontIntensity> front_;
-  std::vector<Modes> bending_;
+  CrackFactors factors_;
   Modes direction_{};
   std::size_t point_ = 0;
 };
@@ -128,7 +117,8 @@ double CrackDuty::cycles() const {
   return sum;
 }
 
-CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHistory& history) {
+CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHistory& history,
+                     const CracksAtTorques& at_torque) {
   CrackDuty duty{.duration = history.duration, .cycle = {}};
   const double per_turn = turning_cycles(gear, crack);
   const auto turned_in = [&](const DutyStep& step) {
@@ -154,7 +144,7 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     number.push_back(b);
     left.push_back(turned_in(step));
   }
-  const CountedValue value(crack, steps);
+  const CountedValue value(crack, at_torque, steps);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     const double here = value.of(steps[b], 0);
     const double one = value.of(steps[b], 1);
@@ -221,6 +211,24 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     duty.peaks += peak.per_repetition;
   }
   return duty;
+}
+
+std::vector<double> torques_of(const DutyHistory& history, bool sizes_only) {
+  constexpr std::size_t kMost = 33;
+  std::vector<double> torques;
+  const auto take = [&](const DutyStep& step) {
+    torques.push_back(sizes_only ? std::abs(step.torque) : step.torque);
+  };
+  for (const DutyStep& step : history.steps) take(step);
+  for (const DutyMomentaryPeak& peak : history.peaks) take(peak.step);
+  std::sort(torques.begin(), torques.end());
+  torques.erase(std::unique(torques.begin(), torques.end()), torques.end());
+  if (torques.size() <= kMost) return torques;
+  const double spacing = (torques.back() - torques.front()) / (kMost - 1);
+  std::vector<double> even;
+  for (std::size_t i = 0; i < kMost; ++i)
+    even.push_back(torques.front() + spacing * static_cast<double>(i));
+  return even;
 }
 
 }  // namespace strainwave

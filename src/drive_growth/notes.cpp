@@ -17,6 +17,11 @@ namespace {
 
 std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
 
+/// "after 20 h"; a crack that ends the life at its size in the file does so in the first cycles.
+std::string after(double seconds) {
+  return seconds > 0 ? "after " + hours(seconds) : "in the first cycles";
+}
+
 /// The record of the library that gives the law; null if the file gives it.
 const MaterialRecord* record_of(const GearSet& gear, const GrowingCrack& crack,
                                 const RateChoice& choice) {
@@ -90,13 +95,12 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
 }  // namespace
 
 Note coupled_crack_note(const std::string& path) {
-  return {
-      .code = "growth.coupled",
-      .text = "no stress intensity is known for this kind of crack, so its growth is not computed",
-      .path = path,
-      .equation = "TC-22",
-      .severity = Severity::cannot_tell,
-      .next_step = "Inspect the part, or assess the crack by finite elements."};
+  return {.code = "growth.coupled",
+          .text = "the stress intensity of this crack is not known, so its growth is not computed",
+          .path = path,
+          .equation = "TC-22",
+          .severity = Severity::cannot_tell,
+          .next_step = "Inspect the part, or assess the crack by finite elements."};
 }
 
 Note unknown_balls_note(const std::string& path) {
@@ -237,18 +241,18 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
   };
   switch (report.end) {
     case DriveEnd::breaks:
-      report.sentence = fmt::format("{} breaks the part after {}{}.", report.governing,
-                                    hours(report.time), size_at_end());
+      report.sentence = fmt::format("{} breaks the part {}{}.", report.governing,
+                                    after(report.time), size_at_end());
       break;
     case DriveEnd::assessment:
-      report.sentence = fmt::format("{} fails the assessment after {}{}.", report.governing,
-                                    hours(report.time), size_at_end());
+      report.sentence = fmt::format("{} fails the assessment {}{}.", report.governing,
+                                    after(report.time), size_at_end());
       break;
     case DriveEnd::arrested: {
       std::string margins;
       for (const CrackGrowth& crack : report.cracks)
         if (crack.factor_to_grow)
-          margins += fmt::format("{}{} grows again from {:.4g} times the loads",
+          margins += fmt::format("{}{} grows from {:.4g} times the loads",
                                  margins.empty() ? "; " : ", ", crack.path, *crack.factor_to_grow);
       const std::string when = report.time > 0 ? " any more after " + hours(report.time) : "";
       const std::size_t all = drive_cracks(gear).size();
@@ -263,8 +267,8 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
       break;
     }
     case DriveEnd::severed:
-      report.sentence = fmt::format("{} leaves less than 1 % of the stiffness after {}{}.",
-                                    report.governing, hours(report.time), size_at_end());
+      report.sentence = fmt::format("{} leaves less than 1 % of the stiffness {}{}.",
+                                    report.governing, after(report.time), size_at_end());
       break;
     case DriveEnd::until:
       report.sentence = fmt::format("No crack ends the life within {}.", hours(report.time));
@@ -295,7 +299,7 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
   if (report.life)
     report.notes.push_back(
         {.code = "growth.ends",
-         .text = fmt::format("the crack ends the life of the drive after {}", hours(report.time)),
+         .text = fmt::format("the crack ends the life of the drive {}", after(report.time)),
          .path = report.governing,
          .equation = "GR-24",
          .severity = Severity::critical,

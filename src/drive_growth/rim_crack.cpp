@@ -15,29 +15,13 @@
 namespace strainwave {
 namespace {
 
-constexpr int kPositions = 360;           // of a turn at which the stress is taken
-constexpr std::size_t kMostTorques = 33;  // at which the coupled drive is solved
+constexpr int kPositions = 360;  // of a turn at which the stress is taken
 
 /// Hoop stress of the rim at one place of the turn, as parts over its thickness [Pa].
 struct RimStress {
   double membrane = 0.0;
   double bending = 0.0;  ///< at the tooth roots
 };
-
-/// The torques of the duty in ascending order; evenly spaced ones if there are many.
-std::vector<double> torques_of(const DutyHistory& history) {
-  std::vector<double> torques;
-  for (const DutyStep& step : history.steps) torques.push_back(step.torque);
-  for (const DutyMomentaryPeak& peak : history.peaks) torques.push_back(peak.step.torque);
-  std::sort(torques.begin(), torques.end());
-  torques.erase(std::unique(torques.begin(), torques.end()), torques.end());
-  if (torques.size() <= kMostTorques) return torques;
-  std::vector<double> even;
-  for (std::size_t i = 0; i < kMostTorques; ++i)
-    even.push_back(torques.front() + (torques.back() - torques.front()) * static_cast<double>(i) /
-                                         (kMostTorques - 1));
-  return even;
-}
 
 /// K over a turn as its mean and half of its range.
 FrontIntensity over_turn(const std::vector<RimStress>& turn, double depth, double thickness) {
@@ -78,7 +62,7 @@ RimCrack rim_crack(const GearSet& gear, const std::string& path, const RimAxialC
   made.next_step = "Read the growth as that of a crack deeper than the root's radius.";
   const AssembledDrive drive = AssembledDrive(gear).without_cracks();
   RimCrack rim{.crack = made, .at_torque = {}};
-  for (const double torque : torques_of(history)) {
+  for (const double torque : torques_of(history, false)) {
     auto turn = std::make_shared<std::vector<RimStress>>();
     for (const RimState& state : rim_states(drive, torque, kPositions))
       turn->push_back({.membrane = (state.rim_outside_stress + state.rim_inside_stress) / 2,

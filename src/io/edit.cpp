@@ -131,7 +131,7 @@ class PathReader {
     take_dot(rest);
     if (auto quoted = take_quoted(rest)) return *quoted;
     const std::size_t end = std::min(rest.find_first_of(".["), rest.size());
-    const std::string key(rest.substr(0, end));
+    std::string key(rest.substr(0, end));
     rest.remove_prefix(end);
     return key;
   }
@@ -605,7 +605,7 @@ std::string inserted(const std::string& text, const TomlScan& scan, const KnownP
   }
   Steps table = path.steps;
   std::string right = value.text;
-  for (; table.back().is_index; table.pop_back()) right = '[' + right + ']';
+  for (; table.back().is_index; table.pop_back()) right = fmt::format("[{}]", right);
   const std::string key = table.back().key;
   const std::vector<std::string>& names = path.names[table.size() - 1];
   table.pop_back();

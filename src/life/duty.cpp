@@ -39,23 +39,22 @@ double output_speed(const DutyPeak& of, double ratio, FixedMember fixed) {
   return speed_of(of, ratio, fixed);
 }
 
-DutyAverage duty_average(std::span<const DutyBlock> blocks, double ratio, FixedMember fixed) {
+DutyAverage duty_average(std::span<const DutyStep> steps, double ratio, FixedMember fixed) {
   double time = 0.0;
   double turned = 0.0;
   double cubes = 0.0;
-  for (const DutyBlock& block : blocks) {
-    require(block.duration > 0 && std::isfinite(block.duration), "duration", block.duration, "s",
-            "> 0");
-    require(block.repetitions >= 1, "repetitions", block.repetitions, "1", ">= 1");
-    require(std::isfinite(block.torque), "torque", block.torque, "N*m", "a finite number");
-    const double lasts = block.repetitions * block.duration;
-    const double angle = std::abs(output_speed(block, ratio, fixed)) * lasts;
-    time += lasts;
+  for (const DutyStep& step : steps) {
+    require(step.duration >= 0 && std::isfinite(step.duration), "duration", step.duration, "s",
+            ">= 0");
+    require(std::isfinite(step.output_speed), "output_speed", step.output_speed, "rad/s",
+            "a finite number");
+    require(std::isfinite(step.torque), "torque", step.torque, "N*m", "a finite number");
+    const double angle = std::abs(step.output_speed) * step.duration;
+    time += step.duration;
     turned += angle;
-    cubes += std::pow(std::abs(block.torque), 3) * angle;
+    cubes += std::pow(std::abs(step.torque), 3) * angle;
   }
-  if (!(turned > 0))
-    throw InputError("duty", "no block moves; give at least one block with a speed");
+  if (!(turned > 0)) throw InputError("duty", "does not move; give a duty with a speed");
   const double speed = turned / time;
   return {.torque = std::cbrt(cubes / turned),  // (LI-1)
           .output_speed = speed,

@@ -40,23 +40,10 @@ std::vector<DutyStep> steps_of(const DutyRecord& record, double ratio, FixedMemb
 
 /// Sets the sums over the steps.
 void sum_up(DutyHistory& history) {
-  double cubes = 0.0;
-  double angle = 0.0;
-  for (const DutyStep& step : history.steps) {
-    const double turned = std::abs(step.output_speed) * step.duration;
-    history.duration += step.duration;
-    angle += turned;
-    cubes += std::pow(std::abs(step.torque), 3) * turned;
-  }
-  if (!(angle > 0) || !(history.duration > 0))
-    throw InputError("duty", "does not move; give a duty with a speed");
-  const double turns = input_turns(history.ratio, history.fixed);
-  history.output_turns = angle / kTurn;
-  history.input_turns = turns * history.output_turns;
-  const double speed = angle / history.duration;
-  history.average = {.torque = std::cbrt(cubes / angle),  // (LI-1)
-                     .output_speed = speed,
-                     .input_speed = turns * speed};
+  history.average = duty_average(history.steps, history.ratio, history.fixed);
+  for (const DutyStep& step : history.steps) history.duration += step.duration;
+  history.output_turns = history.average.output_speed * history.duration / kTurn;
+  history.input_turns = input_turns(history.ratio, history.fixed) * history.output_turns;
 }
 
 }  // namespace

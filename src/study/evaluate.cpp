@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -183,17 +184,28 @@ void add_life(StiffnessResult& result, const GearSet& gear) {
   const LifeReport report = life_report(gear);
   result.life = life_result(report);
   use_equations(result.equations, report.equations);
-  if (drive_cracks(gear).empty()) return;
+  const std::size_t cracks = drive_cracks(gear).size();
+  if (cracks == 0) return;
+  std::optional<Quantity>& hours = result.life->hours;
+  double known_until = 0.0;  // the time up to which no crack ends the life without being seen
   try {
     const GrowthReport growth = grow_cracks(gear);
     use_equations(result.equations, growth.equations);
-    if (!growth.life) return;
-    result.life->cracks = Quantity{*growth.life, "s"};
-    if (!result.life->hours || result.life->hours->value > *growth.life)
-      result.life->hours = result.life->cracks;
-  } catch (const InputError&) {
+    const bool all_known =
+        growth.cracks.size() == cracks && std::ranges::none_of(growth.notes, [](const Note& note) {
+          return note.severity == Severity::cannot_tell && note.code != "growth.range";
+        });
+    if (all_known)
+      known_until =
+          growth.end == DriveEnd::range ? growth.time : std::numeric_limits<double>::infinity();
+    if (growth.life) {
+      result.life->cracks = Quantity{*growth.life, "s"};
+      if (!hours || hours->value > *growth.life) hours = result.life->cracks;
+    }
+  } catch (const Error&) {
     // A crack without a law has no life that can be told; `strainwave grow` says what to give.
   }
+  if (hours && hours->value > known_until) hours.reset();
 }
 
 }  // namespace
@@ -237,7 +249,7 @@ Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progr
       }
       notes.insert(notes.begin(), one_angle_note(gear, turn ? &*turn : nullptr, unknown_because));
     }
-    coupled = {drive, std::move(curve), std::move(notes), std::move(equations)};
+    coupled = {drive, curve, std::move(notes), std::move(equations)};
   } catch (const Error& error) {
     coupled.notes = {
         {.code = "curve.none",
@@ -271,7 +283,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
       options.coupled_drive ? coupled_drive(gear, options.over_turn, progress) : Coupled{};
   StiffnessResult result =
       torsional_stiffness(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
-  result.curve = std::move(coupled.curve);
+  result.curve = coupled.curve;
   // Put the notes that limit the answer first.
   for (Note& note : result.notes)
     if (std::ranges::find(coupled.notes, note) == coupled.notes.end())

@@ -363,7 +363,7 @@ void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& state
     by.ratio = by.duty.ten_percent / by.rated->ten_percent;
     if (of.limits.bearing_life) by.by_ratio = of.limits.bearing_life->value * *by.ratio;
   }
-  report.bearing_by_forces = std::move(by);
+  report.bearing_by_forces = by;
   use(report, {"LI-31", "LI-32"});
   report.notes.push_back(
       {"life.ball_forces",

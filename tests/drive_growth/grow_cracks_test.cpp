@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "growth_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using std::numbers::pi;
 
-GearSet shaft() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_shaft.toml"); }
+GearSet shaft() { return test::growing_shaft(); }
 
 GrowthOptions until_depth(double depth) {
   GrowthOptions options;
@@ -63,43 +64,16 @@ TEST(GrowCracks, ReferenceSolidShaft) {  // GR-24
 
 /// Flat sheet of the flexspline with a crack at 45 degrees, and no wave: case P8.
 GearSet sheet() {
-  return read_gear_set(R"(
-format = "strainwave-drive/1"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-[[material.steel.growth]]
-kind = "paris"
-coefficient = "6.9e-12 m"
-exponent = 3
-[drive]
-ratio = 100
-wave_number = 1
-pitch_diameter = "160 mm"
-radial_displacement = "0.8 mm"
-[load]
-torque = "8000 N*m"
-[flexspline]
-material = "steel"
-shape = "cylinder"
-wall_thickness = "2.24 mm"
-length = "160 mm"
-[[flexspline.crack]]
-kind = "through"
+  GearSet gear = test::cracked_wall(R"(kind = "through"
 half_length = "2 mm"
 angle = "45 deg"
-shell_correction = false
-[duty]
-[[duty.block]]
-duration = "1 s"
-output_speed = "1 rpm"
-torque = "8000 N*m"
-[[duty.block]]
-duration = "1 s"
-output_speed = "1 rpm"
-torque = "0 N*m"
-)",
-                       "sheet.toml");
+shell_correction = false)",
+                                    "100", "1");
+  gear.load.torque = 8000;
+  gear.duty->block.resize(2);
+  gear.duty->block[0].torque = 8000;
+  gear.duty->block[1].torque = 0;
+  return gear;
 }
 
 TEST(GrowCracks, ReferenceThroughCrackOfSheet) {  // GR-21 to GR-25
@@ -238,6 +212,8 @@ TEST(GrowCracks, BehaviourFractureAtOnceAndInTheEnd) {
   const GrowthReport at_once = grow_cracks(gear);
   EXPECT_EQ(at_once.end, DriveEnd::breaks);
   EXPECT_EQ(at_once.time, 0.0);
+  EXPECT_EQ(at_once.sentence,
+            "output_shaft.crack[0] breaks the part in the first cycles at 0.5 mm.");
 }
 
 TEST(GrowCracks, BehaviourEndsThatAreAskedFor) {
@@ -363,6 +339,24 @@ TEST(GrowCracks, BehaviourNotes) {
   EXPECT_EQ(article.cracks.size(), 2U);
   EXPECT_NE(article.sentence.find("1 of 3 cracks cannot be told"), std::string::npos)
       << article.sentence;
+}
+
+TEST(GrowCracks, LimitTheSenseThatOpensACrackSoftens) {  // GR-25
+  // A crack at -45 degrees opens under T < 0 only, so the change is that of T < 0.
+  GearSet gear = sheet();
+  std::get<WallThroughCrack>(gear.flexspline->crack[0]).angle *= -1;
+  for (DutyBlock& block : gear.duty->block) block.torque *= -1;
+  GrowthOptions options;
+  options.stop = {.time = {}, .cycles = {}, .crack = "flexspline.crack[0]", .size = 10e-3};
+  const GrowthReport report = grow_cracks(gear, options);
+  const StiffnessOverLife& first = report.stiffness.front();
+  const StiffnessOverLife& last = report.stiffness.back();
+  EXPECT_EQ(first.positive, last.positive);
+  EXPECT_LT(last.change, -1e-3);
+  test::expect_relative(last.change, last.negative / first.negative - 1, 1e-12);
+  // Under the other sense the faces are pressed together, and the crack stands still.
+  for (DutyBlock& block : gear.duty->block) block.torque *= -1;
+  EXPECT_EQ(grow_cracks(gear).end, DriveEnd::arrested);
 }
 
 }  // namespace

@@ -173,6 +173,18 @@ std::vector<double> exceedances(const Extremes& cycles, const std::vector<double
   return sums;
 }
 
+/// Two to nine steps of different constant loads.
+std::vector<Step> random_steps(Dice& dice, const OneMode& crack) {
+  std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
+  const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
+  for (Step& step : steps) do
+      step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
+    while (std::ranges::any_of(steps, [&](const Step& other) {
+      return &other != &step && other.constant == step.constant;
+    }));
+  return steps;
+}
+
 TEST(LoadCycles, CrosscheckEachWaveOfRandomDuties) {  // GR-21
   // Every wave of a duty as one number, counted by the three points of ASTM E1049, against the
   // product's few cycles.  All extremes are whole numbers times one unit of K, so each cycle must
@@ -182,13 +194,7 @@ TEST(LoadCycles, CrosscheckEachWaveOfRandomDuties) {  // GR-21
     SCOPED_TRACE(crack.name);
     for (int trial = 0; trial < 60; ++trial) {
       SCOPED_TRACE(trial);
-      std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
-      const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
-      for (Step& step : steps) do
-          step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
-        while (std::ranges::any_of(steps, [&](const Step& other) {
-          return &other != &step && other.constant == step.constant;
-        }));
+      std::vector<Step> steps = random_steps(dice, crack);
       const std::vector<double> history = each_wave(steps);
       set_duty(crack, steps, Residue::repeated);
       const Extremes expected = from_largest(history);
@@ -218,13 +224,7 @@ TEST(LoadCycles, CrosscheckHalfCyclesOfRandomDuties) {  // GR-1, GR-21
     SCOPED_TRACE(crack.name);
     for (int trial = 0; trial < 60; ++trial) {
       SCOPED_TRACE(trial);
-      std::vector<Step> steps(static_cast<std::size_t>(dice.integer(2, 9)));
-      const double turning = crack.bending ? dice.integer(1, 20) * 1e5 : crack.turning;
-      for (Step& step : steps) do
-          step = {dice.integer(-40, 40) * 1e5, turning, 1.0 * dice.integer(1, 6)};
-        while (std::ranges::any_of(steps, [&](const Step& other) {
-          return &other != &step && other.constant == step.constant;
-        }));
+      std::vector<Step> steps = random_steps(dice, crack);
       const std::vector<double> history = each_wave(steps);
       set_duty(crack, steps, Residue::half_cycles);
       const Extremes expected = three_points(history);

@@ -56,6 +56,22 @@ TEST(RimCrack, ReferenceStressOfTheSoundDrive) {  // GR-29
   }
 }
 
+TEST(RimCrack, ReferenceTorqueChangesBetweenBlocks) {  // GR-21, GR-29
+  // The widest cycle of two blocks joins the largest K of both with the least one.
+  GearSet gear = with_rim_crack(82, 0.2e-3);
+  gear.duty->block.push_back(gear.duty->block[0]);
+  gear.duty->block[1].torque = -60;
+  const GrowthReport both = grow_cracks(gear);
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const double torque : {82.0, -60.0}) {
+    const GrowthPoint alone = grow_cracks(with_rim_crack(torque, 0.2e-3)).cracks[0].series.front();
+    most = std::max(most, alone.K_max);
+    least = std::min(least, alone.K_max - alone.delta_K);
+  }
+  test::expect_relative(both.cracks[0].series.front().delta_K, most - least, 1e-9);
+}
+
 TEST(RimCrack, BehaviourWithoutTheCoupledDrive) {
   GearSet gear = with_rim_crack(82, 0.2e-3);
   gear.rating.reset();

@@ -33,10 +33,10 @@ std::string refused_field(const auto& call) {
 }
 
 /// The load cycle of a maker's example for ratio 120.
-const std::vector<DutyBlock> kExample120 = {
+const std::vector<DutyStep> kExample120 = {
     {0.3, 7 * kRpm, 400}, {3, 14 * kRpm, 320}, {0.4, 7 * kRpm, 200}, {0.2, 0, 0}};
 /// The load cycle of a maker's example for ratio 100.
-const std::vector<DutyBlock> kExample100 = {
+const std::vector<DutyStep> kExample100 = {
     {0.2, 10 * kRpm, 150}, {3, 20 * kRpm, 82}, {0.3, 10 * kRpm, 130}, {0.2, 0, 0}};
 
 // --- the maker's rules -------------------------------------------------------------------------
@@ -66,9 +66,9 @@ TEST(Duty, ReferenceMakersExamples) {  // LI-1, LI-2, LI-3
 TEST(Duty, IdentitySignsOrderAndPieces) {
   // Directions do not matter, nor does the order or a block that is cut in two.
   const DutyAverage whole = duty_average(kExample120, 120);
-  std::vector<DutyBlock> other(kExample120.rbegin(), kExample120.rend());
+  std::vector<DutyStep> other(kExample120.rbegin(), kExample120.rend());
   other[1].torque *= -1;
-  other[2].output_speed = -*other[2].output_speed;
+  other[2].output_speed *= -1;
   other.push_back(other[2]);
   other[2].duration *= 0.3;
   other.back().duration *= 0.7;
@@ -78,7 +78,7 @@ TEST(Duty, IdentitySignsOrderAndPieces) {
 }
 
 TEST(Duty, LimitConstantLoad) {
-  const std::array<DutyBlock, 1> one = {{{5.0, 3.0, 80.0}}};
+  const std::array<DutyStep, 1> one = {{{5.0, 3.0, 80.0}}};
   test::expect_relative(duty_average(one, 100).torque, 80, 1e-14);
   test::expect_relative(duty_average(one, 100).input_speed, 300, 1e-14);
   test::expect_relative(duty_average(one, 100, FixedMember::flexspline).input_speed, 303, 1e-14);
@@ -167,13 +167,14 @@ TEST(Fatigue, ReferenceMinersSums) {  // LI-8
 }
 
 TEST(Life, InputEachRuleBrokenOnce) {
-  using Blocks = std::vector<DutyBlock>;
+  using Blocks = std::vector<DutyStep>;
   const auto average = [](const Blocks& blocks, double ratio) {
     return refused_field([&] { return duty_average(blocks, ratio); });
   };
   EXPECT_EQ(average(kExample120, 120), "");
   EXPECT_EQ(average(kExample120, 0), "ratio");
-  EXPECT_EQ(average({{0, 1, 1}}, 100), "duration");
+  EXPECT_EQ(average({{-1, 1, 1}}, 100), "duration");
+  EXPECT_EQ(average({{0, 1, 1}}, 100), "duty");
   EXPECT_EQ(average({{1, kNaN, 1}}, 100), "output_speed");
   EXPECT_EQ(average({{1, 1, kNaN}}, 100), "torque");
   EXPECT_EQ(average({{1, 0, 5}}, 100), "duty");

@@ -10,6 +10,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/stiffness.hpp"
 #include "strainwave/study/outputs.hpp"
@@ -240,6 +241,38 @@ TEST(Evaluate, BehaviourOutputsOfTheCoupledDriveHaveNames) {
     EXPECT_TRUE(is_of_coupled_drive(output));
   }
   EXPECT_FALSE(is_of_coupled_drive("intact.stiffness"));
+}
+
+TEST(Evaluate, BehaviourHoursOfADriveWithCracks) {
+  // A crack that fails the assessment ends the drive at the time that `grow` states.
+  const GearSet shaft = drive_of("growing_shaft");
+  const StiffnessResult failing = evaluate(shaft, Method::corrected);
+  const double life = grow_cracks(shaft).life.value();
+  test::expect_relative(failing.life->cracks->value, life, 1e-14);
+  test::expect_relative(failing.life->hours->value, life, 1e-14);
+  EXPECT_FALSE(evaluate(shaft, Method::corrected, {.life = false}).life.has_value());
+  // A crack that stands still leaves the hours of the bearing.
+  GearSet joint = drive_of("life_size25");
+  const double bearing = evaluate(joint, Method::corrected).life->hours->value;
+  const GearSet resting = drive_of("resting_size25");
+  WallThroughCrack small = std::get<WallThroughCrack>(resting.flexspline->crack[1]);
+  joint.flexspline->crack = {small};
+  Material& steel = joint.material.at("steel");
+  const auto hours = [&] { return evaluate(joint, Method::corrected).life->hours; };
+  // Without a law nobody can tell what the crack does, so there are no hours.
+  EXPECT_FALSE(hours().has_value());
+  steel.growth = {Paris{6.9e-12, 3}};
+  GrowthBounds bounds;
+  bounds.threshold = 60e6;
+  steel.growth_bounds = bounds;
+  ASSERT_TRUE(hours().has_value());
+  EXPECT_EQ(hours()->value, bearing);
+  // The root's concentration at a crack of the rim is unknown, so there are no hours either.
+  RimAxialCrack rim;
+  rim.depth = 0.05e-3;
+  joint.flexspline->crack = {rim};
+  EXPECT_FALSE(hours().has_value());
+  EXPECT_TRUE(evaluate(joint, Method::corrected).life->bearing_L10.has_value());
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ struct Request {
   const std::function<TextPieces(const std::string& name)>& open;     ///< as Host::open
 
   /// The text that an option names, piece by piece.
-  /// @throws OptionError  if there is no such text
+  /// @throws OptionError  if no text has this name
   [[nodiscard]] TextPieces pieces(std::string_view option, const std::string& name) const;
 };
 

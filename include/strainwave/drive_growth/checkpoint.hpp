@@ -32,7 +32,7 @@ class GrowthCheckpoint {
   /// @throws InputError  if a line cannot be read; a last line without its end is left out
   GrowthCheckpoint(std::string_view lines, std::function<void(const std::string&)> append);
 
-  /// The next step of the run before; absent if there is no further one in this pass.
+  /// The next step that the stopped run stored for this pass; absent if all its steps are taken.
   [[nodiscard]] std::optional<PathStep> next(int pass);
   /// Stores a step that was computed now.
   void add(const PathStep& step) const;

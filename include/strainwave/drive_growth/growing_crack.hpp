@@ -43,23 +43,12 @@ struct TipLoad {
 /// The ends of a crack that grow.
 enum class Tip { depth, length };
 
-/// K per unit of each load along the front of a crack at one size.
-struct SizedFront {
-  std::vector<FrontIntensity> load;
-  std::vector<Modes> bending;  ///< empty: no bending moment acts
-};
-
-/// A crack at several torques [N*m], on which K does not depend in proportion.
-using CracksAtTorques = std::vector<std::pair<double, DriveCrack>>;
-
 /// A crack of a drive under its duty.
 class GrowingCrack {
  public:
-  /// @param gear   has passed `check` and has a duty
-  /// @param crack  of drive_cracks(gear); one that does not act in the coupled drive
-  /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the
-  /// torque;
-  ///                   a torque takes the nearest one
+  /// @param gear       has passed `check` and has a duty
+  /// @param crack      of drive_cracks(gear); one that does not act in the coupled drive
+  /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the torque
   /// @throws InputError  if its material has no law of growth
   GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                const RateChoice& choice, CracksAtTorques at_torque = {});
@@ -96,8 +85,9 @@ class GrowingCrack {
   [[nodiscard]] bool breaks(const CrackSize& size, double factor = 1.0) const;
 
  private:
-  [[nodiscard]] Modes factors_at(const std::vector<SizedFront>& fronts, std::size_t point,
-                                 const LoadState& state, double factor) const;
+  [[nodiscard]] CrackFactors factors(const CrackSize& size) const;
+  /// The points of a front whose growth moves a tip: the first one and the one behind the last.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> points_of(Tip tip, std::size_t points) const;
 
   DriveCrack crack_;
   CracksAtTorques at_torque_;  // only if K is not linear in the torque

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/drive_growth/crack_factors.hpp"
 #include "strainwave/life/load_history.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
@@ -12,15 +13,6 @@
 /// The duty of a drive as cycles of the load of one crack.
 
 namespace strainwave {
-
-/// Load of a crack at one moment.
-struct LoadState {
-  double torque = 0.0;       ///< T [N*m]
-  double axial_force = 0.0;  ///< P [N]
-  /// Share of the assembly that acts at the crack, -1 to 1 [-]
-  double assembly = 0.0;
-  double bending_moment = 0.0;  ///< M that acts at the crack, with sign [N*m]
-};
 
 /// Equal cycles of the load of a crack.
 struct LoadCycle {
@@ -49,11 +41,17 @@ struct CrackDuty {
 /// step.  A momentary peak gives a cycle from the least load of the duty, and its own turning
 /// cycles.
 ///
-/// @param history  of duty_history(gear); the rainflow cycles are those of K along the direction,
-/// in
-///                 the space of the three modes, in which the constant loads differ most
+/// @param history    of duty_history(gear); the rainflow cycles are those of K along the direction,
+///                   in the space of the three modes, in which the constant loads differ most
+/// @param at_torque  the crack at the torques of the duty, if K is not proportional to the torque
 /// @throws InputError  if a crack of a race needs the number of balls and the file gives none
 [[nodiscard]] CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
-                                   const DutyHistory& history);
+                                   const DutyHistory& history,
+                                   const CracksAtTorques& at_torque = {});
+
+/// The torques of a duty and its peaks at which a crack is computed that does not depend on them in
+/// proportion, in ascending order [N*m]; evenly spaced ones if there are more than 33.
+/// @param sizes_only  whether the sense of the torque does not matter
+[[nodiscard]] std::vector<double> torques_of(const DutyHistory& history, bool sizes_only);
 
 }  // namespace strainwave

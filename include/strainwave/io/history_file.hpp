@@ -33,7 +33,7 @@ class HistoryFile {
  public:
   /// Reads the names of the columns.
   /// @param name  name of the file in messages
-  /// @throws InputError  if the text is empty, is no text, or cannot be read
+  /// @throws InputError  if the file is empty, holds other bytes than text, or cannot be read
   HistoryFile(TextPieces pieces, std::string name);
   ~HistoryFile();
   HistoryFile(HistoryFile&&) noexcept;

@@ -16,6 +16,16 @@ namespace strainwave {
 [[nodiscard]] double output_speed(const DutyBlock& of, double ratio, FixedMember fixed);
 [[nodiscard]] double output_speed(const DutyPeak& of, double ratio, FixedMember fixed);
 
+/// A part of the duty with constant load.
+struct DutyStep {
+  double duration = 0.0;        ///< [s]; >= 0
+  double output_speed = 0.0;    ///< with sign [rad/s]
+  double torque = 0.0;          ///< T at the output, with sign [N*m]
+  double axial_force = 0.0;     ///< P at the output, tension > 0 [N]
+  double radial_force = 0.0;    ///< F_r at the output bearing, fixed in space [N]; >= 0
+  double bending_moment = 0.0;  ///< M at output bearing and shaft, fixed in space [N*m]; >= 0
+};
+
 /// The constant load that the maker's rules put in place of a duty cycle.
 struct DutyAverage {
   double torque = 0.0;        ///< T_av [N*m]
@@ -25,8 +35,8 @@ struct DutyAverage {
 
 /// Implements theory manual eq. (LI-1).
 /// @param ratio        i_h [-]; > 0
-/// @throws InputError  if a block has no duration, a number is not finite, or nothing moves
-[[nodiscard]] DutyAverage duty_average(std::span<const DutyBlock> blocks, double ratio,
+/// @throws InputError  if a duration is negative, a number is not finite, or nothing moves
+[[nodiscard]] DutyAverage duty_average(std::span<const DutyStep> steps, double ratio,
                                        FixedMember fixed = FixedMember::circular_spline);
 
 /// Number of momentary peak torques that the maker allows, N_k (LI-2) [-].

@@ -17,16 +17,6 @@
 
 namespace strainwave {
 
-/// A part of the duty with constant load.
-struct DutyStep {
-  double duration = 0.0;        ///< [s]; >= 0
-  double output_speed = 0.0;    ///< with sign [rad/s]
-  double torque = 0.0;          ///< T at the output, with sign [N*m]
-  double axial_force = 0.0;     ///< P at the output, tension > 0 [N]
-  double radial_force = 0.0;    ///< F_r at the output bearing, fixed in space [N]; >= 0
-  double bending_moment = 0.0;  ///< M at output bearing and shaft, fixed in space [N*m]; >= 0
-};
-
 /// A momentary peak torque beside the steps.
 struct DutyMomentaryPeak {
   DutyStep step;

@@ -73,27 +73,27 @@ struct Evidence {
 };
 
 struct StressKind {
-  static constexpr std::string_view unit = "Pa";
-  static constexpr std::string_view example = R"("900 MPa")";
-  static constexpr Range range = kPositive;
+  static constexpr std::string_view kUnit = "Pa";
+  static constexpr std::string_view kExample = R"("900 MPa")";
+  static constexpr Range kRange = kPositive;
 };
 struct ToughnessKind {
-  static constexpr std::string_view unit = "Pa*m^0.5";
-  static constexpr std::string_view example = R"("60 MPa*m^0.5")";
-  static constexpr Range range = kPositive;
+  static constexpr std::string_view kUnit = "Pa*m^0.5";
+  static constexpr std::string_view kExample = R"("60 MPa*m^0.5")";
+  static constexpr Range kRange = kPositive;
 };
 struct PoissonKind {
-  static constexpr std::string_view unit = "1";
-  static constexpr std::string_view example = "0.3";
-  static constexpr Range range = {.lower = -1.0, .upper = 0.5};
+  static constexpr std::string_view kUnit = "1";
+  static constexpr std::string_view kExample = "0.3";
+  static constexpr Range kRange = {.lower = -1.0, .upper = 0.5};
 };
 struct RockwellKind {
-  static constexpr std::string_view unit = "1";
-  static constexpr std::string_view example = "60";
-  static constexpr Range range = {.lower = 20.0, .lower_open = false, .upper = 70.0};
+  static constexpr std::string_view kUnit = "1";
+  static constexpr std::string_view kExample = "60";
+  static constexpr Range kRange = {.lower = 20.0, .lower_open = false, .upper = 70.0};
 };
 
-/// A number [Kind::unit] with its evidence.
+/// A number [Kind::kUnit] with its evidence.
 template <class Kind>
 struct Sourced : Evidence {
   double value = 0.0;
@@ -101,10 +101,10 @@ struct Sourced : Evidence {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(Field{.name = "value",
-                .unit = Kind::unit,
+                .unit = Kind::kUnit,
                 .doc = "the number",
-                .range = Kind::range,
-                .example = Kind::example},
+                .range = Kind::kRange,
+                .example = Kind::kExample},
           &Sourced::value);
     Evidence::describe(field);
   }
@@ -296,17 +296,17 @@ struct MaterialRecord {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    const auto text = [&](std::string_view name, std::string_view doc, std::string_view fallback,
+    const auto text = [&](std::string_view key, std::string_view doc, std::string_view fallback,
                           auto member) {
-      field(Field{.name = name,
+      field(Field{.name = key,
                   .unit = "",
                   .doc = doc,
                   .example = R"("17-4PH H900")",
                   .fallback = fallback},
             member);
     };
-    const auto table = [&](std::string_view name, std::string_view doc, auto member) {
-      field(Field{.name = name, .unit = "", .doc = doc}, member);
+    const auto table = [&](std::string_view key, std::string_view doc, auto member) {
+      field(Field{.name = key, .unit = "", .doc = doc}, member);
     };
     text("name", "name as an input file writes it", "", &MaterialRecord::name);
     field(Field{.name = "aliases", .unit = "", .doc = "other names", .example = R"(["1.4542"])"},
@@ -334,7 +334,7 @@ struct MaterialRecord {
 /// The SI unit of a number; "1" for a pure number.
 template <class Kind>
 [[nodiscard]] std::string_view unit_of(const Sourced<Kind>&) {
-  return Kind::unit;
+  return Kind::kUnit;
 }
 
 /// Calls `f(field name, words, number)` for each single number in a record.

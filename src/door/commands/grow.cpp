@@ -94,14 +94,22 @@ constexpr std::string_view kCheckpointFormat = "strainwave-growth/1";
 
 /// First line of a checkpoint: the program and all that the result depends on.
 std::string checkpoint_head(const Request& request, const GrowOptions& o) {
-  std::string history;
+  // The numbers of the files beside the drive.
+  std::string beside;
+  for (const auto& [name, table] : request.drive.gear.compliance_tables) {
+    beside += name;
+    for (const TableValues* const values : {&table.positive, &table.negative, &table.axial})
+      for (const double value : values->values) beside += fmt::format(" {:a}", value);
+    for (const TableAxis& axis : table.axes)
+      for (const double node : axis.nodes) beside += fmt::format(" {:a}", node);
+  }
   if (const auto& record = request.drive.gear.duty_record)
     for (const DutyRow& row : record->rows)
-      history += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
+      beside += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
   const std::string asked =
       fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
                   enum_name(o.mixed_mode), enum_name(o.interaction), o.zone_factor.value_or(0),
-                  o.wheeler_exponent.value_or(-1), request.drive.text, history);
+                  o.wheeler_exponent.value_or(-1), request.drive.text, beside);
   return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
 }
 

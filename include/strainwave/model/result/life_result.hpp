@@ -13,10 +13,11 @@ namespace strainwave {
 /// Life of the drive over its duty.  A number that the file does not decide is absent.
 struct LifeResult {
   /// life that 90 % of the drives reach with all parts whose life is known, and not longer than
-  /// that of the cracks [s]; absent if no part ends
+  /// that of the cracks [s]; absent if no part ends, and if a crack that cannot be told may end the
+  /// drive before
   std::optional<Quantity> hours;
-  /// until a crack ends the life [s]; absent without cracks, without their laws, and if they stand
-  /// still
+  /// until the first crack that can be computed ends the life [s]; absent without cracks, without
+  /// their laws, and if they stand still
   std::optional<Quantity> cracks;
   std::optional<Quantity> bearing_L10;  ///< by the maker's rule [s]
   std::optional<Quantity> bearing_L50;  ///< by the maker's rule [s]
@@ -35,9 +36,11 @@ struct LifeResult {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"hours", "s",
-           "life that 90 % of the drives reach, of the parts and cracks whose life is known"},
+           "life that 90 % of the drives reach; absent if a crack that cannot be told may end the "
+           "drive before"},
           &LifeResult::hours);
-    field({"cracks", "s", "time of duty until a crack ends the life"}, &LifeResult::cracks);
+    field({"cracks", "s", "time of duty until a crack that can be computed ends the life"},
+          &LifeResult::cracks);
     field({"bearing_L10", "s", "L10 of the wave generator's bearing by the maker's rule"},
           &LifeResult::bearing_L10);
     field({"bearing_L50", "s", "L50 of the wave generator's bearing by the maker's rule"},
