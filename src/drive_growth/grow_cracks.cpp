@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -251,14 +252,42 @@ class Growing {
   std::vector<CrackSize> unchanged_;
 };
 
-/// Keeps at most n rows, with the first and the last one.
-template <class Row>
-void thin(std::vector<Row>& rows, int n) {
+/// At most n of the rows, with the first and the last one, evenly spaced along their curve y(x) in
+/// a square frame, so that neither a slow begin nor many short steps at one place take most of
+/// them.
+template <class Row, class X, class Y>
+std::vector<std::size_t> spread_rows(const std::vector<Row>& rows, int n, X x, Y y) {
+  std::vector<std::size_t> kept;
   const auto keep = static_cast<std::size_t>(n);
-  if (rows.size() <= keep) return;
-  std::vector<Row> kept;
-  for (std::size_t i = 0; i < keep; ++i) kept.push_back(rows[i * (rows.size() - 1) / (keep - 1)]);
-  rows = std::move(kept);
+  if (rows.size() <= keep) {
+    for (std::size_t i = 0; i < rows.size(); ++i) kept.push_back(i);
+    return kept;
+  }
+  const auto extent = [&](auto member) {
+    const auto [least, most] = std::ranges::minmax(rows, {}, member);
+    const double size = std::invoke(member, most) - std::invoke(member, least);
+    return size > 0 ? size : 1.0;
+  };
+  const double width = extent(x);
+  const double height = extent(y);
+  std::vector<double> along = {0.0};
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    along.push_back(along.back() +
+                    std::hypot((std::invoke(x, rows[i]) - std::invoke(x, rows[i - 1])) / width,
+                               (std::invoke(y, rows[i]) - std::invoke(y, rows[i - 1])) / height));
+  const double spacing = along.back() / static_cast<double>(keep - 1);
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    if (kept.size() + 1 < keep && along[i] >= static_cast<double>(kept.size()) * spacing)
+      kept.push_back(i);
+  kept.push_back(rows.size() - 1);
+  return kept;
+}
+
+template <class Row>
+void keep_rows(std::vector<Row>& rows, const std::vector<std::size_t>& kept) {
+  std::vector<Row> thin;
+  for (const std::size_t i : kept) thin.push_back(std::move(rows[i]));
+  rows = std::move(thin);
 }
 
 /// Integrates the path and fills the report.
@@ -296,8 +325,10 @@ class Path {
     end_ = state;
     if (!told_) return;
     describe_rest(state);
-    thin(report_.stiffness, options_.points);
-    thin(gears_, options_.points);
+    const auto kept = spread_rows(report_.stiffness, options_.points, &StiffnessOverLife::time,
+                                  &StiffnessOverLife::change);
+    keep_rows(report_.stiffness, kept);
+    keep_rows(gears_, kept);
     add_coupled_drive();
   }
 
@@ -694,7 +725,9 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
     report.step_error = path.difference(half);
   }
   complete(report, gear, options.rate);
-  for (CrackGrowth& crack : report.cracks) thin(crack.series, options.points);
+  for (CrackGrowth& crack : report.cracks)
+    keep_rows(crack.series,
+              spread_rows(crack.series, options.points, &GrowthPoint::time, &GrowthPoint::size));
   return report;
 }
 

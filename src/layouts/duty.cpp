@@ -80,86 +80,6 @@ std::string short_words(DutyPlace place) {
   return words;
 }
 
-std::vector<TitledTable> drive_tables(const DriveDuty& duty) {
-  const DisplayUnit torque = display_unit({}, "N*m");
-  const DisplayUnit force = display_unit({}, "N");
-  std::vector<TitledTable> tables;
-  Table places{.head = {"place", "a cycle is a", "per output turn", "per repetition", "per hour"},
-               .align = "llrrr"};
-  for (const PlaceReport& of : duty.places)
-    places.rows.push_back(cells(place_words(of.place), of.cycle,
-                                shown_number(of.per_output_turn, 6),
-                                shown_number(of.per_repetition, 6), shown_number(of.per_hour, 6)));
-  tables.push_back({.title = "Stress cycles of each place", .table = std::move(places)});
-
-  // All places have the same loads; only their cycles differ.
-  const std::vector<PlaceLoad>& first = duty.places.front().loads;
-  const auto any = [&](double PlaceLoad::*load) {
-    return std::ranges::any_of(first, [&](const PlaceLoad& of) { return of.*load != 0; });
-  };
-  const bool axial = any(&PlaceLoad::axial_force);
-  const bool bending = any(&PlaceLoad::bending_moment);
-  Table loads{.head = {with_unit("torque", torque)}, .align = "rrrrrrrr"};
-  if (axial) loads.head.push_back(with_unit("axial force", force));
-  if (bending) loads.head.push_back(with_unit("bending moment", torque));
-  for (const PlaceReport& of : duty.places) loads.head.push_back(short_words(of.place));
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    auto& row = loads.rows.emplace_back(cells(shown_number(first[i].torque / torque.in_si, 5)));
-    if (axial) row.push_back(shown_number(first[i].axial_force / force.in_si, 5));
-    if (bending) row.push_back(shown_number(first[i].bending_moment / torque.in_si, 5));
-    for (const PlaceReport& of : duty.places) row.push_back(shown_number(of.loads[i].cycles, 6));
-  }
-  const std::optional<double>& width = duty.places.front().class_width;
-  tables.push_back({.title = "Cycles in one repetition under each load",
-                    .table = std::move(loads),
-                    .remark = width ? fmt::format("Torques are the middles of classes {} wide.",
-                                                  number_and_unit(*width, torque))
-                                    : std::string()});
-  tables.push_back(cycles_table("Cycles of the torque in one repetition", duty.torque, torque));
-  const CountedCycles& between = *duty.places.front().between;
-  if (!between.rows.empty()) {
-    tables.push_back(cycles_table(
-        "Waves of the flexspline whose peak and valley have different torques", between, torque));
-    tables.back().remark =
-        "Their range is that of the wave plus the effect of this difference; all other waves have "
-        "the range of the wave about one torque.";
-  }
-  if (!duty.peaks.empty()) {
-    const DisplayUnit second = display_unit({}, "s");
-    Table peaks{.head = {with_unit("torque", torque), with_unit("duration", second),
-                         "per repetition", "waves in one"},
-                .align = "rrrr"};
-    for (const PeakReport& peak : duty.peaks)
-      peaks.rows.push_back(cells(shown_number(peak.torque / torque.in_si, 5),
-                                 shown_number(peak.duration / second.in_si, 5),
-                                 shown_number(peak.per_repetition, 5),
-                                 shown_number(peak.waves, 5)));
-    tables.push_back({.title = "Momentary peaks", .table = std::move(peaks)});
-  }
-  return tables;
-}
-
-std::string drive_text(const DriveDuty& duty, const GearSet& gear) {
-  const DisplayUnit second = display_unit({}, "s");
-  const DisplayUnit torque = display_unit({}, "N*m");
-  const DisplayUnit speed =
-      display_unit({}, "rad/s", DisplayUnit{.text = "rpm", .in_si = units::rpm});
-  std::string text = fmt::format("{}\n\n", name_of(gear));
-  text += paragraph(fmt::format(
-      "One repetition of the duty takes {} and has {}; the output makes {} turns and the input {}, "
-      "in both senses together. The {} does not turn.",
-      number_and_unit(duty.duration, second), counted(static_cast<std::size_t>(duty.steps), "step"),
-      shown_number(duty.output_turns, 6), shown_number(duty.input_turns, 6),
-      duty.fixed == FixedMember::circular_spline ? "circular spline" : "flexspline"));
-  text +=
-      paragraph(fmt::format("Average torque {}, average speed of the output {}, of the input "
-                            "{}, by the makers' rules.",
-                            number_and_unit(duty.average_torque, torque),
-                            number_and_unit(duty.average_output_speed, speed),
-                            number_and_unit(duty.average_input_speed, speed)));
-  return text + text_tables(drive_tables(duty));
-}
-
 std::string history_text(const HistoryCount& history) {
   const DisplayUnit unit = unit_of_cycles(history.counted);
   const std::string with = history.unit == "1" ? "" : " " + history.unit;
@@ -226,8 +146,93 @@ PlotPanel torque_panel(const DriveDuty& duty) {
 
 }  // namespace
 
+std::vector<TitledTable> duty_tables(const DriveDuty& duty) {
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit force = display_unit({}, "N");
+  std::vector<TitledTable> tables;
+  Table places{.head = {"place", "a cycle is a", "per output turn", "per repetition", "per hour"},
+               .align = "llrrr"};
+  for (const PlaceReport& of : duty.places)
+    places.rows.push_back(cells(place_words(of.place), of.cycle,
+                                shown_number(of.per_output_turn, 6),
+                                shown_number(of.per_repetition, 6), shown_number(of.per_hour, 6)));
+  tables.push_back({.title = "Stress cycles of each place", .table = std::move(places)});
+
+  // All places have the same loads; only their cycles differ.
+  const std::vector<PlaceLoad>& first = duty.places.front().loads;
+  const auto any = [&](double PlaceLoad::*load) {
+    return std::ranges::any_of(first, [&](const PlaceLoad& of) { return of.*load != 0; });
+  };
+  const bool axial = any(&PlaceLoad::axial_force);
+  const bool bending = any(&PlaceLoad::bending_moment);
+  Table loads{.head = {with_unit("torque", torque)}, .align = "rrrrrrrr"};
+  if (axial) loads.head.push_back(with_unit("axial force", force));
+  if (bending) loads.head.push_back(with_unit("bending moment", torque));
+  for (const PlaceReport& of : duty.places) loads.head.push_back(short_words(of.place));
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    auto& row = loads.rows.emplace_back(cells(shown_number(first[i].torque / torque.in_si, 5)));
+    if (axial) row.push_back(shown_number(first[i].axial_force / force.in_si, 5));
+    if (bending) row.push_back(shown_number(first[i].bending_moment / torque.in_si, 5));
+    for (const PlaceReport& of : duty.places) row.push_back(shown_number(of.loads[i].cycles, 6));
+  }
+  const std::optional<double>& width = duty.places.front().class_width;
+  tables.push_back({.title = "Cycles in one repetition under each load",
+                    .table = std::move(loads),
+                    .remark = width ? fmt::format("Torques are the middles of classes {} wide.",
+                                                  number_and_unit(*width, torque))
+                                    : std::string()});
+  tables.push_back(cycles_table("Cycles of the torque in one repetition", duty.torque, torque));
+  const CountedCycles& between = *duty.places.front().between;
+  if (!between.rows.empty()) {
+    tables.push_back(cycles_table(
+        "Waves of the flexspline whose peak and valley have different torques", between, torque));
+    tables.back().remark =
+        "Their range is that of the wave plus the effect of this difference; all other waves have "
+        "the range of the wave about one torque.";
+  }
+  if (!duty.peaks.empty()) {
+    const DisplayUnit second = display_unit({}, "s");
+    Table peaks{.head = {with_unit("torque", torque), with_unit("duration", second),
+                         "per repetition", "waves in one"},
+                .align = "rrrr"};
+    for (const PeakReport& peak : duty.peaks)
+      peaks.rows.push_back(cells(shown_number(peak.torque / torque.in_si, 5),
+                                 shown_number(peak.duration / second.in_si, 5),
+                                 shown_number(peak.per_repetition, 5),
+                                 shown_number(peak.waves, 5)));
+    tables.push_back({.title = "Momentary peaks", .table = std::move(peaks)});
+  }
+  return tables;
+}
+
+std::vector<std::string> duty_sentences(const DriveDuty& duty) {
+  const DisplayUnit second = display_unit({}, "s");
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit speed =
+      display_unit({}, "rad/s", DisplayUnit{.text = "rpm", .in_si = units::rpm});
+  return {fmt::format(
+              "One repetition of the duty takes {} and has {}; the output makes {} turns and the "
+              "input {}, in both senses together. The {} does not turn.",
+              number_and_unit(duty.duration, second),
+              counted(static_cast<std::size_t>(duty.steps), "step"),
+              shown_number(duty.output_turns, 6), shown_number(duty.input_turns, 6),
+              duty.fixed == FixedMember::circular_spline ? "circular spline" : "flexspline"),
+          fmt::format("Average torque {}, average speed of the output {}, of the input {}, by the "
+                      "makers' rules.",
+                      number_and_unit(duty.average_torque, torque),
+                      number_and_unit(duty.average_output_speed, speed),
+                      number_and_unit(duty.average_input_speed, speed))};
+}
+
 std::string duty_text(const DutyReport& report, const GearSet& gear) {
-  std::string text = report.drive ? drive_text(*report.drive, gear) : history_text(*report.history);
+  std::string text;
+  if (report.drive) {
+    text = name_of(gear) + "\n\n";
+    for (const std::string& sentence : duty_sentences(*report.drive)) text += paragraph(sentence);
+    text += text_tables(duty_tables(*report.drive));
+  } else {
+    text = history_text(*report.history);
+  }
   if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
   return text + '\n' + equations_text(report.equations);
 }
@@ -250,18 +255,19 @@ std::string duty_csv(const DutyReport& report) {
   return csv_table(table);
 }
 
+std::vector<PlotPanel> duty_panels(const DutyReport& report) {
+  if (report.history)
+    return {
+        ranges_panel(fmt::format("Cycles of {}", report.history->column), report.history->counted)};
+  return {torque_panel(*report.drive),
+          ranges_panel("Cycles of the torque in one repetition", report.drive->torque)};
+}
+
 std::string duty_plot(const DutyReport& report, const GearSet& gear) {
-  std::vector<PlotPanel> panels;
-  if (report.history) {
-    const HistoryCount& history = *report.history;
-    panels.push_back(ranges_panel(fmt::format("Cycles of {}", history.column), history.counted));
-  } else {
-    panels.push_back(torque_panel(*report.drive));
-    if (!gear.name.empty())
-      panels.back().subtitle =
-          gear.name + (panels.back().subtitle.empty() ? "" : ", ") + panels.back().subtitle;
-    panels.push_back(ranges_panel("Cycles of the torque in one repetition", report.drive->torque));
-  }
+  std::vector<PlotPanel> panels = duty_panels(report);
+  PlotPanel& first = panels.front();
+  if (report.drive && !gear.name.empty())
+    first.subtitle = gear.name + (first.subtitle.empty() ? "" : ", ") + first.subtitle;
   return svg_plot(panels);
 }
 

@@ -121,7 +121,7 @@ TitledTable coupled_table(const GrowthReport& report) {
 
 }  // namespace
 
-std::vector<TitledTable> growth_tables(const GrowthReport& report) {
+std::vector<TitledTable> crack_growth_tables(const GrowthReport& report) {
   std::vector<TitledTable> tables;
   if (report.cracks.empty()) return tables;
   tables.push_back(cracks_table(report));
@@ -131,6 +131,11 @@ std::vector<TitledTable> growth_tables(const GrowthReport& report) {
     if (crack.series.size() > 1 &&
         crack.series.front().half_length != crack.series.back().half_length)
       tables.push_back(series_table(crack));
+  return tables;
+}
+
+std::vector<TitledTable> stiffness_over_life_tables(const GrowthReport& report) {
+  std::vector<TitledTable> tables;
   if (report.stiffness.size() > 1) tables.push_back(stiffness_table(report));
   if (TitledTable coupled = coupled_table(report); coupled.table.rows.size() > 1)
     tables.push_back(std::move(coupled));
@@ -144,7 +149,8 @@ std::string growth_text(const GrowthReport& report, const GearSet& gear,
       "duty takes {} s; ranges that stay open: {}; mixed modes: {}.\n",
       name_of(gear), provenance.input_file, provenance.version, report.sentence,
       shown_number(report.duty_duration), report.rainflow, report.mixed_mode);
-  text += text_tables(growth_tables(report));
+  text +=
+      text_tables(crack_growth_tables(report)) + text_tables(stiffness_over_life_tables(report));
   if (!report.cracks.empty())
     text += fmt::format("\n{} steps; halving each step changes time and sizes by at most {:.1e}.\n",
                         report.steps, report.step_error);
@@ -163,11 +169,10 @@ std::string growth_csv(const GrowthReport& report) {
   return csv_table(table);
 }
 
-std::vector<PlotPanel> growth_panels(const GrowthReport& report) {
+std::vector<PlotPanel> crack_growth_panels(const GrowthReport& report) {
   const DisplayUnit hour = hour_unit();
   const DisplayUnit size = size_unit();
   const DisplayUnit K = factor_unit();
-  const DisplayUnit stiffness = plotted_stiffness_unit();
   const std::string time = axis_label("time of duty", hour);
   PlotPanel sizes{.title = "Size of the cracks",
                   .subtitle = report.sentence,
@@ -193,9 +198,15 @@ std::vector<PlotPanel> growth_panels(const GrowthReport& report) {
     if (surface) sizes.series.push_back(std::move(c));
     ranges.series.push_back(std::move(range));
   }
+  return {std::move(sizes), std::move(ranges)};
+}
+
+std::vector<PlotPanel> stiffness_over_life_panels(const GrowthReport& report) {
+  const DisplayUnit hour = hour_unit();
+  const DisplayUnit stiffness = plotted_stiffness_unit();
   PlotPanel over{.title = "Stiffness of the drive",
                  .subtitle = "sum of the members",
-                 .x_label = time,
+                 .x_label = axis_label("time of duty", hour),
                  .y_label = axis_label("K", stiffness)};
   PlotSeries positive{.label = "T > 0"};
   PlotSeries negative{.label = "T < 0"};
@@ -206,9 +217,13 @@ std::vector<PlotPanel> growth_panels(const GrowthReport& report) {
     negative.y.push_back(at.negative / stiffness.in_si);
   }
   over.series = {std::move(positive), std::move(negative)};
-  return {std::move(sizes), std::move(ranges), std::move(over)};
+  return {std::move(over)};
 }
 
-std::string growth_plot(const GrowthReport& report) { return svg_plot(growth_panels(report)); }
+std::string growth_plot(const GrowthReport& report) {
+  std::vector<PlotPanel> panels = crack_growth_panels(report);
+  for (PlotPanel& panel : stiffness_over_life_panels(report)) panels.push_back(std::move(panel));
+  return svg_plot(panels);
+}
 
 }  // namespace strainwave

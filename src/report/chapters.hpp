@@ -24,6 +24,8 @@ struct Draft {
   std::vector<Note> notes = {};             ///< notes of the result and of other models, each once
   std::vector<std::string> equations = {};  ///< tags, each once
   std::string inputs_summary = {};          ///< number of inputs by origin; plain text
+  std::string life = {};    ///< what ends the life of the parts; plain text, empty: not computed
+  std::string growth = {};  ///< what ends the growth of the cracks; plain text, empty: not computed
 
   void add(const std::vector<Note>& more);
   void add(const std::vector<std::string>& tags);
@@ -41,11 +43,13 @@ struct Draft {
 [[nodiscard]] ReportSection shares_chapter(const Draft& draft);
 [[nodiscard]] ReportSection torsion_chapter(Draft& draft);
 /// Of a drive with a duty.
+[[nodiscard]] ReportSection duty_chapter(Draft& draft);
 [[nodiscard]] ReportSection life_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);
-[[nodiscard]] ReportSection growth_chapter(Draft& draft);
+/// The growth of each crack, and the stiffness until its end.
+[[nodiscard]] std::vector<ReportSection> growth_chapters(Draft& draft);
 [[nodiscard]] ReportSection notes_chapter(const Draft& draft);
 [[nodiscard]] ReportSection accuracy_chapter(const Draft& draft);
 [[nodiscard]] ReportSection equations_chapter(const Draft& draft);

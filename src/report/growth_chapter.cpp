@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <span>
 #include <string>
 #include <vector>
 
@@ -11,31 +10,23 @@
 #include "strainwave/layouts/growth.hpp"
 
 namespace strainwave::report {
-namespace {
 
-std::string figures_and_tables(const std::vector<PlotPanel>& panels,
-                               const std::vector<TitledTable>& tables) {
-  std::string html;
-  for (const PlotPanel& panel : panels)
-    html += plot_figure(svg_plot(std::span(&panel, 1)), panel.title + ".");
-  for (const TitledTable& one : tables) html += table(one);
-  return html;
-}
-
-}  // namespace
-
-ReportSection growth_chapter(Draft& draft) {
-  constexpr std::string_view kTitle = "Growth of the cracks";
+std::vector<ReportSection> growth_chapters(Draft& draft) {
+  const std::string title = "Growth of the cracks";
   try {
     const GrowthReport growth = grow_cracks(draft.gear, {}, draft.progress.part(0.85, 0.9));
     draft.add(growth.notes);
     draft.add(growth.equations);
-    return {"growth", std::string(kTitle),
-            paragraph(growth.sentence) +
-                figures_and_tables(growth_panels(growth), growth_tables(growth))};
+    draft.growth = growth.sentence;
+    return {
+        {"growth", title,
+         paragraph(growth.sentence) + figures(crack_growth_panels(growth)) +
+             tables(crack_growth_tables(growth))},
+        {"stiffness-over-time", "Stiffness over the time of duty",
+         figures(stiffness_over_life_panels(growth)) + tables(stiffness_over_life_tables(growth))}};
   } catch (const InputError& error) {
-    return {"growth", std::string(kTitle),
-            paragraph(std::string("The growth is not computed: ") + error.what(), "absent")};
+    return {{"growth", title,
+             paragraph(std::string("The growth is not computed: ") + error.what(), "absent")}};
   }
 }
 

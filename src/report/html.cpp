@@ -96,7 +96,7 @@ std::string table(const TitledTable& plain) {
   }
   std::erase_if(groups, [](const RowGroup& group) { return group.rows.empty(); });
   return table(plain.title, head, groups, {.style = "results", .numbers = 1}) +
-         (plain.remark.empty() ? std::string() : paragraph(escaped(plain.remark), "remark"));
+         (plain.remark.empty() ? std::string() : paragraph(plain.remark, "remark"));
 }
 
 std::string quantity(std::string_view path, const Quantity& q, double unit_in_si) {
@@ -213,6 +213,19 @@ std::string plot_figure(const std::string& svg, std::string_view caption) {
   if (role != std::string::npos)
     confined.insert(role, fmt::format("aria-label=\"{}\" ", escaped(caption)));
   return figure(confined, caption, "plot");
+}
+
+std::string figures(const std::vector<PlotPanel>& panels) {
+  std::string html;
+  for (const PlotPanel& panel : panels)
+    html += plot_figure(svg_plot(std::span(&panel, 1)), panel.title + ".");
+  return html;
+}
+
+std::string tables(const std::vector<TitledTable>& plain) {
+  std::string html;
+  for (const TitledTable& one : plain) html += table(one);
+  return html;
 }
 
 std::string paragraph(std::string_view text, std::string_view style) {

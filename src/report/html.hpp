@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/chart/chart.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 #include "strainwave/present/table.hpp"
 
@@ -70,6 +71,10 @@ struct BarChart {
 
 /// A plot of `svg_plot` whose style sheet is restricted to the plot.
 [[nodiscard]] std::string plot_figure(const std::string& svg, std::string_view caption);
+
+/// Each panel as a figure with its title as caption.
+[[nodiscard]] std::string figures(const std::vector<PlotPanel>& panels);
+[[nodiscard]] std::string tables(const std::vector<TitledTable>& plain);
 
 [[nodiscard]] std::string paragraph(std::string_view text, std::string_view style = {});
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <span>
-
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
@@ -28,9 +26,8 @@ ReportSection life_chapter(Draft& draft) {
                     "torque of {} and an average speed of the input of {}.",
                     life.answer, typeset_quantity(life.average.torque, "N*m"),
                     typeset_quantity(life.average.input_speed, "rad/s")));
-    for (const PlotPanel& panel : life_panels(life))
-      section.html += plot_figure(svg_plot(std::span(&panel, 1)), panel.title + ".");
-    for (const TitledTable& one : life_tables(life)) section.html += table(one);
+    section.html += figures(life_panels(life)) + tables(life_tables(life));
+    draft.life = life.answer + ".";
     draft.add(life.notes);
     draft.add(life.equations);
   } catch (const Error& error) {

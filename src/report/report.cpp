@@ -105,10 +105,12 @@ std::string verdict_html(const Draft& draft) {
   const auto& [style, word] = kVerdictWords[static_cast<std::size_t>(verdict.judgement)];
   std::string html = fmt::format("<div class=\"verdict {}\">\n<p class=\"word\">{}</p>\n",
                                  r.usable() ? style : kVerdictWords[2].style, word);
-  html += paragraph(escaped(verdict.reason));
-  if (!verdict.next_step.empty()) html += paragraph(escaped(verdict.next_step));
+  html += paragraph(verdict.reason);
+  if (!verdict.next_step.empty()) html += paragraph(verdict.next_step);
   const std::string strength = strength_words(draft);
   if (!strength.empty()) html += paragraph(strength);
+  if (!draft.life.empty()) html += paragraph("Life of the parts, without cracks: " + draft.life);
+  if (!draft.growth.empty()) html += paragraph("Growth of the cracks: " + draft.growth);
   for (const CrackStrength& crack : r.strength)
     if (crack.breaks())
       html +=
@@ -231,9 +233,13 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   made.sections.push_back(results_chapter(draft));
   made.sections.push_back(shares_chapter(draft));
   made.sections.push_back(torsion_chapter(draft));
-  if (gear.duty) made.sections.push_back(life_chapter(draft));
+  if (gear.duty) {
+    made.sections.push_back(duty_chapter(draft));
+    made.sections.push_back(life_chapter(draft));
+  }
   if (gear.duty && draft.corrected() && !draft.cracks.empty())
-    made.sections.push_back(growth_chapter(draft));
+    for (ReportSection& section : growth_chapters(draft))
+      made.sections.push_back(std::move(section));
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));

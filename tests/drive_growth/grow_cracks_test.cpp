@@ -277,6 +277,28 @@ TEST(GrowCracks, BehaviourInteractionSlows) {  // GR-27
   test::expect_relative(slowed.repetitions, repetitions, 5e-3);
 }
 
+TEST(GrowCracks, BehaviourRowsLieEvenlyAlongTheirCurve) {
+  GrowthOptions options;
+  options.points = 12;
+  for (const char* const name : {"growing_shaft", "growing_size25"}) {
+    const GrowthReport report = grow_cracks(
+        read_gear_set_file(std::string(STRAINWAVE_EXAMPLES "/") + name + ".toml"), options);
+    const std::vector<GrowthPoint>& rows = report.cracks.back().series;
+    ASSERT_GT(rows.size(), 6U) << name;
+    ASSERT_LE(rows.size(), 12U) << name;
+    const double time = rows.back().time - rows.front().time;
+    const double size = rows.back().size - rows.front().size;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const double step = std::hypot((rows[i].time - rows[i - 1].time) / time,
+                                     (rows[i].size - rows[i - 1].size) / size);
+      // A curve through the corners of a square is 1.4 to 2 long.  Steps of the integration are
+      // longer than the spacing of 0.13 at some places, so the rows are not spaced exactly.
+      EXPECT_GT(step, 0.01) << name << ": row " << i;
+      EXPECT_LT(step, 0.5) << name << ": row " << i;
+    }
+  }
+}
+
 TEST(GrowCracks, InputEachRuleBrokenOnce) {
   const auto message = [](const GearSet& gear, const GrowthOptions& options = {}) {
     return test::broken_rule([&] { return grow_cracks(gear, options); });

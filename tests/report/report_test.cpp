@@ -579,6 +579,34 @@ TEST(Report, CrosscheckElasticitiesAreThoseOfTheSensitivity) {
             std::string::npos);
 }
 
+TEST(Report, BehaviourADriveWithADutyHasItsChaptersAndItsAnswers) {
+  const Report report = report_on(text_of("growing_size25"));
+  ASSERT_NO_THROW((void)parsed(report_html(report)));
+  for (const char* const id : {"duty", "life", "growth", "stiffness-over-time"})
+    EXPECT_NE(section(report, id).html.find("<figure"), std::string::npos) << id;
+  EXPECT_NE(section(report, "duty").html.find("Average torque"), std::string::npos);
+  EXPECT_NE(section(report, "life").html.find("wave generator bearing"), std::string::npos);
+  EXPECT_NE(section(report, "growth").html.find("flexspline.crack[1]"), std::string::npos);
+  // The head of the report gives both answers.
+  EXPECT_NE(report.verdict.find("Life of the parts, without cracks: ends by"), std::string::npos);
+  EXPECT_NE(report.verdict.find("Growth of the cracks: The solution for flexspline.crack[1] ends"),
+            std::string::npos);
+  const Report without = report_on(text_of("article"));
+  for (const char* const id : {"duty", "life", "growth", "stiffness-over-time"})
+    for (const ReportSection& one : without.sections) EXPECT_NE(one.id, id);
+  EXPECT_EQ(without.verdict.find("Life of the parts"), std::string::npos);
+}
+
+TEST(Report, BehaviourNoTextIsEscapedTwice) {
+  for (const char* const name : {"growing_size25", "article", "cracked_size25"}) {
+    const Report report = report_on(text_of(name));
+    std::string html = report.verdict;
+    for (const ReportSection& one : report.sections) html += one.html;
+    for (const char* const twice : {"&amp;#39;", "&amp;lt;", "&amp;gt;", "&amp;quot;", "&amp;amp;"})
+      EXPECT_EQ(html.find(twice), std::string::npos) << name << ": " << twice;
+  }
+}
+
 TEST(Report, LimitADriveThatTheLibraryWasGivenWithoutATextHasOne) {
   const GearSet gear = test::article_gear();
   const Report report = make_report(gear, kProvenance, {});
