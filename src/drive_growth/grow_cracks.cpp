@@ -252,17 +252,11 @@ class Growing {
   std::vector<CrackSize> unchanged_;
 };
 
-/// At most n of the rows, with the first and the last one, evenly spaced along their curve y(x) in
-/// a square frame, so that neither a slow begin nor many short steps at one place take most of
-/// them.
+/// At most n of the rows, with the first and the last one, spread along their curve y(x) in a
+/// square frame, so that many short steps at one place do not take most of them.
 template <class Row, class X, class Y>
 std::vector<std::size_t> spread_rows(const std::vector<Row>& rows, int n, X x, Y y) {
-  std::vector<std::size_t> kept;
-  const auto keep = static_cast<std::size_t>(n);
-  if (rows.size() <= keep) {
-    for (std::size_t i = 0; i < rows.size(); ++i) kept.push_back(i);
-    return kept;
-  }
+  if (rows.size() < 2) return std::vector<std::size_t>(rows.size(), 0);
   const auto extent = [&](auto member) {
     const auto [least, most] = std::ranges::minmax(rows, {}, member);
     const double size = std::invoke(member, most) - std::invoke(member, least);
@@ -275,9 +269,10 @@ std::vector<std::size_t> spread_rows(const std::vector<Row>& rows, int n, X x, Y
     along.push_back(along.back() +
                     std::hypot((std::invoke(x, rows[i]) - std::invoke(x, rows[i - 1])) / width,
                                (std::invoke(y, rows[i]) - std::invoke(y, rows[i - 1])) / height));
-  const double spacing = along.back() / static_cast<double>(keep - 1);
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    if (kept.size() + 1 < keep && along[i] >= static_cast<double>(kept.size()) * spacing)
+  const double spacing = along.back() / (n - 1);
+  std::vector<std::size_t> kept = {0};
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+    if (along[i] - along[kept.back()] >= spacing && along.back() - along[i] >= spacing)
       kept.push_back(i);
   kept.push_back(rows.size() - 1);
   return kept;

@@ -259,8 +259,10 @@ std::vector<PlotPanel> duty_panels(const DutyReport& report) {
   if (report.history)
     return {
         ranges_panel(fmt::format("Cycles of {}", report.history->column), report.history->counted)};
-  return {torque_panel(*report.drive),
-          ranges_panel("Cycles of the torque in one repetition", report.drive->torque)};
+  std::vector<PlotPanel> panels = {torque_panel(*report.drive)};
+  if (report.drive->torque.rows.size() > 1)  // else a single point
+    panels.push_back(ranges_panel("Cycles of the torque in one repetition", report.drive->torque));
+  return panels;
 }
 
 std::string duty_plot(const DutyReport& report, const GearSet& gear) {

@@ -14,7 +14,8 @@ namespace strainwave {
 [[nodiscard]] std::vector<std::string> duty_sentences(const DriveDuty& duty);
 /// The loads and cycles of each place, the counted cycles of the torque, and the peaks.
 [[nodiscard]] std::vector<TitledTable> duty_tables(const DriveDuty& duty);
-/// Panels of the torque over the time, and of the ranges over the number of cycles.
+/// Panels of the torque over the time, and of the ranges over the number of cycles, if there is
+/// more than one range.
 [[nodiscard]] std::vector<PlotPanel> duty_panels(const DutyReport& report);
 /// What each place bears, or the counted cycles of a history.
 [[nodiscard]] std::string duty_text(const DutyReport& report, const GearSet& gear);
