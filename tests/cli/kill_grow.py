@@ -4,11 +4,12 @@
 Each run of the program is killed by SIGKILL after a random share of the time that a whole run takes.
 The next run goes on from the checkpoint.  A run that ends by itself must have written the same bytes
 as a run without a checkpoint, and the next one starts again.  At no moment may the output file be
-there in part.
+there in part.  The environment variable STRAINWAVE_LONG asks for a thousand kills in place of a hundred.
 
 usage: kill_grow.py PROGRAM
 """
 
+import os
 import pathlib
 import random
 import subprocess
@@ -17,7 +18,7 @@ import tempfile
 import time
 
 DRIVE = pathlib.Path(__file__).resolve().parents[2] / "examples/resonant_shaft.toml"
-KILLS = 100
+KILLS = 1000 if os.environ.get("STRAINWAVE_LONG") else 100
 LEAST_ENDS = 3  # fewer would mean that a killed run begins anew each time
 
 

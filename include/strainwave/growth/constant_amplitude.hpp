@@ -48,7 +48,7 @@ struct ConstantAmplitudeGrowth {
 template <class CycleAt>
 [[nodiscard]] ConstantAmplitudeGrowth grow_at_constant_amplitude(
     const RateLaw& law, const CycleAt& cycle_at, double from, double to,
-    const GrowthLimits& limits = {}, double tolerance = 1e-10, int steps = 64) {
+    const GrowthLimits& limits = {}, double tolerance = 1e-10, int steps = 24) {
   require_constants(law);
   require(from > 0 && std::isfinite(from), "from", from, "m", "> 0");
   require(to > from && std::isfinite(to), "to", to, "m", "larger than the first size");
