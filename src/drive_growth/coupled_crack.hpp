@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "strainwave/drive_growth/growing_crack.hpp"
 #include "strainwave/life/load_history.hpp"
 
-// Stress intensity of an axial crack of the rim over a turn, from the coupled drive.
+// Stress intensity of the axial cracks of rim, outer ring and circular spline over a turn, from the
+// coupled drive.
 
 namespace strainwave {
 
-/// The crack in the form of all cracks, and at the torques of the duty.
-struct RimCrack {
-  DriveCrack crack;
-  CracksAtTorques at_torque;
+/// A crack that acts in the contacts, in the form of all cracks.
+struct CoupledCrack {
+  bool known = false;         ///< whether K is known; otherwise a note says why it is not
+  DriveCrack crack;           ///< only if K is known
+  CracksAtTorques at_torque;  ///< the crack at the torques of the duty
+  std::vector<Note> notes;    ///< on the stress of the crack
 };
 
-/// Implements theory manual eq. (GR-29).
-/// @param gear   gives enough for the coupled drive
-/// @throws Error  if the coupled drive has no solution at a torque of the duty
-[[nodiscard]] RimCrack rim_crack(const GearSet& gear, const std::string& path,
-                                 const RimAxialCrack& crack, const DutyHistory& history);
+/// Implements theory manual eqs. (GR-29), (GR-33), (GR-38).
+/// @param gear   has passed `check`
+/// @param crack  of drive_cracks(gear); one that acts in the coupled drive
+[[nodiscard]] CoupledCrack coupled_crack(const GearSet& gear, const DriveCrack& crack,
+                                         const DutyHistory& history);
 
 }  // namespace strainwave

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "coupled_crack.hpp"
 #include "notes.hpp"
-#include "rim_crack.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
@@ -192,21 +192,6 @@ class Growing {
   }
 
  private:
-  /// The axial crack of the rim at a path, if the file gives the coupled drive.
-  [[nodiscard]] std::optional<RimCrack> rim_crack_at(const std::string& wanted) const {
-    if (!missing_for_torsion_curve(gear_).empty()) return std::nullopt;
-    std::optional<RimCrack> found;
-    for_each_crack(gear_, [&](const std::string& path, const auto& crack) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, RimAxialCrack>)
-        if (path == wanted) try {
-            found = rim_crack(gear_, path, crack, history_);
-          } catch (const SolverError&) {
-            // The coupled drive has no equilibrium at a torque of the duty; the crack is named.
-          }
-    });
-    return found;
-  }
-
   void take_cracks() {
     cracks_.clear();
     first_.clear();
@@ -219,13 +204,11 @@ class Growing {
       unchanged_.push_back(all[i].size);
       CracksAtTorques at_torque;
       if (all[i].acts_in_coupled_drive) {
-        std::optional<RimCrack> rim = rim_crack_at(all[i].path);
-        if (!rim) {
-          if (first_time) report_.notes.push_back(coupled_crack_note(all[i].path));
-          continue;
-        }
-        all[i] = std::move(rim->crack);
-        at_torque = std::move(rim->at_torque);
+        CoupledCrack coupled = coupled_crack(gear_, all[i], history_);
+        if (first_time) take_evidence(coupled);
+        if (!coupled.known) continue;
+        all[i] = std::move(coupled.crack);
+        at_torque = std::move(coupled.at_torque);
         unchanged_.back() = all[i].size;
       }
       if (all[i].turning == TurningLoad::balls &&
@@ -238,6 +221,13 @@ class Growing {
       first_.push_back(at);
       at += cracks_.back().tips().size();
     }
+  }
+
+  void take_evidence(const CoupledCrack& of) {
+    report_.notes.insert(report_.notes.end(), of.notes.begin(), of.notes.end());
+    for (const std::string& tag : of.crack.equations)
+      if (std::ranges::find(report_.equations, tag) == report_.equations.end())
+        report_.equations.push_back(tag);
   }
 
   GearSet gear_;

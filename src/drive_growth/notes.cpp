@@ -94,13 +94,25 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
 
 }  // namespace
 
-Note coupled_crack_note(const std::string& path) {
+Note coupled_crack_note(const std::string& path, const std::string& why,
+                        const char* next_step) {
   return {.code = "growth.coupled",
-          .text = "the stress intensity of this crack is not known, so its growth is not computed",
+          .text = fmt::format("the stress intensity of this crack is not known, so its growth is "
+                              "not computed: {}",
+                              why),
           .path = path,
-          .equation = "TC-22",
+          .equation = "GR-33",
           .severity = Severity::cannot_tell,
-          .next_step = "Inspect the part, or assess the crack by finite elements."};
+          .next_step = next_step};
+}
+
+Note tooth_crack_note(const std::string& path) {
+  return {.code = "growth.no_size",
+          .text = "a crack of a tooth has a loss of stiffness and no size, so it cannot grow",
+          .path = path,
+          .equation = "TC-21",
+          .severity = Severity::cannot_tell,
+          .next_step = "Give a crack of the rim from the root in its place, kind = \"rim_axial\"."};
 }
 
 Note unknown_balls_note(const std::string& path) {

@@ -23,8 +23,12 @@ namespace strainwave {
 void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size,
                      double amplification);
 
-/// A crack that only the coupled drive models.
-[[nodiscard]] Note coupled_crack_note(const std::string& path);
+/// A crack that only the coupled drive models, and that gets no stress from it.
+[[nodiscard]] Note coupled_crack_note(const std::string& path, const std::string& why,
+                                      const char* next_step);
+
+/// A crack of a tooth, which has no size.
+[[nodiscard]] Note tooth_crack_note(const std::string& path);
 
 /// A crack of a race in a bearing whose balls are not counted.
 [[nodiscard]] Note unknown_balls_note(const std::string& path);

@@ -48,6 +48,7 @@ struct FrontIntensity {
 enum class TurningLoad {
   none,     ///< the crack sees the torque alone
   wave,     ///< the assembly, whose sign changes with each wave
+  wave_at_spline,  ///< the same, seen from the circular spline, which passes fewer waves
   bending,  ///< a bending moment fixed in space, round which the crack turns
   balls,    ///< the pressure of the balls, from 0 to its full value and back
 };
