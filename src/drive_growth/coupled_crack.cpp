@@ -210,6 +210,7 @@ CoupledCrack known_crack(const GearSet& gear, const DriveCrack& crack, const Cra
   made.unknown = ring.unknown;
   made.next_step = ring.next_step;
   made.equations.assign(ring.equations.begin(), ring.equations.end());
+  if (gear.duty->resonance) known.notes.push_back(not_amplified_note(made.path));
   std::optional<sif::NotchEdgeCrack> root;
   if (place.part == CrackedPart::rim) root = tooth_root(gear, place.depth);
   if (root) {
@@ -221,7 +222,9 @@ CoupledCrack known_crack(const GearSet& gear, const DriveCrack& crack, const Cra
     made.next_step.clear();
   }
   const AssembledDrive drive(without_cracks(gear));
-  for (const double torque : torques_of(history, false)) {
+  const std::vector<double> torques = torques_of(history, false);
+  (void)twists(drive, torques);  // throws if the flanks do not hold
+  for (const double torque : torques) {
     const auto turn = std::make_shared<std::vector<HoopStress>>(ring.over_turn(drive, torque));
     made.front = [turn, thickness, root, inside = place.from_inside](const CrackSize& size, Faces) {
       const EdgeFactors factors = root ? factors_of_notch(*root, size.size)

@@ -170,6 +170,26 @@ class Growing {
     return std::nullopt;
   }
 
+  /// Whether a crack grows under the loads of the duty times a factor; absent: not known.
+  [[nodiscard]] std::optional<bool> grows(std::size_t k, const CrackSize& size, double factor,
+                                          double amplification) const {
+    const auto any = [&](const GrowingCrack& crack, double by) {
+      return std::ranges::any_of(crack.loads(size, by), [&](const std::vector<TipLoad>& at_tip) {
+        return crack.growth(at_tip, size.size) > 0;
+      });
+    };
+    if (!coupled_[k]) return any(cracks_[k], factor * amplification);
+    // K of the coupled drive is not proportional to the torque.
+    DutyHistory scaled = history_;
+    for (DutyStep& step : scaled.steps) step = times(step, factor);
+    for (DutyMomentaryPeak& peak : scaled.peaks) peak.step = times(peak.step, factor);
+    CoupledCrack crack = coupled_crack(gear_, drive_cracks(gear_)[in_drive_[k]], scaled);
+    if (!crack.known) return std::nullopt;
+    return any(GrowingCrack(gear_, std::move(crack.crack), scaled, options_.rate,
+                            std::move(crack.at_torque)),
+               1.0);
+  }
+
   /// Repetitions after which the duty ends.
   [[nodiscard]] double last_repetition() const {
     double last = kLongestDuty / duration();
@@ -192,8 +212,16 @@ class Growing {
   }
 
  private:
+  [[nodiscard]] static DutyStep times(DutyStep step, double factor) {
+    step.torque *= factor;
+    step.axial_force *= factor;
+    step.bending_moment *= factor;
+    return step;
+  }
+
   void take_cracks() {
     cracks_.clear();
+    coupled_.clear();
     first_.clear();
     in_drive_.clear();
     unchanged_.clear();
@@ -203,7 +231,8 @@ class Growing {
     for (std::size_t i = 0; i < all.size(); ++i) {
       unchanged_.push_back(all[i].size);
       CracksAtTorques at_torque;
-      if (all[i].acts_in_coupled_drive) {
+      const bool coupled_drive = all[i].acts_in_coupled_drive;
+      if (coupled_drive) {
         CoupledCrack coupled = coupled_crack(gear_, all[i], history_);
         if (first_time) take_evidence(coupled);
         if (!coupled.known) continue;
@@ -217,6 +246,7 @@ class Growing {
         continue;
       }
       in_drive_.push_back(i);
+      coupled_.push_back(coupled_drive);
       cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));
       first_.push_back(at);
       at += cracks_.back().tips().size();
@@ -239,6 +269,7 @@ class Growing {
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;     // first tip of each crack in the state
   std::vector<std::size_t> in_drive_;  // index among drive_cracks
+  std::vector<bool> coupled_;          // whether K comes from the coupled drive
   std::vector<CrackSize> unchanged_;
 };
 
@@ -595,10 +626,13 @@ class Path {
 
   /// What would let the cracks grow that stand still at the end.
   void describe_rest(const State& state) {
-    for (std::size_t k = 0; k < growing_.cracks().size(); ++k)
-      if (stands_still_[k])
-        describe_arrest(report_.cracks[k], growing_.cracks()[k], growing_.size_of(state, k),
-                        growing_.amplification(state));
+    for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
+      if (!stands_still_[k]) continue;
+      const CrackSize size = growing_.size_of(state, k);
+      const double amplification = growing_.amplification(state);
+      describe_arrest(report_.cracks[k], growing_.cracks()[k], size, amplification,
+                      [&](double factor) { return growing_.grows(k, size, factor, amplification); });
+    }
   }
 
   /// Adds a row to the series, if the last one is far enough.
