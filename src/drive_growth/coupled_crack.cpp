@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -137,6 +139,27 @@ EdgeFactors factors_of_notch(const sif::NotchEdgeCrack& notch, double depth) {
   return {.membrane = K[0], .bending = K[1]};  // (GR-38)
 }
 
+/// The factors of a crack at a size, computed once for the fronts of all torques.
+class FactorsOfSize {
+ public:
+  FactorsOfSize(double thickness, std::optional<sif::NotchEdgeCrack> root)
+      : thickness_(thickness), root_(std::move(root)) {}
+
+  [[nodiscard]] const EdgeFactors& at(double depth) {
+    if (depth != depth_) {
+      factors_ = root_ ? factors_of_notch(*root_, depth) : factors_of_edge(depth, thickness_);
+      depth_ = depth;
+    }
+    return factors_;
+  }
+
+ private:
+  double thickness_;
+  std::optional<sif::NotchEdgeCrack> root_;
+  double depth_ = 0.0;
+  EdgeFactors factors_;
+};
+
 /// The concentration at a tooth root, and the limits of its solution.
 Note root_note(const std::string& path, const sif::NotchEdgeCrack& notch) {
   std::string outside;
@@ -155,19 +178,52 @@ Note root_note(const std::string& path, const sif::NotchEdgeCrack& notch) {
                        "concentration out."};
 }
 
+/// Parts of the hoop stress at one place of a turn [Pa].
+struct StressParts {
+  double membrane = 0.0;
+  double bending = 0.0;  ///< at the cracked surface
+};
+
+/// The places of a turn at which some K of positive factors may have its largest or least value:
+/// the corners of the convex hull of the two parts.
+std::vector<StressParts> corners(const std::vector<HoopStress>& turn, bool inside) {
+  std::vector<StressParts> points;
+  for (const HoopStress& at : turn)
+    points.push_back(
+        {.membrane = (at.outside + at.inside) / 2,
+         .bending = (inside ? at.inside - at.outside : at.outside - at.inside) / 2});
+  std::ranges::sort(points, [](const StressParts& a, const StressParts& b) {
+    return std::pair(a.membrane, a.bending) < std::pair(b.membrane, b.bending);
+  });
+  std::vector<StressParts> hull;
+  const auto add = [&](const StressParts& point, std::size_t least) {
+    const auto turns_back = [&] {
+      const StressParts& a = hull[hull.size() - 2];
+      const StressParts& b = hull.back();
+      return (b.membrane - a.membrane) * (point.bending - a.bending) <=
+             (b.bending - a.bending) * (point.membrane - a.membrane);
+    };
+    while (hull.size() >= least + 2 && turns_back()) hull.pop_back();
+    hull.push_back(point);
+  };
+  for (const StressParts& point : points) add(point, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (std::size_t i = points.size(); i-- > 0;) add(points[i], lower);
+  return hull;
+}
+
 /// K over a turn as its mean and half of its range.
-FrontIntensity over_turn(const std::vector<HoopStress>& turn, const EdgeFactors& of, bool inside) {
+FrontIntensity over_turn(const std::vector<StressParts>& turn, const EdgeFactors& of) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  for (const HoopStress& at : turn) {
-    const double bending = (inside ? at.inside - at.outside : at.outside - at.inside) / 2;
-    const double K = of.membrane * (at.outside + at.inside) / 2 + of.bending * bending;  // (GR-29)
+  for (const StressParts& at : turn) {
+    const double K = of.membrane * at.membrane + of.bending * at.bending;  // (GR-29), (GR-33)
     least = std::min(least, K);
     most = std::max(most, K);
   }
   FrontIntensity front;
   front.constant[0] = (most + least) / 2;
-  front.assembly[0] = (most - least) / 2;  // (GR-33)
+  front.assembly[0] = (most - least) / 2;
   return front;
 }
 
@@ -224,12 +280,13 @@ CoupledCrack known_crack(const GearSet& gear, const DriveCrack& crack, const Cra
   const AssembledDrive drive(without_cracks(gear));
   const std::vector<double> torques = torques_of(history, false);
   (void)twists(drive, torques);  // throws if the flanks do not hold
+  // All torques have the same factors at a size.
+  const auto factors = std::make_shared<FactorsOfSize>(thickness, root);
   for (const double torque : torques) {
-    const auto turn = std::make_shared<std::vector<HoopStress>>(ring.over_turn(drive, torque));
-    made.front = [turn, thickness, root, inside = place.from_inside](const CrackSize& size, Faces) {
-      const EdgeFactors factors = root ? factors_of_notch(*root, size.size)
-                                       : factors_of_edge(size.size, thickness);
-      return std::vector<FrontIntensity>{strainwave::over_turn(*turn, factors, inside)};
+    const auto turn = std::make_shared<std::vector<StressParts>>(
+        corners(ring.over_turn(drive, torque), place.from_inside));
+    made.front = [turn, factors](const CrackSize& size, Faces) {
+      return std::vector<FrontIntensity>{over_turn(*turn, factors->at(size.size))};
     };
     known.at_torque.emplace_back(torque, made);
   }
