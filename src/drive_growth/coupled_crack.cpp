@@ -166,16 +166,18 @@ Note root_note(const std::string& path, const sif::NotchEdgeCrack& notch) {
   notch.validity([&](bool within, const char* limit) {
     if (!within) outside += (outside.empty() ? "; outside its range: " : ", ") + std::string(limit);
   });
-  return {.code = "growth.tooth_root",
-          .text = fmt::format(
-              "the concentration of the stress at the tooth root, K_t = {:.3g}, is an estimate for a "
-              "row of deep grooves, which neither finite elements nor tests confirm{}",
-              notch.concentration, outside),
-          .path = path,
-          .equation = "GR-38",
-          .severity = Severity::care,
-          .next_step = "Compare with the growth without flexspline.tooth_root, which leaves the "
-                       "concentration out."};
+  return {
+      .code = "growth.tooth_root",
+      .text = fmt::format(
+          "the concentration of the stress at the tooth root, K_t = {:.3g}, is an estimate for a "
+          "row of deep grooves, which neither finite elements nor tests confirm{}",
+          notch.concentration, outside),
+      .path = path,
+      .equation = "GR-38",
+      .severity = Severity::care,
+      .next_step =
+          "Compare with the growth without flexspline.tooth_root, which leaves the "
+          "concentration out."};
 }
 
 /// Parts of the hoop stress at one place of a turn [Pa].
@@ -189,9 +191,8 @@ struct StressParts {
 std::vector<StressParts> corners(const std::vector<HoopStress>& turn, bool inside) {
   std::vector<StressParts> points;
   for (const HoopStress& at : turn)
-    points.push_back(
-        {.membrane = (at.outside + at.inside) / 2,
-         .bending = (inside ? at.inside - at.outside : at.outside - at.inside) / 2});
+    points.push_back({.membrane = (at.outside + at.inside) / 2,
+                      .bending = (inside ? at.inside - at.outside : at.outside - at.inside) / 2});
   std::ranges::sort(points, [](const StressParts& a, const StressParts& b) {
     return std::pair(a.membrane, a.bending) < std::pair(b.membrane, b.bending);
   });

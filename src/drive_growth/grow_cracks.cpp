@@ -630,8 +630,9 @@ class Path {
       if (!stands_still_[k]) continue;
       const CrackSize size = growing_.size_of(state, k);
       const double amplification = growing_.amplification(state);
-      describe_arrest(report_.cracks[k], growing_.cracks()[k], size, amplification,
-                      [&](double factor) { return growing_.grows(k, size, factor, amplification); });
+      describe_arrest(
+          report_.cracks[k], growing_.cracks()[k], size, amplification,
+          [&](double factor) { return growing_.grows(k, size, factor, amplification); });
     }
   }
 

@@ -94,8 +94,7 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
 
 }  // namespace
 
-Note coupled_crack_note(const std::string& path, const std::string& why,
-                        const char* next_step) {
+Note coupled_crack_note(const std::string& path, const std::string& why, const char* next_step) {
   return {.code = "growth.coupled",
           .text = fmt::format("the stress intensity of this crack is not known, so its growth is "
                               "not computed: {}",
@@ -108,13 +107,15 @@ Note coupled_crack_note(const std::string& path, const std::string& why,
 
 Note not_amplified_note(const std::string& path) {
   return {.code = "growth.not_amplified",
-          .text = "the amplification by duty.resonance does not reach this crack, because its stress "
-                  "is not proportional to the torque",
+          .text =
+              "the amplification by duty.resonance does not reach this crack, because its stress "
+              "is not proportional to the torque",
           .path = path,
           .equation = "GR-28",
           .severity = Severity::cannot_tell,
-          .next_step = "Give the torques with their vibration in the duty, and leave out "
-                       "duty.resonance."};
+          .next_step =
+              "Give the torques with their vibration in the duty, and leave out "
+              "duty.resonance."};
 }
 
 Note tooth_crack_note(const std::string& path) {

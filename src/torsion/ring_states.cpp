@@ -14,9 +14,9 @@ using std::numbers::pi;
 
 /// A ring with its internal forces per curvature and its hoop stresses per moment and force.
 struct Section {
-  double bending = 0.0;    // M per unit of curvature [N*m^2]
-  double fibre = 0.0;      // stress of the outer surface per unit of curvature [N/m]
-  double area = 0.0;       // [m^2]
+  double bending = 0.0;     // M per unit of curvature [N*m^2]
+  double fibre = 0.0;       // stress of the outer surface per unit of curvature [N/m]
+  double area = 0.0;        // [m^2]
   double hoop_share = 0.0;  // of the hoop force of a free ring [-]
 };
 
@@ -56,8 +56,8 @@ std::vector<RingState> ring_states(const AssembledDrive& assembled, BendingRing 
   const ElasticRings& rings = contents.drive.rings();
   const Eigen::VectorXd x = contents.drive.coefficients_of(state.force);
   const bool outer = ring == BendingRing::outer_ring;
-  const Section section = outer ? outer_ring(contents.geometry)
-                                : circular_spline(contents.gear, contents.geometry);
+  const Section section =
+      outer ? outer_ring(contents.geometry) : circular_spline(contents.gear, contents.geometry);
   const ElasticRings::HoopForce hoop = rings.spline_hoop_force(state.force);
   std::vector<RingState> states;
   for (int i = 0; i < positions; ++i) {

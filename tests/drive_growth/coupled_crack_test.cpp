@@ -79,8 +79,8 @@ std::vector<Stress> stresses(GearSet gear, Ring ring, double torque) {
   const BendingRing of =
       ring == Ring::outer_ring ? BendingRing::outer_ring : BendingRing::circular_spline;
   for (const RingState& at : ring_states(AssembledDrive(gear), of, torque, 360))
-    turn.push_back({(at.outside_stress + at.inside_stress) / 2,
-                    (at.inside_stress - at.outside_stress) / 2});
+    turn.push_back(
+        {(at.outside_stress + at.inside_stress) / 2, (at.inside_stress - at.outside_stress) / 2});
   return turn;
 }
 
@@ -130,8 +130,8 @@ TEST(CoupledCrack, ReferenceStressOfTheSoundDrive) {  // GR-29, GR-33
       const double root = std::sqrt(pi * depth);
       const TurnExtremes K =
           turn_extremes(stresses(gear, ring, torque),
-                   root * sif::edge_crack_factor(sif::StripLoading::tension, alpha),
-                   root * sif::edge_crack_factor(sif::StripLoading::bending, alpha));
+                        root * sif::edge_crack_factor(sif::StripLoading::tension, alpha),
+                        root * sif::edge_crack_factor(sif::StripLoading::bending, alpha));
       const GrowthPoint& first = report.cracks[0].series.front();
       test::expect_relative(first.K_max, K.most, 1e-9);
       test::expect_relative(first.delta_K, K.most - K.least, 1e-9);
@@ -245,7 +245,8 @@ TEST(CoupledCrack, CrosscheckShallowCrackAtAnEllipticalHole) {  // GR-38
     ++seen;
     const GearSet gear = with_root(82, row("depth"), row("root_radius"));
     const auto turn = stresses(gear, Ring::rim, 82);
-    // Near the surface the membrane and the bending part act alike, but for the slope of the latter.
+    // Near the surface the membrane and the bending part act alike, but for the slope of the
+    // latter.
     const TurnExtremes K = turn_extremes(turn, row.value, row.value);
     EXPECT_NEAR(first_point(gear).K_max / K.most, 1, row("depth") < 5e-6 ? 1e-2 : 4e-2);
   }

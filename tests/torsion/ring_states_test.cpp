@@ -81,7 +81,8 @@ ThinRing spline_by_statics(const GearSet& gear, const CurvePoint& point, double 
 
 TEST(RingStates, ReferenceFourierCoefficients) {  // TC-38, TC-39
   // tools/reference/coupled_drive.py solves the drive without condensation, takes the curvatures
-  // from the shapes on a grid, and the hoop force from a staircase.  Tolerance: digits of the table.
+  // from the shapes on a grid, and the hoop force from a staircase.  Tolerance: digits of the
+  // table.
   const GearSet gear = [] {
     GearSet drive = test::typical_drive(25, 100);
     test::half_free(drive);
@@ -128,8 +129,8 @@ TEST(RingStates, ReferenceRingUnderTwoOppositeForces) {  // TC-39
   const Eigen::VectorXd x = rings.coefficients_of(force);
   const auto hoop = rings.spline_hoop_force(force);
   for (const double theta : {0.0, 0.2, 0.7, 1.3, pi / 2, 2.5, 4.0}) {
-    const double moment = drive.contents().geometry.spline_bending *
-                          rings.spline_curvature(x, theta + pitch / 2);
+    const double moment =
+        drive.contents().geometry.spline_bending * rings.spline_curvature(x, theta + pitch / 2);
     EXPECT_NEAR(moment / (P * R), 1 / pi - std::abs(std::sin(theta)) / 2, theta == 0 ? 3e-3 : 1e-4)
         << theta;
     EXPECT_NEAR(hoop.at(theta), 0.0, 1e-12 * P);
@@ -143,21 +144,19 @@ TEST(RingStates, CrosscheckCircularSplineByStatics) {  // TC-39
     const CoupledOptions fine{.harmonics = 128};
     const CurvePoint point = test::point_at(gear, T, fine);
     const auto states = states_of(gear, BendingRing::circular_spline, T, 50, fine);  // at gaps
-    const double section = gear.circular_spline->width *
-                           (gear.circular_spline->outer_diameter -
-                            gear.circular_spline->inner_diameter) /
-                           2;
-    const double modulus = section *
-                           (gear.circular_spline->outer_diameter -
-                            gear.circular_spline->inner_diameter) /
-                           12;
+    const double section =
+        gear.circular_spline->width *
+        (gear.circular_spline->outer_diameter - gear.circular_spline->inner_diameter) / 2;
+    const double modulus =
+        section * (gear.circular_spline->outer_diameter - gear.circular_spline->inner_diameter) /
+        12;
     for (const RingState& state : states) {
       const ThinRing thin = spline_by_statics(gear, point, state.position);
       EXPECT_NEAR(state.bending_moment, thin.moment, 3e-3 * largest_moment(states));
       EXPECT_NEAR(state.hoop_force, thin.hoop, 2e-2 * largest_hoop_force(states));
       // Navier's stresses of the section.
-      EXPECT_NEAR(state.outside_stress,
-                  state.hoop_force / section + state.bending_moment / modulus, 1e-3);
+      EXPECT_NEAR(state.outside_stress, state.hoop_force / section + state.bending_moment / modulus,
+                  1e-3);
       EXPECT_NEAR(state.inside_stress, state.hoop_force / section - state.bending_moment / modulus,
                   1e-3);
     }
@@ -168,7 +167,8 @@ TEST(RingStates, IdentityOuterRingBendsWithTheRim) {  // TC-38
   // Curvature by differences of the rim's shape; their error is (32 h)^2/12 of the highest mode.
   const GearSet gear = test::supported_drive();
   const BearingRing& ring = *gear.wave_generator->bearing->outer_ring;
-  const double R = (gear.flexspline->rim->outer_diameter - gear.flexspline->rim->wall_thickness) / 2;
+  const double R =
+      (gear.flexspline->rim->outer_diameter - gear.flexspline->rim->wall_thickness) / 2;
   constexpr int kCount = 2048;
   const double h = 2 * pi / kCount;
   const auto rim = rim_states(gear, 30.0, kCount);
@@ -176,8 +176,7 @@ TEST(RingStates, IdentityOuterRingBendsWithTheRim) {  // TC-38
   const double E = 206 * units::GPa;
   for (std::size_t i = 1; i + 1 < kCount; i += 41) {
     const double w = rim[i].radial;
-    const double kappa =
-        -((rim[i + 1].radial - 2 * w + rim[i - 1].radial) / (h * h) + w) / (R * R);
+    const double kappa = -((rim[i + 1].radial - 2 * w + rim[i - 1].radial) / (h * h) + w) / (R * R);
     const double section = ring.width * std::pow(ring.thickness, 3) / 12;
     EXPECT_NEAR(states[i].bending_moment, ring.groove_factor * E * section * kappa,
                 2e-3 * largest_moment(states));
@@ -243,7 +242,8 @@ TEST(RingStates, LimitStiffRings) {
 
 TEST(RingStates, ReferenceStressOfTheWave) {  // TC-38
   // A ring bent to w_0 cos 2 theta has E' t/2 3 w_0/R^2 outside at the lobes and less inside; on
-  // the cam it is flatter at the lobe and rounder beside it.  The tolerance is this model form, 25 %.
+  // the cam it is flatter at the lobe and rounder beside it.  The tolerance is this model form, 25
+  // %.
   const GearSet gear = test::typical_drive();
   const TubeSection& rim = *gear.flexspline->rim;
   const double R = (rim.outer_diameter - rim.wall_thickness) / 2;
@@ -259,8 +259,8 @@ TEST(RingStates, InputWhatTheyNeed) {
   const AssembledDrive drive(test::supported_drive());
   for (const BendingRing ring : kBending) {
     EXPECT_THROW((void)ring_states(drive, ring, 1.0, 0), InputError);
-    for (const double torque : {std::numeric_limits<double>::quiet_NaN(),
-                                std::numeric_limits<double>::infinity()})
+    for (const double torque :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
       EXPECT_THROW((void)ring_states(drive, ring, torque, 4), InputError);
     EXPECT_TRUE(bends(test::supported_drive(), ring));
     EXPECT_THROW((void)states_of(test::supported_drive(), ring, 1.0, 4, {.max_iterations = 1}),

@@ -42,10 +42,10 @@ struct RingState {
 ///
 /// Implements theory manual eqs. (TC-38) for the outer ring and (TC-39) for the circular spline,
 /// with the curvature and the forces of the coupled drive.  The outer ring slides in the rim and
-/// carries no hoop force.  The circular spline carries the share of the load that its housing leaves
-/// to it, without the harmonics 0 and 1.  Both are thin rings of constant section: the equations
-/// leave out the groove, the fit, the stress of the contacts, and the concentration at tooth roots.
-/// The stress of a thick circular spline is up to 15 % larger at its inner surface.
+/// carries no hoop force.  The circular spline carries the share of the load that its housing
+/// leaves to it, without the harmonics 0 and 1.  Both are thin rings of constant section: the
+/// equations leave out the groove, the fit, the stress of the contacts, and the concentration at
+/// tooth roots. The stress of a thick circular spline is up to 15 % larger at its inner surface.
 ///
 /// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
