@@ -142,8 +142,8 @@ EdgeFactors factors_of_notch(const sif::NotchEdgeCrack& notch, double depth) {
 /// The factors of a crack at a size, computed once for the fronts of all torques.
 class FactorsOfSize {
  public:
-  FactorsOfSize(double thickness, std::optional<sif::NotchEdgeCrack> root)
-      : thickness_(thickness), root_(std::move(root)) {}
+  FactorsOfSize(double thickness, const std::optional<sif::NotchEdgeCrack>& root)
+      : thickness_(thickness), root_(root) {}
 
   [[nodiscard]] const EdgeFactors& at(double depth) {
     if (depth != depth_) {
