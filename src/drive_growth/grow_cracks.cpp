@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "coupled_crack.hpp"
 #include "notes.hpp"
-#include "rim_crack.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
@@ -170,6 +170,26 @@ class Growing {
     return std::nullopt;
   }
 
+  /// Whether a crack grows under the loads of the duty times a factor; absent: not known.
+  [[nodiscard]] std::optional<bool> grows(std::size_t k, const CrackSize& size, double factor,
+                                          double amplification) const {
+    const auto any = [&](const GrowingCrack& crack, double by) {
+      return std::ranges::any_of(crack.loads(size, by), [&](const std::vector<TipLoad>& at_tip) {
+        return crack.growth(at_tip, size.size) > 0;
+      });
+    };
+    if (!coupled_[k]) return any(cracks_[k], factor * amplification);
+    // K of the coupled drive is not proportional to the torque.
+    DutyHistory scaled = history_;
+    for (DutyStep& step : scaled.steps) step = times(step, factor);
+    for (DutyMomentaryPeak& peak : scaled.peaks) peak.step = times(peak.step, factor);
+    CoupledCrack crack = coupled_crack(gear_, drive_cracks(gear_)[in_drive_[k]], scaled);
+    if (!crack.known) return std::nullopt;
+    return any(GrowingCrack(gear_, std::move(crack.crack), scaled, options_.rate,
+                            std::move(crack.at_torque)),
+               1.0);
+  }
+
   /// Repetitions after which the duty ends.
   [[nodiscard]] double last_repetition() const {
     double last = kLongestDuty / duration();
@@ -192,23 +212,16 @@ class Growing {
   }
 
  private:
-  /// The axial crack of the rim at a path, if the file gives the coupled drive.
-  [[nodiscard]] std::optional<RimCrack> rim_crack_at(const std::string& wanted) const {
-    if (!missing_for_torsion_curve(gear_).empty()) return std::nullopt;
-    std::optional<RimCrack> found;
-    for_each_crack(gear_, [&](const std::string& path, const auto& crack) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, RimAxialCrack>)
-        if (path == wanted) try {
-            found = rim_crack(gear_, path, crack, history_);
-          } catch (const SolverError&) {
-            // The coupled drive has no equilibrium at a torque of the duty; the crack is named.
-          }
-    });
-    return found;
+  [[nodiscard]] static DutyStep times(DutyStep step, double factor) {
+    step.torque *= factor;
+    step.axial_force *= factor;
+    step.bending_moment *= factor;
+    return step;
   }
 
   void take_cracks() {
     cracks_.clear();
+    coupled_.clear();
     first_.clear();
     in_drive_.clear();
     unchanged_.clear();
@@ -218,14 +231,13 @@ class Growing {
     for (std::size_t i = 0; i < all.size(); ++i) {
       unchanged_.push_back(all[i].size);
       CracksAtTorques at_torque;
-      if (all[i].acts_in_coupled_drive) {
-        std::optional<RimCrack> rim = rim_crack_at(all[i].path);
-        if (!rim) {
-          if (first_time) report_.notes.push_back(coupled_crack_note(all[i].path));
-          continue;
-        }
-        all[i] = std::move(rim->crack);
-        at_torque = std::move(rim->at_torque);
+      const bool coupled_drive = all[i].acts_in_coupled_drive;
+      if (coupled_drive) {
+        CoupledCrack coupled = coupled_crack(gear_, all[i], history_);
+        if (first_time) take_evidence(coupled);
+        if (!coupled.known) continue;
+        all[i] = std::move(coupled.crack);
+        at_torque = std::move(coupled.at_torque);
         unchanged_.back() = all[i].size;
       }
       if (all[i].turning == TurningLoad::balls &&
@@ -234,10 +246,18 @@ class Growing {
         continue;
       }
       in_drive_.push_back(i);
+      coupled_.push_back(coupled_drive);
       cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));
       first_.push_back(at);
       at += cracks_.back().tips().size();
     }
+  }
+
+  void take_evidence(const CoupledCrack& of) {
+    report_.notes.insert(report_.notes.end(), of.notes.begin(), of.notes.end());
+    for (const std::string& tag : of.crack.equations)
+      if (std::ranges::find(report_.equations, tag) == report_.equations.end())
+        report_.equations.push_back(tag);
   }
 
   GearSet gear_;
@@ -249,6 +269,7 @@ class Growing {
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;     // first tip of each crack in the state
   std::vector<std::size_t> in_drive_;  // index among drive_cracks
+  std::vector<bool> coupled_;          // whether K comes from the coupled drive
   std::vector<CrackSize> unchanged_;
 };
 
@@ -605,10 +626,14 @@ class Path {
 
   /// What would let the cracks grow that stand still at the end.
   void describe_rest(const State& state) {
-    for (std::size_t k = 0; k < growing_.cracks().size(); ++k)
-      if (stands_still_[k])
-        describe_arrest(report_.cracks[k], growing_.cracks()[k], growing_.size_of(state, k),
-                        growing_.amplification(state));
+    for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
+      if (!stands_still_[k]) continue;
+      const CrackSize size = growing_.size_of(state, k);
+      const double amplification = growing_.amplification(state);
+      describe_arrest(
+          report_.cracks[k], growing_.cracks()[k], size, amplification,
+          [&](double factor) { return growing_.grows(k, size, factor, amplification); });
+    }
   }
 
   /// Adds a row to the series, if the last one is far enough.

@@ -16,6 +16,7 @@ LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned)
   LoadState state{.torque = step.torque, .axial_force = step.axial_force};
   switch (crack.turning) {
     case TurningLoad::wave:
+    case TurningLoad::wave_at_spline:
       state.assembly = turned;
       break;
     case TurningLoad::bending:
@@ -84,7 +85,7 @@ class CountedValue {
 bool turns(const DriveCrack& crack, const DutyStep& step) {
   if (crack.turning == TurningLoad::none || step.output_speed == 0) return false;
   if (crack.turning == TurningLoad::bending) return step.bending_moment != 0;
-  return crack.turning == TurningLoad::wave || step.torque != 0;
+  return crack.turning != TurningLoad::balls || step.torque != 0;
 }
 
 /// Cycles of the load that turns, in a turn of the output.
@@ -99,6 +100,8 @@ double turning_cycles(const GearSet& gear, const DriveCrack& crack) {
   switch (crack.turning) {
     case TurningLoad::wave:
       return at(DutyPlace::flexspline);
+    case TurningLoad::wave_at_spline:
+      return at(DutyPlace::circular_spline);  // (GR-39)
     case TurningLoad::bending:
       return at(DutyPlace::output_shaft);
     case TurningLoad::balls:

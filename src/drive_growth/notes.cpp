@@ -94,13 +94,37 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
 
 }  // namespace
 
-Note coupled_crack_note(const std::string& path) {
+Note coupled_crack_note(const std::string& path, const std::string& why, const char* next_step) {
   return {.code = "growth.coupled",
-          .text = "the stress intensity of this crack is not known, so its growth is not computed",
+          .text = fmt::format("the stress intensity of this crack is not known, so its growth is "
+                              "not computed: {}",
+                              why),
           .path = path,
-          .equation = "TC-22",
+          .equation = "GR-33",
           .severity = Severity::cannot_tell,
-          .next_step = "Inspect the part, or assess the crack by finite elements."};
+          .next_step = next_step};
+}
+
+Note not_amplified_note(const std::string& path) {
+  return {.code = "growth.not_amplified",
+          .text =
+              "the amplification by duty.resonance does not reach this crack, because its stress "
+              "is not proportional to the torque",
+          .path = path,
+          .equation = "GR-28",
+          .severity = Severity::cannot_tell,
+          .next_step =
+              "Give the torques with their vibration in the duty, and leave out "
+              "duty.resonance."};
+}
+
+Note tooth_crack_note(const std::string& path) {
+  return {.code = "growth.no_size",
+          .text = "a crack of a tooth has a loss of stiffness and no size, so it cannot grow",
+          .path = path,
+          .equation = "TC-21",
+          .severity = Severity::cannot_tell,
+          .next_step = "Give a crack of the rim from the root in its place, kind = \"rim_axial\"."};
 }
 
 Note unknown_balls_note(const std::string& path) {
@@ -188,12 +212,7 @@ CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
 }
 
 void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size,
-                     double amplification) {
-  const auto grows = [&](double factor) {
-    for (const std::vector<TipLoad>& at_tip : crack.loads(size, factor * amplification))
-      if (crack.growth(at_tip, size.size) > 0) return true;
-    return false;
-  };
+                     double amplification, const GrowsUnder& grows) {
   for (const std::vector<TipLoad>& at_tip : crack.loads(size, amplification))
     for (const TipLoad& load : at_tip) {
       const auto threshold = crack.threshold(load.cycle, size.size);
@@ -202,14 +221,23 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
       to.margin = std::min(to.margin.value_or(margin), margin);
     }
   constexpr double kMost = 1000;
-  if (!grows(kMost)) return;
+  // The coupled drive has no answer far above its rating: the factor lies between the largest one
+  // without growth and the least one with growth or without an answer.
   double below = 1.0;
-  double above = kMost;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::sqrt(below * above);
-    (grows(middle) ? above : below) = middle;
+  double above = 1.0;
+  std::optional<bool> there = false;
+  while (there.has_value() && !*there && above < kMost) {
+    below = above;
+    above = std::min(2 * above, kMost);
+    there = grows(above);
   }
-  to.factor_to_grow = above;
+  if (there.has_value() && !*there) return;
+  constexpr int kSteps = 50;  // halves the logarithm of 2 down to rounding
+  for (int i = 0; i < kSteps; ++i) {
+    const double middle = std::sqrt(below * above);
+    (grows(middle).value_or(true) ? above : below) = middle;
+  }
+  if (grows(above).value_or(false)) to.factor_to_grow = above;
 }
 
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,13 +20,23 @@ namespace strainwave {
 [[nodiscard]] std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
                                             const RateChoice& choice);
 
+/// Whether a crack grows under the loads of the duty times a factor [-]; absent: not known.
+using GrowsUnder = std::function<std::optional<bool>(double factor)>;
+
 /// Adds margin and factor to a crack that stands still.
 /// @param amplification  of the loads by the vibration [-]
 void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size,
-                     double amplification);
+                     double amplification, const GrowsUnder& grows);
 
-/// A crack that only the coupled drive models.
-[[nodiscard]] Note coupled_crack_note(const std::string& path);
+/// A crack that only the coupled drive models, and that gets no stress from it.
+[[nodiscard]] Note coupled_crack_note(const std::string& path, const std::string& why,
+                                      const char* next_step);
+
+/// The vibration does not act on a crack whose stress comes from the coupled drive.
+[[nodiscard]] Note not_amplified_note(const std::string& path);
+
+/// A crack of a tooth, which has no size.
+[[nodiscard]] Note tooth_crack_note(const std::string& path);
 
 /// A crack of a race in a bearing whose balls are not counted.
 [[nodiscard]] Note unknown_balls_note(const std::string& path);

@@ -52,7 +52,7 @@ TitledTable at_rest_table(const GrowthReport& report) {
         {crack.path, crack.margin ? shown_number(*crack.margin, 4) : "no threshold",
          crack.factor_to_grow
              ? fmt::format("{} times the duty", shown_number(*crack.factor_to_grow, 4))
-             : "none"});
+             : "none found"});
   }
   return {"Cracks that stand still", table};
 }

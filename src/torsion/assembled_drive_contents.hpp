@@ -106,6 +106,11 @@ struct AssembledDrive::Contents {
   }
 };
 
+/// The state of equilibrium of a drive at one torque.
+/// @param torque  T at the output [N*m], finite
+/// @throws SolverError  if there is no equilibrium
+[[nodiscard]] Equilibrium state_at(const AssembledDrive& drive, double torque);
+
 /// Solves one torque after the other and passes each state to `see`.
 /// @return  reason why the curve is not usable from some torque on; empty if all states were found
 /// @throws InputError  if a torque is not a finite number

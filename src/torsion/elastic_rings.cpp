@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace strainwave {
 namespace {
@@ -332,6 +333,40 @@ double ElasticRings::curvature(const Eigen::VectorXd& x, double theta) const {
     kappa += (n * n - 1.0) / R2 *
              (x[model_.at(n)] * std::cos(n * theta) + x[model_.at(n) + 1] * std::sin(n * theta));
   return kappa - x[0] / R2;
+}
+
+double ElasticRings::spline_curvature(const Eigen::VectorXd& x, double theta) const {
+  if (!model_.has_spline()) return 0.0;
+  double kappa = 0.0;
+  for (int n = 2; n <= model_.harmonics(); ++n) {
+    const int i = model_.spline_at(n);
+    kappa += (n * n - 1.0) * (x[i] * std::cos(n * theta) + x[i + 1] * std::sin(n * theta));
+  }
+  return kappa / (model_.spline_radius() * model_.spline_radius());
+}
+
+double ElasticRings::HoopForce::at(double theta) const {
+  double force = 0.0;
+  for (int n = 2; n < cosine.size(); ++n)
+    force += cosine[n] * std::cos(n * theta) + sine[n] * std::sin(n * theta);
+  return force;
+}
+
+ElasticRings::HoopForce ElasticRings::spline_hoop_force(const Eigen::VectorXd& force) const {
+  HoopForce hoop{.cosine = Eigen::VectorXd::Zero(model_.harmonics() + 1),
+                 .sine = Eigen::VectorXd::Zero(model_.harmonics() + 1)};
+  if (!model_.has_spline()) return hoop;
+  const BasicForceWaves<double> waves = waves_of(force);
+  for (std::size_t group = 1; group < 4; ++group) {
+    // A flank pushes its place of the ring against the direction in which it closes.
+    const double along = -model_.flanks()[group - 1].spline_tangential;
+    for (int n = 2; n <= model_.harmonics(); ++n) {
+      const double per_wave = along / (n * std::numbers::pi);
+      hoop.cosine[n] += per_wave * waves.odd[group][n];  // (TC-39)
+      hoop.sine[n] -= per_wave * waves.even[group][n];   // (TC-39)
+    }
+  }
+  return hoop;
 }
 
 double ElasticRings::hoop_strain(const Eigen::VectorXd& x, double theta) const {

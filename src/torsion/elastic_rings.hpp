@@ -92,6 +92,16 @@ class ElasticRings {
   [[nodiscard]] double tangential(const Eigen::VectorXd& x, double theta) const;
   [[nodiscard]] double curvature(const Eigen::VectorXd& x, double theta) const;
   [[nodiscard]] double hoop_strain(const Eigen::VectorXd& x, double theta) const;
+  /// Change of curvature of the circular spline from coefficients, positive if it bends more [1/m].
+  [[nodiscard]] double spline_curvature(const Eigen::VectorXd& x, double theta) const;
+  /// Hoop force of a free circular spline under the forces of the contacts, harmonics 2 to N, as
+  /// cosine and sine coefficients from harmonic 0 (TC-39) [N].
+  struct HoopForce {
+    Eigen::VectorXd cosine;
+    Eigen::VectorXd sine;
+    [[nodiscard]] double at(double theta) const;
+  };
+  [[nodiscard]] HoopForce spline_hoop_force(const Eigen::VectorXd& force) const;
 
  private:
   /// Closing of one contact due to another as a Fourier series in the angle between them (TC-4).

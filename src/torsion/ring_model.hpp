@@ -155,6 +155,7 @@ class RingModel {
   [[nodiscard]] int harmonics() const { return N_; }
   [[nodiscard]] bool has_spline() const { return has_spline_; }
   [[nodiscard]] const Real& ring_radius() const { return ring_radius_; }
+  [[nodiscard]] const Real& spline_radius() const { return spline_radius_; }
   [[nodiscard]] const Mode& mode(int n) const { return modes_[static_cast<std::size_t>(n)]; }
   [[nodiscard]] const std::vector<Softening>& softenings() const { return softenings_; }
   [[nodiscard]] const BasicContactDirection<Real>& ball() const { return ball_; }

@@ -153,15 +153,20 @@ std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
   }
 }
 
-std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque, int positions) {
-  require(positions > 0, "positions", positions, "1", "> 0");
+Equilibrium state_at(const AssembledDrive& assembled, double torque) {
   require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   const AssembledDrive::Contents& contents = assembled.contents();
   if (!contents.fails_because.empty()) throw SolverError(contents.fails_because);
-  const CoupledDrive& drive = contents.drive;
-  const CoupledGeometry& g = contents.geometry;
-  const Equilibrium state = drive.solve(torque, drive.assembled());
+  Equilibrium state = contents.drive.solve(torque, contents.drive.assembled());
   if (!state.converged) throw SolverError("no equilibrium at this torque");
+  return state;
+}
+
+std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque, int positions) {
+  require(positions > 0, "positions", positions, "1", "> 0");
+  const Equilibrium state = state_at(assembled, torque);
+  const CoupledDrive& drive = assembled.contents().drive;
+  const CoupledGeometry& g = assembled.contents().geometry;
   const Eigen::VectorXd x = drive.coefficients_of(state.force);
   const ElasticRings& rings = drive.rings();
   const double E_plate = g.rim_steel.plane_strain_modulus();

@@ -1094,14 +1094,71 @@ def neighbour_rows():
     return table
 
 
+def ring_rows():
+    """Moments of outer ring and circular spline, and the hoop force of the latter.
+
+    The curvatures come from the shapes of the rings on a grid, differentiated by a discrete Fourier
+    transform.  The hoop force is a staircase with a step at each flank; the housing takes its mean,
+    its first wave, and an even traction that holds the torque; what is left of the waves up to N is
+    shared with the housing."""
+    from reference_csv import Table
+
+    table = Table("ring_states", "size [1]", "ratio [1]", "torque [N*m]", "position [rad]")
+    drive = typical(25, 100, spline_support=0.5)
+    model = Coupled(drive)
+    R, N, count = model.R, model.N, 256
+    E, support = drive["youngs_modulus"], drive["spline_support"]
+    t_c, R_c = model.spline_ring()
+    grid = 2 * pi * np.arange(count) / count
+    wave = np.fft.fftfreq(count, 1 / count)
+
+    def curvature(w, radius):
+        return np.fft.ifft((wave ** 2 - 1) * np.fft.fft(w)).real / radius ** 2
+
+    m = model.n[1:]
+    spline_shape = np.hstack((np.cos(np.outer(grid, m)), np.sin(np.outer(grid, m))))
+    loads = (14.0, 48.0, 76.8)
+    for sign in (1, -1):
+        states = [state for _, _, state in model.curve([sign * T for T in loads])]
+        for T, state in zip(loads, states):
+            outer = drive["groove_factor"] * strip_bending(
+                E, drive["race_width"], drive["outer_race_thickness"]) * curvature(
+                    model.radial(grid) @ state.x, R)
+            spline = strip_bending(E, drive["spline_width"], t_c) * curvature(
+                spline_shape @ state.x[model.ring:model.rings], R_c)
+            theta = np.tile((model.index + 0.5) * 2 * pi / round(2 * drive["ratio"]), 2)
+            lever = drive["pitch_diameter"] / 2 / R_c
+            step = (np.repeat([1, -1], model.teeth) * np.cos(model.angle) * state.flank_force
+                    * lever)
+            order = np.argsort(theta)
+            edges = np.concatenate((theta[order], [theta[order][0] + 2 * pi]))
+            tread = -np.cumsum(step[order])
+            hoop = np.zeros(count)
+            for n in range(2, N + 1):  # the waves of a staircase, by the integral over its treads
+                even = tread @ (np.sin(n * edges[1:]) - np.sin(n * edges[:-1])) / (n * pi)
+                odd = -tread @ (np.cos(n * edges[1:]) - np.cos(n * edges[:-1])) / (n * pi)
+                # the even traction is a ramp over the turn from the first tooth on
+                even += step.sum() / pi * np.sin(n * edges[0]) / n
+                odd -= step.sum() / pi * np.cos(n * edges[0]) / n
+                hoop += even * np.cos(n * grid) + odd * np.sin(n * grid)
+            for k in range(0, count, 19):
+                inputs = (25, 100, sign * T, grid[k])
+                for name, value, unit in (("outer_ring.moment", outer[k], "N*m"),
+                                          ("circular_spline.moment", spline[k], "N*m"),
+                                          ("circular_spline.hoop_force", support * hoop[k], "N")):
+                    table.add(name, inputs, value, unit, SOURCE, digits=8, printed=12)
+    return table
+
+
 def tables():
-    return [curve_table(), maker_table(), drive_table(), kernel_table(), neighbour_rows()]
+    return [curve_table(), maker_table(), drive_table(), kernel_table(), neighbour_rows(),
+            ring_rows()]
 
 
 def some_tables():
     """The same tables, the long one for two drives only."""
     return [curve_table([(25, 100), (14, 50)], ()), maker_table(), drive_table(), kernel_table(),
-            neighbour_rows()]
+            neighbour_rows(), ring_rows()]
 
 
 def main():

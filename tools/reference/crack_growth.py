@@ -17,7 +17,7 @@ threshold; a block.  easigrow prints 139 380 (P3) and 21 247.5 (P2) for its loop
 
 Drive cases: an annular crack in a solid shaft (handbook's K of torsion and tension, (SB-3) of
 bending) under three blocks with rotating bending; a surface crack in the wall of a flexspline under
-torque and wave; and where they rest and start.
+torque and wave; and where they rest and start.  A crack of the rim from a tooth root (GR-38).
 
 In double precision; the integrators work to 1e-12.  Each row states its digits.
 """
@@ -29,7 +29,9 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
+from gradient import Hole
 from reference_csv import Table, publish
+from weight_function import intensities
 
 PI = math.pi
 
@@ -402,6 +404,54 @@ def willenborg_loop():
                 a += law(K - down, 0.0, a)
 
 
+# --- Crack of the rim from a tooth root ----------------------------------------------------------
+
+def root_concentration(pitch, radius):
+    """K_t of a row of deep grooves: K = sigma sqrt(pitch/2) of the row of cracks, and the stress
+    2 K/sqrt(pi radius) at a blunt tip."""
+    return 2 * math.sqrt(pitch / 2) / math.sqrt(PI * radius)
+
+
+def root_crack(pitch, radius, thickness, depth):
+    """K per unit of membrane and of bending stress of the wall under the roots.  Stress of the
+    elliptical hole by Muskhelishvili's potentials, crack in the strip by an integral equation,
+    flanks by the fit (SW-11)."""
+    D = (root_concentration(pitch, radius) - 1) ** 2 / 4  # over the radius
+    hole = Hole(D)
+
+    def notch(x):
+        return np.array([float(hole.tension(hole.D + depth * y / radius)) for y in x])
+    loads = [lambda x, v: notch(x), lambda x, v: notch(x) * (1 - 2 * depth * x / thickness)]
+    a = depth / radius
+    flanks = 1 - 0.286 * a / (a + 0.4) / (1 + 0.8 * a / D)
+    return flanks * math.sqrt(PI * depth) * intensities(depth / thickness, loads)
+
+
+def shallow_root_crack(pitch, radius, depth):
+    """The same in tension for a depth far below the thickness, without weight function and fit: two
+    cracks at the hole, and 1.1215 for a surface where the crack is deep against the notch."""
+    D = radius * (root_concentration(pitch, radius) - 1) ** 2 / 4
+    return (math.sqrt(PI * depth) * Hole(D / radius).cracks(depth / radius, 40)
+            * (1 + 0.1215 * depth / (depth + D)))
+
+
+def root_rows():
+    table = Table("rim_root", "pitch [m]", "root_radius [m]", "thickness [m]", "depth [m]")
+    pitch, thickness = PI * 62.801e-3 / 200, 0.755e-3
+    for radius in (20e-6, 50e-6, 100e-6, 200e-6):
+        table.add("concentration", (pitch, radius, "", ""), root_concentration(pitch, radius), "1",
+                  OURS, digits=14, printed=16)
+        for depth in (2e-6, 20e-6, 100e-6, 300e-6, 600e-6):
+            for name, K in zip(("tension", "bending"), root_crack(pitch, radius, thickness, depth)):
+                table.add(name, (pitch, radius, thickness, depth), K, "m^0.5", OURS, digits=5,
+                          printed=8)
+    for radius in (20e-6, 50e-6):  # (SW-11) is stated for D of at least the radius
+        for depth in (2e-6, 10e-6, 30e-6):
+            table.add("shallow", (pitch, radius, "", depth),
+                      shallow_root_crack(pitch, radius, depth), "m^0.5", OURS, digits=4, printed=8)
+    return table
+
+
 OURS = "computed here"
 
 
@@ -434,7 +484,7 @@ def tables():
         N, a = wall.until_length(c)
         table.add("wall.repetitions", (c,), N, "1", OURS, digits=9, printed=11)
         table.add("wall.depth", (c,), a, "m", OURS, digits=9, printed=11)
-    return [table]
+    return [table, root_rows()]
 
 
 if __name__ == "__main__":

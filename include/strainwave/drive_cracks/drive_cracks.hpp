@@ -46,10 +46,11 @@ struct FrontIntensity {
 
 /// The load that changes in each turn of a running drive, seen from the crack.
 enum class TurningLoad {
-  none,     ///< the crack sees the torque alone
-  wave,     ///< the assembly, whose sign changes with each wave
-  bending,  ///< a bending moment fixed in space, round which the crack turns
-  balls,    ///< the pressure of the balls, from 0 to its full value and back
+  none,            ///< the crack sees the torque alone
+  wave,            ///< the assembly, whose sign changes with each wave
+  wave_at_spline,  ///< the same, seen from the circular spline, which passes fewer waves
+  bending,         ///< a bending moment fixed in space, round which the crack turns
+  balls,           ///< the pressure of the balls, from 0 to its full value and back
 };
 
 /// A crack of a drive, in one form for all kinds, as stiffness, strength and growth need it: K
