@@ -39,10 +39,8 @@ FrontIntensity over_turn(const std::vector<RimStress>& turn, double depth, doubl
   return front;
 }
 
-}  // namespace
-
-RimCrack rim_crack(const GearSet& gear, const std::string& path, const RimAxialCrack& crack,
-                   const DutyHistory& history) {
+/// All but K.
+DriveCrack crack_of_rim(const GearSet& gear, const std::string& path, const RimAxialCrack& crack) {
   const double thickness = gear.flexspline->rim->wall_thickness;
   DriveCrack made;
   made.path = path;
@@ -55,6 +53,22 @@ RimCrack rim_crack(const GearSet& gear, const std::string& path, const RimAxialC
   made.wave_number = gear.drive.wave_number;
   made.range_end = sif::kUsableDepthRatio * thickness;
   made.range_text = "0.9 of the rim, the range of the edge crack";
+  return made;
+}
+
+}  // namespace
+
+DriveCrack tabulated_rim_crack(const GearSet& gear, const std::string& path,
+                               const RimAxialCrack& crack) {
+  DriveCrack made = crack_of_rim(gear, path, crack);
+  take_turn_table(made, gear.turn_tables.at(*crack.turn_table));
+  return made;
+}
+
+RimCrack rim_crack(const GearSet& gear, const std::string& path, const RimAxialCrack& crack,
+                   const DutyHistory& history) {
+  const double thickness = gear.flexspline->rim->wall_thickness;
+  DriveCrack made = crack_of_rim(gear, path, crack);
   made.unknown =
       "the concentration of the stress at the tooth root is left out, which matters for a crack "
       "that "

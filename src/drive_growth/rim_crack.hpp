@@ -22,4 +22,8 @@ struct RimCrack {
 [[nodiscard]] RimCrack rim_crack(const GearSet& gear, const std::string& path,
                                  const RimAxialCrack& crack, const DutyHistory& history);
 
+/// The crack with its table of K over a turn (GR-30), which needs no coupled drive.
+[[nodiscard]] DriveCrack tabulated_rim_crack(const GearSet& gear, const std::string& path,
+                                             const RimAxialCrack& crack);
+
 }  // namespace strainwave

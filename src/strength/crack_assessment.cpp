@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "assessed_crack.hpp"
+#include "strainwave/core/compare.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
@@ -33,10 +35,47 @@ CrackStrength acts_in_coupled_drive(CrackStrength report) {
   return report;
 }
 
+/// The answer for a crack whose K over a turn is not known at the given torque.
+CrackStrength beyond_turn_table(CrackStrength report, const TurnTable& table, double torque) {
+  report.sentence =
+      fmt::format("cannot tell, because the table {} covers torques from {} to {}, but the load is {}",
+                  shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
+                  shown_quantity(table.torques.back(), "N*m", 9),
+                  shown_quantity(torque, "N*m", 9));
+  report.next_step = "Compute K over the turn at this torque too, and add it to the table.";
+  report.equations = {"FA-13", "GR-30"};
+  return report;
+}
+
+/// Notes on where the table of K over a turn ends an answer.
+void note_ends_of_table(CrackStrength& report, const TurnTable& table, double torque) {
+  if (!table.covers(-torque))
+    report.notes.push_back({fmt::format("the table {} has no torque of the other sense, so the other "
+                                        "sense is not assessed",
+                                        shown(table.file)),
+                            "GR-30"});
+  if (!table.covers(0))
+    report.notes.push_back({fmt::format("the table {} does not have torque 0, so all of its K counts "
+                                        "as that of the load",
+                                        shown(table.file)),
+                            "GR-30"});
+  const double most = turn_load_range(table, torque)[1];
+  for (const StrengthState& state : report.states)
+    if (state.with_assembly && state.reserve && !clearly_less(*state.reserve, most)) {
+      report.notes.push_back(
+          {fmt::format("the table {} ends at {:.3g} times the load, so the reserve is at least this",
+                       shown(table.file), most),
+           "GR-30"});
+      return;
+    }
+}
+
 CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
                           std::span<const CrackReport> reports) {
   CrackStrength report{.path = crack.path, .kind = crack.kind, .material = crack.material};
   if (crack.acts_in_coupled_drive) return acts_in_coupled_drive(std::move(report));
+  if (crack.turn_table && !crack.turn_table->covers(gear.load.torque))
+    return beyond_turn_table(std::move(report), *crack.turn_table, gear.load.torque);
   const Material& material = material_of(gear, crack.material, crack.path + ".material");
   report.size_name = crack.size_name;
   report.size = crack.size.size;
@@ -57,6 +96,7 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
               .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
                                                                : of_path->intensity_uncertainty},
              std::move(report));
+  if (crack.turn_table) note_ends_of_table(report, *crack.turn_table, gear.load.torque);
   if (report.breaks())
     report.next_step =
         (crack.upper_bound.empty()
