@@ -562,9 +562,10 @@ void take_turn_table(DriveCrack& crack, std::shared_ptr<const TurnTable> table) 
   crack.assembly = true;
   crack.turning = TurningLoad::wave;
   use(crack, {"GR-30"});
-  crack.notes.push_back({fmt::format("K over the turn of the wave generator is that of the table {}",
-                                     shown(table->file)),
-                         "GR-30"});
+  crack.notes.push_back(
+      {fmt::format("K over the turn of the wave generator is that of the table {}",
+                   shown(table->file)),
+       "GR-30"});
   if (table->sizes.size() > 1) {
     crack.range_begin = table->sizes.front();
     if (table->sizes.back() < crack.range_end) {

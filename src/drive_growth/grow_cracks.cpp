@@ -209,8 +209,8 @@ class Growing {
   }
 
  private:
-  /// The axial crack of the rim at a path, if the file gives a table of K over a turn or the coupled
-  /// drive.
+  /// The axial crack of the rim at a path, if the file gives a table of K over a turn or the
+  /// coupled drive.
   [[nodiscard]] std::optional<RimCrack> rim_crack_at(const std::string& wanted) const {
     const bool coupled = missing_for_torsion_curve(gear_).empty();
     std::optional<RimCrack> found;
@@ -574,9 +574,8 @@ class Path {
       for (Note& note : crack_notes(growing_.gear(), crack, options_.rate))
         report_.notes.push_back(std::move(note));
     }
-    if (std::ranges::any_of(cracks, [](const GrowingCrack& crack) {
-          return crack.crack().turn_table != nullptr;
-        }))
+    if (std::ranges::any_of(
+            cracks, [](const GrowingCrack& crack) { return crack.crack().turn_table != nullptr; }))
       report_.equations.insert(report_.equations.end(), {"GR-30", "GR-31"});
     stands_still_.assign(cracks.size(), false);
   }

@@ -254,8 +254,8 @@ Modes GrowingCrack::worst_factors(const CrackSize& size) const {
   for (const LoadCycle& cycle : duty_.cycle)
     for (const LoadState* const state : {&cycle.from, &cycle.to})
       for (std::size_t i = points.first; i < points.second; ++i)
-        for (const Modes& here : K.has_turn() ? K.over_turn(i, state->torque)
-                                              : std::vector<Modes>{K.at(i, *state)}) {
+        for (const Modes& here :
+             K.has_turn() ? K.over_turn(i, state->torque) : std::vector<Modes>{K.at(i, *state)}) {
           const double equivalent =
               equivalent_factor(mixed_mode_, as_factors(here), poissons_ratio_);
           if (equivalent <= largest) continue;
@@ -268,8 +268,8 @@ Modes GrowingCrack::worst_factors(const CrackSize& size) const {
 bool GrowingCrack::breaks(const CrackSize& size, double factor) const {
   for (const std::vector<TipLoad>& at_tip : loads(size, factor))
     for (const TipLoad& load : at_tip) {
-      const TipCycle reached = load.cycle.ratio < 1 ? load.cycle
-                                                    : TipCycle{.largest = load.cycle.largest};
+      const TipCycle reached =
+          load.cycle.ratio < 1 ? load.cycle : TipCycle{.largest = load.cycle.largest};
       if (growth_rate(law_, reached, size.size, limits_).state == TipState::breaks) return true;
     }
   return false;
@@ -280,8 +280,7 @@ double GrowingCrack::largest_factor() const {
   if (!crack_.turn_table) return largest;
   for (const LoadCycle& cycle : duty_.cycle)
     for (const double torque : {cycle.from.torque, cycle.to.torque})
-      if (torque != 0)
-        largest = std::min(largest, turn_load_range(*crack_.turn_table, torque)[1]);
+      if (torque != 0) largest = std::min(largest, turn_load_range(*crack_.turn_table, torque)[1]);
   return largest;
 }
 

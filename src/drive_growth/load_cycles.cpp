@@ -39,12 +39,13 @@ LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned)
 void require_covered(const DriveCrack& crack, const DutyStep& step) {
   const TurnTable& table = *crack.turn_table;
   if (table.covers(step.torque)) return;
-  throw InputError(crack.path + ".turn_table",
-                   fmt::format("\"{}\" covers torques from {} to {}, but the duty has {}; compute K "
-                               "at this torque too",
-                               shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
-                               shown_quantity(table.torques.back(), "N*m", 9),
-                               shown_quantity(step.torque, "N*m", 9)));
+  throw InputError(
+      crack.path + ".turn_table",
+      fmt::format("\"{}\" covers torques from {} to {}, but the duty has {}; compute K "
+                  "at this torque too",
+                  shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
+                  shown_quantity(table.torques.back(), "N*m", 9),
+                  shown_quantity(step.torque, "N*m", 9)));
 }
 
 /// The loads of the steps as one value each, for counting: K along the direction in which the

@@ -115,24 +115,27 @@ void note_turn_table(std::vector<Note>& notes, const GrowingCrack& crack) {
     held = fmt::format("has one size, {}, so K/sqrt(pi a) counts as constant",
                        shown_quantity(table.sizes.front(), "m", 3, table.size_name));
   if (of.kind == WallSurfaceCrack::kKind && table.aspect_ratios.empty())
-    held += fmt::format("{}has no aspect_ratio, so the crack keeps its shape and grows by its worst "
-                        "point",
-                        held.empty() ? "" : ", and ");
+    held += fmt::format(
+        "{}has no aspect_ratio, so the crack keeps its shape and grows by its worst "
+        "point",
+        held.empty() ? "" : ", and ");
   if (!held.empty())
-    notes.push_back({.code = "growth.turn_table_held",
-                     .text = fmt::format("the table {} {}", shown(table.file), held),
-                     .path = of.path,
-                     .equation = "GR-30",
-                     .severity = Severity::care,
-                     .next_step = "Give the table more sizes, and aspect ratios for a surface crack."});
+    notes.push_back(
+        {.code = "growth.turn_table_held",
+         .text = fmt::format("the table {} {}", shown(table.file), held),
+         .path = of.path,
+         .equation = "GR-30",
+         .severity = Severity::care,
+         .next_step = "Give the table more sizes, and aspect ratios for a surface crack."});
 }
 
 }  // namespace
 
 Note through_wall_note(const std::string& path) {
   return {.code = "growth.upper_bound",
-          .text = "behind the wall there is no table of K over a turn, so the range of K from the "
-                  "wave is an upper bound from there on",
+          .text =
+              "behind the wall there is no table of K over a turn, so the range of K from the "
+              "wave is an upper bound from there on",
           .path = path,
           .equation = "FA-12",
           .severity = Severity::care};

@@ -22,18 +22,61 @@ struct WidestRange {
   Modes to{};
 };
 
+/// A moment with its distance from a centre.
+struct Moment {
+  double distance = 0.0;  // equivalent of the difference [Pa*m^0.5]
+  const Modes* K = nullptr;
+};
+
+double equivalent_range(MixedMode rule, const Modes& from, const Modes& to, double nu) {
+  Modes range{};
+  for (std::size_t mode = 0; mode < range.size(); ++mode)
+    range[mode] = std::abs(from[mode] - to[mode]);
+  return equivalent_of(rule, range, nu);
+}
+
+/// The moments of a turn, the farthest from the centre first.
+std::vector<Moment> by_distance(MixedMode rule, std::span<const Modes> turn, const Modes& centre,
+                                double nu) {
+  std::vector<Moment> moments;
+  moments.reserve(turn.size());
+  for (const Modes& K : turn)
+    moments.push_back({.distance = equivalent_range(rule, K, centre, nu), .K = &K});
+  std::stable_sort(moments.begin(), moments.end(),
+                   [](const Moment& a, const Moment& b) { return a.distance > b.distance; });
+  return moments;
+}
+
 WidestRange widest_range(MixedMode rule, std::span<const Modes> one, std::span<const Modes> other,
                          double nu) {
-  WidestRange widest;
+  Modes least = one.front();
+  Modes most = one.front();
+  for (const std::span<const Modes> turn : {one, other})
+    for (const Modes& K : turn)
+      for (std::size_t mode = 0; mode < K.size(); ++mode) {
+        least[mode] = std::min(least[mode], K[mode]);
+        most[mode] = std::max(most[mode], K[mode]);
+      }
+  Modes centre{};
+  for (std::size_t mode = 0; mode < centre.size(); ++mode)
+    centre[mode] = (least[mode] + most[mode]) / 2;
+  // Every rule is a norm of the range, so two moments are not farther apart than the sum of their
+  // distances from the centre.  Most pairs need no look.
   const bool same = one.data() == other.data();
-  for (std::size_t i = 0; i < one.size(); ++i)
-    for (std::size_t j = same ? i + 1 : 0; j < other.size(); ++j) {
-      Modes range{};
-      for (std::size_t mode = 0; mode < range.size(); ++mode)
-        range[mode] = std::abs(one[i][mode] - other[j][mode]);
-      const double here = equivalent_of(rule, range, nu);
-      if (here > widest.range) widest = {.range = here, .from = one[i], .to = other[j]};
+  const std::vector<Moment> from = by_distance(rule, one, centre, nu);
+  const std::vector<Moment> of_other =
+      same ? std::vector<Moment>() : by_distance(rule, other, centre, nu);
+  const std::vector<Moment>& to = same ? from : of_other;
+  WidestRange widest;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::size_t first = same ? i + 1 : 0;
+    if (first == to.size() || from[i].distance + to[first].distance <= widest.range) break;
+    for (std::size_t j = first; j < to.size(); ++j) {
+      if (from[i].distance + to[j].distance <= widest.range) break;
+      const double here = equivalent_range(rule, *from[i].K, *to[j].K, nu);
+      if (here > widest.range) widest = {.range = here, .from = *from[i].K, .to = *to[j].K};
     }
+  }
   return widest;
 }
 
@@ -61,8 +104,8 @@ std::vector<CycleWithinTurn> cycles_within_turn(MixedMode rule, std::span<const 
     along.push_back(sum);
   }
   // The turn is closed, and begins and ends at its largest value.
-  const auto begin = static_cast<std::size_t>(std::max_element(along.begin(), along.end()) -
-                                              along.begin());
+  const auto begin =
+      static_cast<std::size_t>(std::max_element(along.begin(), along.end()) - along.begin());
   std::rotate(along.begin(), along.begin() + static_cast<std::ptrdiff_t>(begin), along.end());
   along.push_back(along.front());
   std::vector<CountedCycle> counted;
@@ -70,9 +113,9 @@ std::vector<CycleWithinTurn> cycles_within_turn(MixedMode rule, std::span<const 
   RainflowCounter counter;
   counter.add(along, take);
   counter.finish(Residue::half_cycles, take);
-  std::stable_sort(counted.begin(), counted.end(), [](const CountedCycle& a, const CountedCycle& b) {
-    return a.range() > b.range();
-  });
+  std::stable_sort(
+      counted.begin(), counted.end(),
+      [](const CountedCycle& a, const CountedCycle& b) { return a.range() > b.range(); });
   double of_waves = waves;  // the widest cycles, which count as waves
   std::vector<CycleWithinTurn> smaller;
   const auto at = [&](const Reversal& reversal) -> const Modes& {

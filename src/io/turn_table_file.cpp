@@ -20,9 +20,9 @@ namespace {
 /// A column over which the table runs.
 struct TurnColumn {
   std::string name;
-  std::size_t number = 0;        // in the file
-  double factor = 1.0;           // to SI
-  std::string unit = {};         // as written
+  std::size_t number = 0;         // in the file
+  double factor = 1.0;            // to SI
+  std::string unit = {};          // as written
   std::vector<double> node = {};  // in the unit of the file, ascending
 
   [[nodiscard]] std::string at(double value) const {
@@ -116,8 +116,7 @@ TurnTable read_turn_table(HistoryFile& file) {
     column.name = name;
     column.number = file.number_of(name);
     column.unit = file.columns()[column.number].unit;
-    if (unit != "1" || !column.unit.empty())
-      column.factor = file.factor_to(unit, column.number);
+    if (unit != "1" || !column.unit.empty()) column.factor = file.factor_to(unit, column.number);
   };
   add(table.size_name, "m");
   const bool shapes = file.has("aspect_ratio");

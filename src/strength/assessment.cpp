@@ -74,7 +74,8 @@ class AtSize {
     torque_ = T;
     turn_.emplace(*crack_.turn_table, size, crack_.size.aspect_ratio);
     if (crack_.turn_table->covers(0))
-      for (std::size_t i = 0; i < turn_->stations(); ++i) without_torque_.push_back(turn_->at(i, 0));
+      for (std::size_t i = 0; i < turn_->stations(); ++i)
+        without_torque_.push_back(turn_->at(i, 0));
   }
 
   /// Largest equivalent K, by energy release rate, along the front and over a turn [Pa*m^0.5].
@@ -139,8 +140,8 @@ class AtSize {
   std::vector<FrontModes> front_;
   double reference_stress_ = 0.0;
   bool with_assembly_;
-  double torque_ = 0.0;              // with its sense
-  std::optional<TurnFactors> turn_;  // with the assembly, if the crack has a table
+  double torque_ = 0.0;                             // with its sense
+  std::optional<TurnFactors> turn_;                 // with the assembly, if the crack has a table
   std::vector<std::vector<Modes>> without_torque_;  // of each station; empty: not in the table
 };
 

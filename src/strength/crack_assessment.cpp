@@ -37,11 +37,10 @@ CrackStrength acts_in_coupled_drive(CrackStrength report) {
 
 /// The answer for a crack whose K over a turn is not known at the given torque.
 CrackStrength beyond_turn_table(CrackStrength report, const TurnTable& table, double torque) {
-  report.sentence =
-      fmt::format("cannot tell, because the table {} covers torques from {} to {}, but the load is {}",
-                  shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
-                  shown_quantity(table.torques.back(), "N*m", 9),
-                  shown_quantity(torque, "N*m", 9));
+  report.sentence = fmt::format(
+      "cannot tell, because the table {} covers torques from {} to {}, but the load is {}",
+      shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
+      shown_quantity(table.torques.back(), "N*m", 9), shown_quantity(torque, "N*m", 9));
   report.next_step = "Compute K over the turn at this torque too, and add it to the table.";
   report.equations = {"FA-13", "GR-30"};
   return report;
@@ -50,21 +49,24 @@ CrackStrength beyond_turn_table(CrackStrength report, const TurnTable& table, do
 /// Notes on where the table of K over a turn ends an answer.
 void note_ends_of_table(CrackStrength& report, const TurnTable& table, double torque) {
   if (!table.covers(-torque))
-    report.notes.push_back({fmt::format("the table {} has no torque of the other sense, so the other "
-                                        "sense is not assessed",
-                                        shown(table.file)),
-                            "GR-30"});
+    report.notes.push_back(
+        {fmt::format("the table {} has no torque of the other sense, so the other "
+                     "sense is not assessed",
+                     shown(table.file)),
+         "GR-30"});
   if (!table.covers(0))
-    report.notes.push_back({fmt::format("the table {} does not have torque 0, so all of its K counts "
-                                        "as that of the load",
-                                        shown(table.file)),
-                            "GR-30"});
+    report.notes.push_back(
+        {fmt::format("the table {} does not have torque 0, so all of its K counts "
+                     "as that of the load",
+                     shown(table.file)),
+         "GR-30"});
   const double most = turn_load_range(table, torque)[1];
   for (const StrengthState& state : report.states)
     if (state.with_assembly && state.reserve && !clearly_less(*state.reserve, most)) {
       report.notes.push_back(
-          {fmt::format("the table {} ends at {:.3g} times the load, so the reserve is at least this",
-                       shown(table.file), most),
+          {fmt::format(
+               "the table {} ends at {:.3g} times the load, so the reserve is at least this",
+               shown(table.file), most),
            "GR-30"});
       return;
     }

@@ -90,18 +90,20 @@ TEST(TurnTableFile, InputRulesBrokenOnce) {
           "N*m, station -1, angle 45 deg is missing");
   refused(with(good, "1,0,-1,45,4,5,6\n", "1,0,-1,45,4,5,6\n1,0,-1,45,4,5,6\n"),
           "turn.csv:5: angle = 45 deg violates: a point of the table appears once");
-  refused(with(good, "1,0,-1,45,4,5,6\n1,0,-1,90,7,8,9\n", "1,0,-1,90,7,8,9\n1,0,-1,45,4,5,6\n"),
-          "turn.csv:5: angle = 45 deg violates: rows sorted by half_length, torque, station, angle, "
-          "each ascending; the row before has 90");
+  refused(
+      with(good, "1,0,-1,45,4,5,6\n1,0,-1,90,7,8,9\n", "1,0,-1,90,7,8,9\n1,0,-1,45,4,5,6\n"),
+      "turn.csv:5: angle = 45 deg violates: rows sorted by half_length, torque, station, angle, "
+      "each ascending; the row before has 90");
   refused(good.substr(0, good.rfind("2,100,1,180")),
           "violates: a full grid; the point half_length 2 mm, torque 100 N*m, station 1, angle 180 "
           "deg is missing behind this row");
   refused(with(good, "1,0,-1,180,1,2,3\n", "1,0,-1,180,1,2,3.1\n"),
           "turn.csv:7: K_III = 3.1 MPa*m^0.5 violates: the value at the first angle, 3,");
   refused(with(good, "1,0,-1,0,", "-1,0,-1,0,"), "turn.csv:3: half_length = -1 mm violates: > 0");
-  refused("depth [mm],torque [N*m],station,angle [deg],K_I [Pa*m^0.5],K_II [Pa*m^0.5],K_III "
-          "[Pa*m^0.5]\n1,0,0,0,1,1,1\n1,0,0,90,1,1,1\n1,0,0,180,1,1,1\n",
-          "has 3 angles; give 4 or more");
+  refused(
+      "depth [mm],torque [N*m],station,angle [deg],K_I [Pa*m^0.5],K_II [Pa*m^0.5],K_III "
+      "[Pa*m^0.5]\n1,0,0,0,1,1,1\n1,0,0,90,1,1,1\n1,0,0,180,1,1,1\n",
+      "has 3 angles; give 4 or more");
   const std::string shaped =
       "depth [mm],aspect_ratio,torque [N*m],station,angle [deg],K_I [Pa*m^0.5],K_II [Pa*m^0.5],"
       "K_III [Pa*m^0.5]\n1,0.5,0,0,0,1,1,1\n1,0.5,0,0,60,1,1,1\n1,0.5,0,0,120,1,1,1\n"
@@ -120,7 +122,8 @@ TEST(TurnTableFile, BehaviourReadWithTheDrive) {
       "length = \"160 mm\"\n"
       "[[flexspline.crack]]\nkind = \"through\"\nhalf_length = \"1.5 mm\"\n"
       "turn_table = \"tables/turn.csv\"\n";
-  const GearSet gear = read_gear_set(drive, "d.toml", Attachments({{"tables/turn.csv", turn_csv()}}));
+  const GearSet gear =
+      read_gear_set(drive, "d.toml", Attachments({{"tables/turn.csv", turn_csv()}}));
   ASSERT_EQ(gear.turn_tables.size(), 1U);
   EXPECT_EQ(gear.turn_tables.begin()->first, "tables/turn.csv");
   const std::string text = gear_text(gear);

@@ -130,8 +130,11 @@ TEST(TurnTable, InputRulesBrokenOnce) {
   refused([](GearSet& gear, TurnTable&) { gear.turn_tables.clear(); }, "has not been read");
   refused([](GearSet&, TurnTable& table) { table.size_name = "depth"; },
           "has a column depth, but a crack of kind \"through\" needs the column half_length");
-  refused([](GearSet&, TurnTable& table) { table.aspect_ratios = {0.5, 1}; },
-          "has a column aspect_ratio, which a crack of kind \"through\" does not have");
+  refused(
+      [](GearSet&, TurnTable& table) {
+        table.aspect_ratios = {0.5, 1};
+      },
+      "has a column aspect_ratio, which a crack of kind \"through\" does not have");
   refused([](GearSet&, TurnTable& table) { table.stations.back() = 2; },
           "must have stations from -1 to 1 only");
   refused([](GearSet&, TurnTable& table) { table.angles.back() += 0.01; },

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strength of a crack whose K over a turn is a table.
+#include "support/turn_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 #include "strainwave/strength/failure_assessment.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
-#include "support/turn_table.hpp"
 
 namespace strainwave {
 namespace {
@@ -31,7 +32,7 @@ GearSet wall_with_strength(double torque) {
   for (auto& [name, material] : gear.material) {
     material.yield_strength = 900e6;
     material.ultimate_strength = 1000e6;
-    material.fracture_toughness = 80e6;
+    material.fracture_toughness = 20e6;
   }
   return gear;
 }
@@ -40,21 +41,20 @@ GearSet wall_with_strength(double torque) {
 TurnTable bound_of_wall(const GearSet& gear, const std::vector<double>& torques) {
   const DriveCrack crack = drive_cracks(gear).front();
   std::vector<double> sizes;
-  for (int i = 0; i <= 60; ++i)
-    sizes.push_back(crack.range_end * std::pow(1e-4, 1 - i / 60.0));
+  for (int i = 0; i <= 60; ++i) sizes.push_back(crack.range_end * std::pow(1e-4, 1 - i / 60.0));
   double last = 0.0;
   std::vector<FrontIntensity> front;
-  return test::turn_table_of(
-      {.sizes = sizes, .torques = torques, .stations = {-1, 0, 1}}, "half_length",
-      [&](double a, double, double T, std::size_t s, double theta) {
-        if (a != last) front = crack.front({.size = a}, Faces::open);
-        last = a;
-        const FrontIntensity& at = front[s];
-        const double wave = std::cos(2 * theta);
-        return Modes{at.load.I[kTorsion] * T + at.assembly[0] * wave,
-                     at.load.II[kTorsion] * T + at.assembly[1] * wave,
-                     at.load.III[kTorsion] * T + at.assembly[2] * wave};
-      });
+  return test::turn_table_of({.sizes = sizes, .torques = torques, .stations = {-1, 0, 1}},
+                             "half_length",
+                             [&](double a, double, double T, std::size_t s, double theta) {
+                               if (a != last) front = crack.front({.size = a}, Faces::open);
+                               last = a;
+                               const FrontIntensity& at = front[s];
+                               const double wave = std::cos(2 * theta);
+                               return Modes{at.load.I[kTorsion] * T + at.assembly[0] * wave,
+                                            at.load.II[kTorsion] * T + at.assembly[1] * wave,
+                                            at.load.III[kTorsion] * T + at.assembly[2] * wave};
+                             });
 }
 
 const StrengthState& with_assembly(const CrackStrength& crack, TorqueSense sense) {
@@ -99,24 +99,22 @@ TEST(TurnTableStrength, ReferenceWorstOverTheTurn) {  // GR-30, FR-20
   };
   GearSet gear = wall_with_strength(2000);
   test::give_turn_table<WallThroughCrack>(
-      gear, test::turn_table_of({.sizes = {1e-3, 4e-3},
-                                 .torques = {-4000, 0, 4000},
-                                 .stations = {0},
-                                 .angles = 36},
-                                "half_length",
-                                [&](double a, double, double T, std::size_t, double theta) {
-                                  Modes K = shape(T, theta);
-                                  for (double& mode : K) mode *= std::sqrt(pi * a);
-                                  return K;
-                                }));
+      gear, test::turn_table_of(
+                {.sizes = {1e-3, 4e-3}, .torques = {-4000, 0, 4000}, .stations = {0}, .angles = 36},
+                "half_length", [&](double a, double, double T, std::size_t, double theta) {
+                  Modes K = shape(T, theta);
+                  for (double& mode : K) mode *= std::sqrt(pi * a);
+                  return K;
+                }));
   double worst = 0.0;
   const DriveCrack crack = drive_cracks(gear).front();
   for (int k = 0; k < 36; ++k) {
     const Modes K = shape(2000, pi * k / 36);
     const double opened = std::max(K[0], 0.0);
-    worst = std::max(worst, std::sqrt(pi * 2e-3 * (opened * opened + K[1] * K[1] +
-                                                   K[2] * K[2] * crack.moduli.opening /
-                                                       (2 * crack.moduli.shear))));
+    worst =
+        std::max(worst, std::sqrt(pi * 2e-3 *
+                                  (opened * opened + K[1] * K[1] +
+                                   K[2] * K[2] * crack.moduli.opening / (2 * crack.moduli.shear))));
   }
   const CrackStrength answer = crack_strength(gear).front();
   test::expect_relative(with_assembly(answer, TorqueSense::positive).K, worst, 1e-9);

@@ -47,8 +47,7 @@ TurnTable turn_table_of(const TurnGrid& grid, const char* size_name, const Facto
           for (int k = 0; k <= grid.angles; ++k) {
             // The last angle is the first one again, to the last digit.
             const int same = k == grid.angles ? 0 : k;
-            table.K.push_back(
-                factor(a, shape, T, s, grid.first + grid.span * same / grid.angles));
+            table.K.push_back(factor(a, shape, T, s, grid.first + grid.span * same / grid.angles));
           }
   return table;
 }

@@ -381,7 +381,7 @@ class Turn:
     steps, waves = Wall.steps, Wall.waves
     C, m, gamma = 6.9e-12, 3, 0.5
     sizes = [2.0, 3.0, 4.0, 6.0, 8.0]  # mm
-    torques = [-3000.0, 0.0, 6000.0]
+    torques = [-9000.0, 0.0, 9000.0]
     stations = [-1, 1]
     angles = [10 * i for i in range(19)]  # deg
 

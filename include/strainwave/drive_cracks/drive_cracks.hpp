@@ -87,9 +87,9 @@ struct DriveCrack {
   /// `range_end`, where no section is left.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
 
-  double range_begin = 0.0;    ///< smallest size at which K over a turn is known [m]
-  double range_end = 0.0;      ///< largest size at which the solutions are valid [m]
-  std::string range_text;      ///< description of that size
+  double range_begin = 0.0;  ///< smallest size at which K over a turn is known [m]
+  double range_end = 0.0;    ///< largest size at which the solutions are valid [m]
+  std::string range_text;    ///< description of that size
   /// K over the turn of the wave generator, in place of `front` with the assembly; null: none
   std::shared_ptr<const TurnTable> turn_table;
   bool ends_in_table = false;  ///< whether `range_end` is the end of `turn_table`

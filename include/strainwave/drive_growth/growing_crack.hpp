@@ -59,7 +59,8 @@ class GrowingCrack {
   [[nodiscard]] MixedMode mixed_mode() const { return mixed_mode_; }
   [[nodiscard]] const GrowthLimits& limits() const { return limits_; }
   /// The tips that move: depth and length of a surface crack, else the size alone.  A surface crack
-  /// whose table of K over a turn has no aspect ratios keeps its shape and grows by its worst point.
+  /// whose table of K over a turn has no aspect ratios keeps its shape and grows by its worst
+  /// point.
   [[nodiscard]] std::span<const Tip> tips() const;
 
   /// The cycles of one repetition at each tip, in the order of `tips`.

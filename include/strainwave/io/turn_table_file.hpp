@@ -20,7 +20,8 @@ inline constexpr std::size_t kMaxTurnRows = 500'000;
 ///
 /// The rows are a full grid, sorted by size, aspect ratio, torque, station and angle.
 ///
-/// @throws InputError  if a column or its unit is missing; if a row is unsorted, appears twice or is
+/// @throws InputError  if a column or its unit is missing; if a row is unsorted, appears twice or
+/// is
 ///                     missing; if the table has fewer than kMinTurnAngles angles, or K at the last
 ///                     angle is not that at the first one; the message names the line
 [[nodiscard]] TurnTable read_turn_table(HistoryFile& file);

@@ -559,8 +559,7 @@ std::vector<InputDifference> unknown_tables(const Side& first, const Side& secon
   std::vector<InputDifference> unknown;
   for (const Side* const side : {&first, &second})
     for (const auto& [path, file] : side->inputs)
-      if (names_table(path) && !side->tables.contains(path))
-        unknown.push_back({path, file, file});
+      if (names_table(path) && !side->tables.contains(path)) unknown.push_back({path, file, file});
   return unknown;
 }
 

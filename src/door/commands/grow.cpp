@@ -105,8 +105,8 @@ std::string checkpoint_head(const Request& request, const GrowOptions& o) {
   }
   for (const auto& [name, table] : request.drive.gear.turn_tables) {
     beside += name;
-    for (const std::vector<double>* const axis : {&table->sizes, &table->aspect_ratios,
-                                                  &table->torques, &table->stations, &table->angles})
+    for (const std::vector<double>* const axis :
+         {&table->sizes, &table->aspect_ratios, &table->torques, &table->stations, &table->angles})
       for (const double node : *axis) beside += fmt::format(" {:a}", node);
     for (const Modes& K : table->K) beside += fmt::format(" {:a} {:a} {:a}", K[0], K[1], K[2]);
   }

@@ -77,10 +77,10 @@ void check_turn(const GearSet& gear, const std::string& path, const Crack& crack
   const double span = table.angles.back() - table.angles.front();
   const double wave = 2 * pi / gear.drive.wave_number;
   if (std::abs(span - wave) > kSpanTolerance && std::abs(span - 2 * pi) > kSpanTolerance)
-    refuse(fmt::format("runs over {}, but must run over a wave of {} or a turn of 360 deg, with the "
-                       "first angle again at the end",
-                       shown_quantity(span, "rad", 9, "angle"),
-                       shown_quantity(wave, "rad", 9, "angle")));
+    refuse(fmt::format(
+        "runs over {}, but must run over a wave of {} or a turn of 360 deg, with the "
+        "first angle again at the end",
+        shown_quantity(span, "rad", 9, "angle"), shown_quantity(wave, "rad", 9, "angle")));
   const auto covered = [&](const std::vector<double>& nodes, double value, std::string_view unit,
                            std::string_view name) {
     if (nodes.size() > 1 && !within(nodes, value))
@@ -101,7 +101,8 @@ void check_turn(const GearSet& gear, const std::string& path, const Crack& crack
   if (!gear.duty) return;
   for (std::size_t i = 0; i < gear.duty->block.size(); ++i)
     if (gear.duty->block[i].axial_force != 0)
-      refuse(fmt::format("is a table for torque alone, so duty.block[{}].axial_force must be 0", i));
+      refuse(
+          fmt::format("is a table for torque alone, so duty.block[{}].axial_force must be 0", i));
 }
 
 }  // namespace
@@ -114,8 +115,7 @@ std::array<double, 2> turn_load_range(const TurnTable& table, double torque) {
   return {std::max(0.0, near / torque), far / torque};
 }
 
-TurnFactors::TurnFactors(const TurnTable& table, double size, double aspect_ratio)
-    : table_(table) {
+TurnFactors::TurnFactors(const TurnTable& table, double size, double aspect_ratio) : table_(table) {
   const std::vector<double> of_size = logarithmic_weights(table.sizes, size);
   const std::vector<double> of_shape = table.aspect_ratios.empty()
                                            ? std::vector<double>{1.0}
@@ -124,8 +124,7 @@ TurnFactors::TurnFactors(const TurnTable& table, double size, double aspect_rati
   K_.assign(block, {});
   for (std::size_t i = 0; i < of_size.size(); ++i)
     for (std::size_t j = 0; j < of_shape.size(); ++j) {
-      const double weight =
-          of_size[i] * of_shape[j] * std::sqrt(size / table.sizes[i]);  // (GR-30)
+      const double weight = of_size[i] * of_shape[j] * std::sqrt(size / table.sizes[i]);  // (GR-30)
       if (weight == 0) continue;
       const std::array<double, 3>* const from = table.K.data() + (i * of_shape.size() + j) * block;
       for (std::size_t k = 0; k < block; ++k)
@@ -136,12 +135,12 @@ TurnFactors::TurnFactors(const TurnTable& table, double size, double aspect_rati
 std::vector<std::array<double, 3>> TurnFactors::at(std::size_t station, double torque) const {
   const std::vector<double>& T = table_.torques;
   if (!table_.covers(torque))
-    throw InputError(table_.file,
-                     fmt::format("covers torques from {} to {}, but {} acts; compute K at this "
-                                 "torque too",
-                                 shown_quantity(T.front(), "N*m", 9),
-                                 shown_quantity(T.back(), "N*m", 9),
-                                 shown_quantity(torque, "N*m", 9)));
+    throw InputError(
+        table_.file,
+        fmt::format("covers torques from {} to {}, but {} acts; compute K at this "
+                    "torque too",
+                    shown_quantity(T.front(), "N*m", 9), shown_quantity(T.back(), "N*m", 9),
+                    shown_quantity(torque, "N*m", 9)));
   std::size_t i = 0;
   while (i + 2 < T.size() && torque > T[i + 1]) ++i;
   const std::size_t next = std::min(i + 1, T.size() - 1);

@@ -24,8 +24,8 @@ struct TurnTable {
   std::vector<double> aspect_ratios = {};
   std::vector<double> torques;  ///< T at the output [N*m]; one or more
   /// Places of the front [-].  Of a surface crack: from 0, at the surface, to 1, at the deepest
-  /// point.  Of a crack through the wall: from -1, at the inner face, to 1, at the outer face.  Of a
-  /// crack of the rim: from -1 to 1 over its width.
+  /// point.  Of a crack through the wall: from -1, at the inner face, to 1, at the outer face.  Of
+  /// a crack of the rim: from -1 to 1 over its width.
   std::vector<double> stations;
   /// Angle from a lobe of the wave generator to the crack, toward +theta [rad].  The last one is
   /// the first one again, a wave or a whole turn later.
