@@ -148,8 +148,13 @@ class Maker {
           made.wave_number = gear_.drive.wave_number;
           fill(made, crack, loaded);
           if constexpr (requires { crack.turn_table; })
-            if (crack.turn_table && !made.acts_in_coupled_drive)
-              take_turn_table(made, gear_.turn_tables.at(*crack.turn_table));
+            if (crack.turn_table) {
+              auto table = gear_.turn_tables.at(*crack.turn_table);
+              if (made.acts_in_coupled_drive)
+                made.turn_table = std::move(table);
+              else
+                take_turn_table(made, std::move(table));
+            }
           result.push_back(std::move(made));
         });
       });

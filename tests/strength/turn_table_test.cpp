@@ -120,6 +120,41 @@ TEST(TurnTableStrength, ReferenceWorstOverTheTurn) {  // GR-30, FR-20
   test::expect_relative(with_assembly(answer, TorqueSense::positive).K, worst, 1e-9);
 }
 
+TEST(TurnTableStrength, BehaviourRimAgainstItsToughness) {  // GR-30, FR-20
+  // K of the axial crack of the rim is known by its table, its net section is not.
+  GearSet gear = wall_with_strength(2000);
+  gear.flexspline->crack_free = CrackFree::sections;
+  gear.flexspline->shape = FlexsplineShape::cylinder;
+  gear.flexspline->rim =
+      TubeSection{.outer_diameter = 160e-3, .wall_thickness = 3e-3, .length = 30e-3};
+  gear.flexspline->barrel =
+      TubeSection{.outer_diameter = 158e-3, .wall_thickness = 2e-3, .length = 100e-3};
+  RimAxialCrack rim;
+  rim.depth = 0.2e-3;
+  gear.flexspline->crack = {rim};
+  Material& steel = gear.material.at(gear.flexspline->material);
+  steel.fracture_toughness = 60e6;
+  const double T = gear.load.torque;
+  const double stress = 400e6;
+  test::give_turn_table<RimAxialCrack>(
+      gear,
+      test::turn_table_of({.sizes = {0.1e-3, 0.5e-3}, .torques = {-2 * T, 2 * T}, .stations = {0}},
+                          "depth", [&](double a, double, double, std::size_t, double theta) {
+                            return Modes{stress * std::cos(2 * theta) * std::sqrt(pi * a), 0, 0};
+                          }));
+  const double K = stress * std::sqrt(pi * 0.2e-3);
+  CrackStrength answer = crack_strength(gear).front();
+  EXPECT_EQ(answer.verdict, StrengthVerdict::cannot_tell);
+  ASSERT_EQ(answer.states.size(), 1U);
+  test::expect_relative(answer.states[0].K, K, 1e-9);
+  test::expect_relative(answer.states[0].utilisation.value(), K / 60e6, 1e-9);
+  EXPECT_TRUE(answer.sentence.starts_with("cannot tell: the stress of the rim's net section"))
+      << answer.sentence;
+  steel.fracture_toughness = 0.99 * K;
+  answer = crack_strength(gear).front();
+  EXPECT_EQ(answer.verdict, StrengthVerdict::fractures);
+}
+
 TEST(TurnTableStrength, BehaviourEndsOfTheTable) {  // GR-30
   GearSet gear = wall_with_strength(2000);
   const GearSet plain = gear;

@@ -61,7 +61,7 @@ struct DriveCrack {
   std::string kind;      ///< "through"
   std::string material;  ///< name of its material; empty: the member has no material
   /// True if the crack acts through contacts, which only the coupled drive models.  The members
-  /// below are then empty.
+  /// below, apart from `turn_table`, are then empty.
   bool acts_in_coupled_drive = false;
 
   std::string size_name;           ///< "depth" or "half_length"
