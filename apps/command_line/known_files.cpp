@@ -42,6 +42,8 @@ void KnownFiles::add_tables_of(const Drive& drive, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (const auto& [name, table] : drive.gear.compliance_tables)
     add_input("compliance_table", (folder / name).string());
+  for (const auto& [name, table] : drive.gear.turn_tables)
+    add_input("turn_table", (folder / name).string());
   if (drive.gear.duty && drive.gear.duty->history)
     add_input("duty.history", (folder / *drive.gear.duty->history).string());
   for (const auto& [name, path] : outputs_) require_not_read(name, path);

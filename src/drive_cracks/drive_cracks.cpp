@@ -9,9 +9,12 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
@@ -144,6 +147,14 @@ class Maker {
           if constexpr (requires { member.material; }) made.material = member.material;
           made.wave_number = gear_.drive.wave_number;
           fill(made, crack, loaded);
+          if constexpr (requires { crack.turn_table; })
+            if (crack.turn_table) {
+              auto table = gear_.turn_tables.at(*crack.turn_table);
+              if (made.acts_in_coupled_drive)
+                made.turn_table = std::move(table);
+              else
+                take_turn_table(made, std::move(table));
+            }
           result.push_back(std::move(made));
         });
       });
@@ -540,6 +551,40 @@ class Maker {
 
 double DriveCrack::assembly_phase(double wave_angle) const {
   return std::cos(wave_number * wave_angle);
+}
+
+void take_turn_table(DriveCrack& crack, std::shared_ptr<const TurnTable> table) {
+  // The table contains the bending by the assembly, so what bounds it or leaves it out is gone.
+  std::erase_if(crack.notes, [](const StrengthNote& note) {
+    return note.text == kAssembly.text || note.text == kThroughBending.text;
+  });
+  for (const std::string_view tag : {"ST-17", "FA-12", "FA-14", "SP-3"})
+    std::erase(crack.equations, tag);
+  if (crack.unknown == kRim) {
+    crack.unknown.clear();
+    crack.next_step.clear();
+  }
+  crack.assembly = true;
+  crack.turning = TurningLoad::wave;
+  use(crack, {"GR-30"});
+  crack.notes.push_back(
+      {fmt::format("K over the turn of the wave generator is that of the table {}",
+                   shown(table->file)),
+       "GR-30"});
+  if (table->sizes.size() > 1) {
+    crack.range_begin = table->sizes.front();
+    if (table->sizes.back() < crack.range_end) {
+      crack.range_end = table->sizes.back();
+      crack.range_text = fmt::format("the end of the table {}", shown(table->file));
+      crack.ends_in_table = true;
+    }
+  } else {
+    crack.notes.push_back(
+        {fmt::format("the table {} has one size, so K/sqrt(pi a) counts as constant",
+                     shown(table->file)),
+         "GR-30"});
+  }
+  crack.turn_table = std::move(table);
 }
 
 std::vector<DriveCrack> drive_cracks(const GearSet& gear) { return Maker(gear).all(); }

@@ -252,11 +252,10 @@ std::optional<Note> obstacle(const GearSet& gear, const CrackedRing& ring,
   return std::nullopt;
 }
 
-CoupledCrack known_crack(const GearSet& gear, const DriveCrack& crack, const CrackPlace& place,
-                         const CrackedRing& ring, const DutyHistory& history) {
-  CoupledCrack known{.known = true, .crack = crack, .at_torque = {}, .notes = {}};
-  DriveCrack& made = known.crack;
-  const double thickness = ring.thickness(gear);
+/// The crack in the form of all cracks, without K and what limits it.
+DriveCrack crack_of_ring(const DriveCrack& crack, const CrackPlace& place, const CrackedRing& ring,
+                         double thickness) {
+  DriveCrack made = crack;
   made.acts_in_coupled_drive = false;
   made.size_name = "depth";
   made.size = {.size = place.depth};
@@ -264,6 +263,28 @@ CoupledCrack known_crack(const GearSet& gear, const DriveCrack& crack, const Cra
   made.turning = ring.turning;
   made.range_end = sif::kUsableDepthRatio * thickness;
   made.range_text = ring.range_text;
+  return made;
+}
+
+/// The crack with its table of K over a turn (GR-30), which needs no coupled drive.
+CoupledCrack tabulated_crack(const GearSet& gear, const DriveCrack& crack, const CrackPlace& place,
+                             const CrackedRing& ring) {
+  CoupledCrack known{.known = true,
+                     .crack = crack_of_ring(crack, place, ring, ring.thickness(gear)),
+                     .at_torque = {},
+                     .notes = {}};
+  take_turn_table(known.crack, crack.turn_table);
+  return known;
+}
+
+CoupledCrack known_crack(const GearSet& gear, const DriveCrack& crack, const CrackPlace& place,
+                         const CrackedRing& ring, const DutyHistory& history) {
+  const double thickness = ring.thickness(gear);
+  CoupledCrack known{.known = true,
+                     .crack = crack_of_ring(crack, place, ring, thickness),
+                     .at_torque = {},
+                     .notes = {}};
+  DriveCrack& made = known.crack;
   made.unknown = ring.unknown;
   made.next_step = ring.next_step;
   made.equations.assign(ring.equations.begin(), ring.equations.end());
@@ -306,6 +327,7 @@ CoupledCrack coupled_crack(const GearSet& gear, const DriveCrack& crack,
     unknown.notes.push_back(tooth_crack_note(crack.path));
     return unknown;
   }
+  if (crack.turn_table) return tabulated_crack(gear, crack, place, *ring);
   if (const auto note = obstacle(gear, *ring, crack.path)) {
     unknown.notes.push_back(*note);
     return unknown;

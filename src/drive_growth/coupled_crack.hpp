@@ -19,7 +19,7 @@ struct CoupledCrack {
   std::vector<Note> notes;    ///< on the stress of the crack
 };
 
-/// Implements theory manual eqs. (GR-29), (GR-33), (GR-38).
+/// Implements theory manual eqs. (GR-29), (GR-30), (GR-33), (GR-38).
 /// @param gear   has passed `check`
 /// @param crack  of drive_cracks(gear); one that acts in the coupled drive
 [[nodiscard]] CoupledCrack coupled_crack(const GearSet& gear, const DriveCrack& crack,

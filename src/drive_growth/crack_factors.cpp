@@ -10,6 +10,10 @@ namespace strainwave {
 CrackFactors::CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_torque,
                            const CrackSize& size, bool bent)
     : at_torque_(at_torque), reverses_(crack.reverses) {
+  if (crack.turn_table) {
+    turn_.emplace(*crack.turn_table, size.size, size.aspect_ratio);
+    return;
+  }
   const auto add = [&](const DriveCrack& of) {
     Front& front = fronts_.emplace_back();
     front.load = of.front(size, Faces::open);

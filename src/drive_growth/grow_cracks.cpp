@@ -86,8 +86,12 @@ class Growing {
     const std::size_t at = first_[k];
     const double end = cracks_[k].crack().range_end;
     const double a = std::min(std::exp(state[at]), end);
-    if (cracks_[k].tips().size() == 1) return {.size = a};
-    return CrackSize::of(a, std::max(std::exp(state[at + 1]), a));
+    if (cracks_[k].tips().size() == 1)
+      return {.size = a, .aspect_ratio = cracks_[k].crack().size.aspect_ratio};
+    double c = std::max(std::exp(state[at + 1]), a);
+    if (const auto& table = cracks_[k].crack().turn_table)
+      c = std::clamp(c, a / table->aspect_ratios.back(), a / table->aspect_ratios.front());
+    return CrackSize::of(a, c);
   }
 
   /// Factor of the vibration on the loads, against that of the sizes in the file; (GR-28).
@@ -163,7 +167,8 @@ class Growing {
       const double a = std::exp(state[first_[k]]);
       if (cracks_[k].breaks(size_of(state, k), factor)) return End{CrackEvent::breaks, k};
       if (severed) return End{CrackEvent::severed, k};
-      if (a >= cracks_[k].crack().range_end) return End{CrackEvent::range, k};
+      if (a >= cracks_[k].crack().range_end || leaves_shapes(state, k))
+        return End{CrackEvent::range, k};
       if (cracks_[k].crack().path == options_.stop.crack && a >= options_.stop.size)
         return End{CrackEvent::wanted_size, k};
     }
@@ -190,6 +195,17 @@ class Growing {
                1.0);
   }
 
+  /// Whether the shape of a surface crack leaves its table of K over a turn.
+  [[nodiscard]] bool leaves_shapes(const State& state, std::size_t k) const {
+    const auto& table = cracks_[k].crack().turn_table;
+    if (!table || cracks_[k].tips().size() == 1) return false;
+    constexpr double kRounding = 1e-9;
+    const double shape = std::exp(state[first_[k]] - state[first_[k] + 1]);
+    const double most = table->aspect_ratios.back();
+    return shape < table->aspect_ratios.front() * (1 - kRounding) ||
+           (most < 1 && shape > most * (1 + kRounding));
+  }
+
   /// Repetitions after which the duty ends.
   [[nodiscard]] double last_repetition() const {
     double last = kLongestDuty / duration();
@@ -204,6 +220,8 @@ class Growing {
 
   /// Lets a surface crack go on through the wall; false if the crack cannot.
   [[nodiscard]] bool through_wall(const State& state, std::size_t k) {
+    const DriveCrack& crack = cracks_[k].crack();
+    if (crack.ends_in_table || std::exp(state[first_[k]]) < crack.range_end) return false;
     GearSet grown = gear_at(state);
     if (!break_through(grown, in_drive_[k])) return false;
     gear_ = std::move(grown);
@@ -231,8 +249,9 @@ class Growing {
     for (std::size_t i = 0; i < all.size(); ++i) {
       unchanged_.push_back(all[i].size);
       CracksAtTorques at_torque;
-      const bool coupled_drive = all[i].acts_in_coupled_drive;
-      if (coupled_drive) {
+      // A table of K over a turn needs no coupled drive.
+      const bool coupled_drive = all[i].acts_in_coupled_drive && !all[i].turn_table;
+      if (all[i].acts_in_coupled_drive) {
         CoupledCrack coupled = coupled_crack(gear_, all[i], history_);
         if (first_time) take_evidence(coupled);
         if (!coupled.known) continue;
@@ -545,10 +564,12 @@ class Path {
     if (end.event == CrackEvent::range) {
       const State before = state;
       event(before, end.crack, CrackEvent::range);
+      const bool had_table = growing_.cracks()[end.crack].crack().turn_table != nullptr;
       if (growing_.through_wall(state, end.crack)) {
         if (told_) {
           CrackGrowth& crack = report_.cracks[end.crack];
           crack.events.back().event = CrackEvent::through_wall;
+          if (had_table) report_.notes.push_back(through_wall_note(path));
         }
         state = growing_.start(before.back());
         acceptable_.clear();
@@ -595,6 +616,9 @@ class Path {
       for (Note& note : crack_notes(growing_.gear(), crack, options_.rate))
         report_.notes.push_back(std::move(note));
     }
+    if (std::ranges::any_of(
+            cracks, [](const GrowingCrack& crack) { return crack.crack().turn_table != nullptr; }))
+      report_.equations.insert(report_.equations.end(), {"GR-30", "GR-31"});
     stands_still_.assign(cracks.size(), false);
   }
 

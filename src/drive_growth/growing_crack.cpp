@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/drive_growth/turn_cycles.hpp"
 #include "strainwave/materials/library_law.hpp"
 #include "strainwave/materials/material_library.hpp"
 
@@ -99,7 +100,8 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHist
 
 std::span<const Tip> GrowingCrack::tips() const {
   static constexpr std::array<Tip, 2> kBoth = {Tip::depth, Tip::length};
-  const bool surface = crack_.kind == "surface";
+  const bool keeps_shape = crack_.turn_table && crack_.turn_table->aspect_ratios.empty();
+  const bool surface = crack_.kind == "surface" && !keeps_shape;
   return surface ? std::span<const Tip>(kBoth) : std::span<const Tip>(kBoth).first(1);
 }
 
@@ -126,6 +128,10 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
     std::vector<TipLoad>& at_tip = result.emplace_back();
     at_tip.reserve(duty_.cycle.size());
     for (const LoadCycle& cycle : duty_.cycle) {
+      if (K.has_turn()) {
+        add_turn(at_tip, K, points, cycle, size, factor);
+        continue;
+      }
       // The load that turns may meet the constant loads in either phase.
       LoadState from = cycle.from;
       LoadState to = cycle.to;
@@ -154,9 +160,48 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
   return result;
 }
 
+void GrowingCrack::add_turn(std::vector<TipLoad>& to, const CrackFactors& K,
+                            std::pair<std::size_t, std::size_t> points, const LoadCycle& cycle,
+                            const CrackSize& size, double factor) const {
+  TipCycle worst;
+  std::vector<CycleWithinTurn> within;
+  double fastest = -1.0;
+  for (std::size_t i = points.first; i < points.second; ++i) {
+    const std::vector<Modes> one = K.over_turn(i, cycle.from.torque * factor);
+    if (cycle.within_wave) {
+      std::vector<CycleWithinTurn> here = cycles_within_turn(
+          mixed_mode_, one, waves_of(*crack_.turn_table, crack_.wave_number), poissons_ratio_);
+      double rate = 0.0;
+      for (const CycleWithinTurn& of : here) rate += of.count * rate_of(of.cycle, size.size);
+      if (rate <= fastest) continue;
+      fastest = rate;
+      within = std::move(here);
+      continue;
+    }
+    const bool same = cycle.from.torque == cycle.to.torque;
+    const std::vector<Modes> other =
+        same ? std::vector<Modes>() : K.over_turn(i, cycle.to.torque * factor);
+    const TipCycle at = cycle_of_turns(mixed_mode_, one, same ? one : other, poissons_ratio_);
+    const double rate = rate_of(at, size.size);
+    if (rate < fastest || (rate == fastest && at.full_range() <= worst.full_range())) continue;
+    fastest = rate;
+    worst = at;
+  }
+  if (!cycle.within_wave)
+    to.push_back({.cycle = worst, .count = cycle.count, .step = cycle.step, .rare = cycle.rare});
+  for (const CycleWithinTurn& of : within)
+    to.push_back({.cycle = of.cycle, .count = cycle.count * of.count, .step = cycle.step});
+}
+
 double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
   GrowthLimits limits = limits_;
   limits.toughness.reset();  // a law without its own toughness stays smooth up to the event
+  if (!(cycle.ratio < 1)) {  // K stands still
+    const TipCycle once{.largest = cycle.largest};
+    return growth_rate(law_, once, crack_size, limits).state == TipState::breaks
+               ? std::numeric_limits<double>::infinity()
+               : 0.0;
+  }
   const GrowthRate rate = growth_rate(law_, cycle, crack_size, limits);
   return rate.state == TipState::breaks ? std::numeric_limits<double>::infinity() : rate.per_cycle;
 }
@@ -208,21 +253,53 @@ Modes GrowingCrack::worst_factors(const CrackSize& size) const {
   double largest = 0.0;
   for (const LoadCycle& cycle : duty_.cycle)
     for (const LoadState* const state : {&cycle.from, &cycle.to})
-      for (std::size_t i = points.first; i < points.second; ++i) {
-        const Modes here = K.at(i, *state);
-        const double equivalent = equivalent_factor(mixed_mode_, as_factors(here), poissons_ratio_);
-        if (equivalent <= largest) continue;
-        largest = equivalent;
-        worst = here;
-      }
+      for (std::size_t i = points.first; i < points.second; ++i)
+        for (const Modes& here :
+             K.has_turn() ? K.over_turn(i, state->torque) : std::vector<Modes>{K.at(i, *state)}) {
+          const double equivalent =
+              equivalent_factor(mixed_mode_, as_factors(here), poissons_ratio_);
+          if (equivalent <= largest) continue;
+          largest = equivalent;
+          worst = here;
+        }
   return worst;
 }
 
 bool GrowingCrack::breaks(const CrackSize& size, double factor) const {
   for (const std::vector<TipLoad>& at_tip : loads(size, factor))
-    for (const TipLoad& load : at_tip)
-      if (growth_rate(law_, load.cycle, size.size, limits_).state == TipState::breaks) return true;
+    for (const TipLoad& load : at_tip) {
+      const TipCycle reached =
+          load.cycle.ratio < 1 ? load.cycle : TipCycle{.largest = load.cycle.largest};
+      if (growth_rate(law_, reached, size.size, limits_).state == TipState::breaks) return true;
+    }
   return false;
+}
+
+double GrowingCrack::largest_factor() const {
+  double largest = std::numeric_limits<double>::infinity();
+  if (!crack_.turn_table) return largest;
+  for (const LoadCycle& cycle : duty_.cycle)
+    for (const double torque : {cycle.from.torque, cycle.to.torque})
+      if (torque != 0) largest = std::min(largest, turn_load_range(*crack_.turn_table, torque)[1]);
+  return largest;
+}
+
+double GrowingCrack::change_by_angles() const {
+  if (!crack_.turn_table) return 0.0;
+  const CrackFactors K = factors(crack_.size);
+  double widest = 0.0;
+  double change = 0.0;
+  for (const LoadCycle& cycle : duty_.cycle)
+    for (std::size_t i = 0; i < K.points(); ++i) {
+      const std::vector<Modes> turn = K.over_turn(i, cycle.from.torque);
+      std::vector<Modes> half;
+      for (std::size_t k = 0; k < turn.size(); k += 2) half.push_back(turn[k]);
+      const double all = cycle_of_turns(mixed_mode_, turn, turn, poissons_ratio_).full_range();
+      const double left = cycle_of_turns(mixed_mode_, half, half, poissons_ratio_).full_range();
+      widest = std::max(widest, all);
+      change = std::max(change, all - left);
+    }
+  return widest > 0 ? change / widest : 0.0;
 }
 
 }  // namespace strainwave

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/drive_growth/load_cycles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/growth/rainflow.hpp"
 
 namespace strainwave {
@@ -31,6 +36,19 @@ LoadState state_of(const DriveCrack& crack, const DutyStep& step, double turned)
   return state;
 }
 
+/// Refuses a torque beyond the crack's table of K over a turn.
+void require_covered(const DriveCrack& crack, const DutyStep& step) {
+  const TurnTable& table = *crack.turn_table;
+  if (table.covers(step.torque)) return;
+  throw InputError(
+      crack.path + ".turn_table",
+      fmt::format("\"{}\" covers torques from {} to {}, but the duty has {}; compute K "
+                  "at this torque too",
+                  shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
+                  shown_quantity(table.torques.back(), "N*m", 9),
+                  shown_quantity(step.torque, "N*m", 9)));
+}
+
 /// The loads of the steps as one value each, for counting: K along the direction in which the
 /// constant loads of two steps differ most, at the point of the front where they do.
 class CountedValue {
@@ -38,9 +56,12 @@ class CountedValue {
   CountedValue(const DriveCrack& crack, const CracksAtTorques& at_torque,
                const std::vector<DutyStep>& steps)
       : crack_(crack), factors_(crack, at_torque, crack.size) {
+    if (factors_.has_turn())
+      for (const DutyStep& step : steps) require_covered(crack, step);
     double largest = 0.0;
     for (std::size_t point = 0; point < factors_.points() && !steps.empty(); ++point) {
       const auto constant = [&](const DutyStep& step) {
+        if (factors_.has_turn()) return mean(factors_.over_turn(point, step.torque));
         LoadState state = state_of(crack, step, 1);
         state.assembly = state.bending_moment = 0.0;
         return factors_.at(point, state);
@@ -65,12 +86,28 @@ class CountedValue {
   }
 
   [[nodiscard]] double of(const DutyStep& step, double turned) const {
+    if (factors_.has_turn()) {
+      double least = std::numeric_limits<double>::infinity();
+      double most = -least;
+      for (const Modes& K : factors_.over_turn(point_, step.torque)) {
+        least = std::min(least, product(K, direction_));
+        most = std::max(most, product(K, direction_));
+      }
+      return (most + least) / 2 + turned * (most - least) / 2;
+    }
     return product(factors_.at(point_, state_of(crack_, step, turned)), direction_);
   }
 
  private:
   static double product(const Modes& a, const Modes& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Modes mean(const std::vector<Modes>& turn) {
+    Modes sum{};
+    for (const Modes& K : turn)
+      for (std::size_t mode = 0; mode < sum.size(); ++mode)
+        sum[mode] += K[mode] / static_cast<double>(turn.size());
+    return sum;
   }
   static Modes difference(const Modes& a, const Modes& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -116,7 +153,8 @@ double turning_cycles(const GearSet& gear, const DriveCrack& crack) {
 
 double CrackDuty::cycles() const {
   double sum = 0.0;
-  for (const LoadCycle& of : cycle) sum += of.count;
+  for (const LoadCycle& of : cycle)
+    if (!of.within_wave) sum += of.count;
   return sum;
 }
 
@@ -148,6 +186,7 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     left.push_back(turned_in(step));
   }
   const CountedValue value(crack, at_torque, steps);
+  const std::vector<double> turned = left;
   for (std::size_t b = 0; b < steps.size(); ++b) {
     const double here = value.of(steps[b], 0);
     const double one = value.of(steps[b], 1);
@@ -191,10 +230,22 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
                             .count = left[b],
                             .step = number[b],
                             .rare = false});
+  // ... and those within a wave (GR-31).
+  const auto add_within = [&](const DutyStep& step, double count, std::size_t number_of_step) {
+    if (crack.turn_table && count > 0)
+      duty.cycle.push_back({.from = state_of(crack, step, 1),
+                            .to = state_of(crack, step, -1),
+                            .count = count,
+                            .step = number_of_step,
+                            .rare = false,
+                            .within_wave = true});
+  };
+  for (std::size_t b = 0; b < steps.size(); ++b) add_within(steps[b], turned[b], number[b]);
   std::ranges::stable_sort(duty.cycle, {}, &LoadCycle::step);
   // Momentary peaks follow at the end of the repetition.
   for (const DutyMomentaryPeak& peak : history.peaks) {
     const std::size_t step = history.steps.size();
+    if (crack.turn_table) require_covered(crack, peak.step);
     const auto farthest = std::ranges::max_element(
         values, {},
         [here = value.of(peak.step, 1)](double there) { return std::abs(there - here); });
@@ -205,12 +256,13 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
          .count = peak.per_repetition,
          .step = step,
          .rare = true});
-    if (const double turned = turned_in(peak.step) - 1; turned > 0)
+    if (const double more = turned_in(peak.step) - 1; more > 0)
       duty.cycle.push_back({.from = state_of(crack, peak.step, 1),
                             .to = state_of(crack, peak.step, -1),
-                            .count = peak.per_repetition * turned,
+                            .count = peak.per_repetition * more,
                             .step = step,
                             .rare = true});
+    add_within(peak.step, peak.per_repetition * turned_in(peak.step), step);
     duty.peaks += peak.per_repetition;
   }
   return duty;

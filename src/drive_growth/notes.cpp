@@ -7,6 +7,7 @@
 #include <cmath>
 #include <variant>
 
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/materials/library_law.hpp"
@@ -92,7 +93,53 @@ void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& cho
   }
 }
 
+/// Notes on the table that gives K over a turn.
+void note_turn_table(std::vector<Note>& notes, const GrowingCrack& crack) {
+  const DriveCrack& of = crack.crack();
+  const TurnTable& table = *of.turn_table;
+  const double change = crack.change_by_angles();
+  constexpr double kMuch = 0.02;
+  notes.push_back(
+      {.code = "growth.turn_table",
+       .text = fmt::format(
+           "K over the turn is that of the table {} with {} angles; if every second angle is left "
+           "out, the widest range falls by {:.2g} %, so the angles make K too small by about a "
+           "third of this",
+           shown(table.file), table.angles.size() - 1, 100 * change),
+       .path = of.path,
+       .equation = "GR-31",
+       .severity = change > kMuch ? Severity::care : Severity::information,
+       .next_step = change > kMuch ? "Give more angles near the largest and the least K." : ""});
+  std::string held;
+  if (table.sizes.size() == 1)
+    held = fmt::format("has one size, {}, so K/sqrt(pi a) counts as constant",
+                       shown_quantity(table.sizes.front(), "m", 3, table.size_name));
+  if (of.kind == WallSurfaceCrack::kKind && table.aspect_ratios.empty())
+    held += fmt::format(
+        "{}has no aspect_ratio, so the crack keeps its shape and grows by its worst "
+        "point",
+        held.empty() ? "" : ", and ");
+  if (!held.empty())
+    notes.push_back(
+        {.code = "growth.turn_table_held",
+         .text = fmt::format("the table {} {}", shown(table.file), held),
+         .path = of.path,
+         .equation = "GR-30",
+         .severity = Severity::care,
+         .next_step = "Give the table more sizes, and aspect ratios for a surface crack."});
+}
+
 }  // namespace
+
+Note through_wall_note(const std::string& path) {
+  return {.code = "growth.upper_bound",
+          .text =
+              "behind the wall there is no table of K over a turn, so the range of K from the "
+              "wave is an upper bound from there on",
+          .path = path,
+          .equation = "FA-12",
+          .severity = Severity::care};
+}
 
 Note coupled_crack_note(const std::string& path, const std::string& why, const char* next_step) {
   return {.code = "growth.coupled",
@@ -159,7 +206,9 @@ std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
          .equation = "GR-22",
          .severity = Severity::cannot_tell,
          .next_step = of.next_step});
-  if (of.assembly)
+  if (of.turn_table)
+    note_turn_table(notes, crack);
+  else if (of.assembly)
     notes.push_back({.code = "growth.upper_bound",
                      .text =
                          "the range of K from the wave is an upper bound, with open faces and the "
@@ -220,15 +269,16 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
       const double margin = *threshold / load.cycle.full_range();
       to.margin = std::min(to.margin.value_or(margin), margin);
     }
-  constexpr double kMost = 1000;
+  // A table of K over a turn has no answer beyond its torques.
+  const double most = std::min(1000.0, crack.largest_factor() / amplification);
   // The coupled drive has no answer far above its rating: the factor lies between the largest one
   // without growth and the least one with growth or without an answer.
   double below = 1.0;
   double above = 1.0;
   std::optional<bool> there = false;
-  while (there.has_value() && !*there && above < kMost) {
+  while (there.has_value() && !*there && above < most) {
     below = above;
-    above = std::min(2 * above, kMost);
+    above = std::min(2 * above, most);
     there = grows(above);
   }
   if (there.has_value() && !*there) return;

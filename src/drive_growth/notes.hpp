@@ -41,6 +41,9 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// A crack of a race in a bearing whose balls are not counted.
 [[nodiscard]] Note unknown_balls_note(const std::string& path);
 
+/// A surface crack with a table of K over a turn goes on through the wall, where it has none.
+[[nodiscard]] Note through_wall_note(const std::string& path);
+
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);
 

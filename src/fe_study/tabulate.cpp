@@ -219,11 +219,13 @@ GearSet plain(GearSet gear) {
   gear.range.clear();
   gear.scatter.clear();
   gear.compliance_tables.clear();
+  gear.turn_tables.clear();
   const auto forget = [](auto& cracks) {
     for (auto& any : cracks)
       std::visit(
           [](auto& crack) {
             if constexpr (requires { crack.compliance_table; }) crack.compliance_table.reset();
+            if constexpr (requires { crack.turn_table; }) crack.turn_table.reset();
           },
           any);
   };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -69,6 +70,12 @@ class AtSize {
     front_ =
         under_load(crack_, grown, P, T, positive ? crack_.faces.positive : crack_.faces.negative);
     reference_stress_ = crack_.reference_stress(grown, P, T);
+    if (!with_assembly || !crack_.turn_table) return;
+    torque_ = T;
+    turn_.emplace(*crack_.turn_table, size, crack_.size.aspect_ratio);
+    if (crack_.turn_table->covers(0))
+      for (std::size_t i = 0; i < turn_->stations(); ++i)
+        without_torque_.push_back(turn_->at(i, 0));
   }
 
   /// Largest equivalent K, by energy release rate, along the front and over a turn [Pa*m^0.5].
@@ -80,7 +87,10 @@ class AtSize {
     return std::sqrt(G * crack_.moduli.opening);  // (FR-20)
   }
   [[nodiscard]] double K_load() const { return K(1, 0); }
-  [[nodiscard]] double K_assembly() const { return with_assembly_ ? K(0, 1) : 0.0; }
+  [[nodiscard]] double K_assembly() const {
+    const bool known = with_assembly_ && (!turn_ || !without_torque_.empty());
+    return known ? K(0, 1) : 0.0;
+  }
   [[nodiscard]] double K_together() const { return K(1, assembly()); }
 
   [[nodiscard]] double plastic_zone(double yield_strength) const {
@@ -97,11 +107,28 @@ class AtSize {
   [[nodiscard]] double reference_stress() const { return reference_stress_; }
   [[nodiscard]] bool with_assembly() const { return with_assembly_; }
 
+  /// Factors on the load between which K is known: all, unless a table gives K over the turn.
+  [[nodiscard]] std::array<double, 2> known_loads() const {
+    if (!turn_) return {0.0, std::numeric_limits<double>::infinity()};
+    return turn_load_range(*crack_.turn_table, torque_);
+  }
+
  private:
   [[nodiscard]] double assembly() const { return with_assembly_ ? 1.0 : 0.0; }
 
   template <class F>
   void for_each_state(double load, double assembly, const F& f) const {
+    if (turn_ && assembly != 0) {
+      // The stress of the assembly is K without torque; (GR-30).
+      for (std::size_t i = 0; i < turn_->stations(); ++i) {
+        const std::vector<Modes> turn = turn_->at(i, load * torque_);
+        for (std::size_t k = 0; k < turn.size(); ++k)
+          f(sum({.load = turn[k],
+                 .assembly = without_torque_.empty() ? Modes{} : without_torque_[i][k]},
+                1, assembly - 1));
+      }
+      return;
+    }
     // G is convex in the phase of the assembly, so its largest value is at one of the two extremes.
     for (const FrontModes& modes : front_) {
       f(sum(modes, load, assembly));
@@ -113,6 +140,9 @@ class AtSize {
   std::vector<FrontModes> front_;
   double reference_stress_ = 0.0;
   bool with_assembly_;
+  double torque_ = 0.0;                             // with its sense
+  std::optional<TurnFactors> turn_;                 // with the assembly, if the crack has a table
+  std::vector<std::vector<Modes>> without_torque_;  // of each station; empty: not in the table
 };
 
 /// A crack at one size in the diagram, at any multiple of the given load.
@@ -157,19 +187,22 @@ class InDiagram {
   /// crack.
   [[nodiscard]] std::optional<double> reserve() const {
     if (!(L_r(1.0) > 0)) return std::nullopt;
-    if (beyond(0.0) >= 0) return 0.0;
+    const auto [least, most] = crack_.known_loads();
+    if (beyond(least) >= 0) return 0.0;
     const double collapse = L_r_max_ / L_r(1.0);
+    const double end = std::min(collapse, most);
     // A load that presses the crack may reduce K_r at first, so search for the first crossing.
     constexpr int kSteps = 32;
-    double inside = 0.0;
+    double inside = least;
     for (int i = 1; i <= kSteps; ++i) {
       // Rounding must not carry the last step past the end of the line.
-      const double load = collapse * (i == kSteps ? 1 - 1e-15 : static_cast<double>(i) / kSteps);
+      const double load =
+          least + (end - least) * (i == kSteps ? 1 - 1e-15 : static_cast<double>(i) / kSteps);
       if (beyond(load) >= 0)
         return bracketed_root([&](double x) { return beyond(x); }, inside, load);  // (FA-4)
       inside = load;
     }
-    return collapse;  // (FA-4)
+    return end;  // (FA-4)
   }
 
  private:
@@ -186,10 +219,12 @@ CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyo
   constexpr int kSteps = 24;
   constexpr double kSmallest = 1e-4;  // share of the range
   const double end = crack.range_end;
-  double inside = kSmallest * end;
-  if (beyond(inside) >= 0) return {.text = at_once};
+  const double smallest = std::max(kSmallest, crack.range_begin / end);
+  double inside = smallest * end;
+  if (beyond(inside) >= 0)
+    return {.text = smallest > kSmallest ? "below the smallest size of the table" : at_once};
   for (int i = 1; i <= kSteps; ++i) {
-    const double size = i == kSteps ? end : end * std::pow(kSmallest, 1 - double{1} * i / kSteps);
+    const double size = i == kSteps ? end : end * std::pow(smallest, 1 - double{1} * i / kSteps);
     if (beyond(size) >= 0) return {.size = bracketed_root(beyond, inside, size)};  // (FA-5)
     inside = size;
   }
@@ -200,6 +235,7 @@ CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyo
 /// Relative uncertainty of K under load and assembly together [-]; the errors of the two parts are
 /// independent.
 std::optional<double> uncertainty(const AssessedCrack& asked, const StrengthState& state) {
+  if (state.with_assembly && asked.crack.turn_table) return std::nullopt;  // the table states none
   if (!state.with_assembly || !asked.relative_uncertainty || !(state.K > 0))
     return asked.relative_uncertainty;
   return std::hypot(*asked.relative_uncertainty * state.K_load,
@@ -454,7 +490,10 @@ CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   result.toughness = asked.material.fracture_toughness;
   result.states = states_of(asked, given);
   const std::size_t n = result.states.size();
-  if (senses_differ(asked, false) || (asked.crack.assembly && senses_differ(asked, true)))
+  const bool other_known =
+      !asked.crack.turn_table || asked.crack.turn_table->covers(-asked.load.torque);
+  if (other_known &&
+      (senses_differ(asked, false) || (asked.crack.assembly && senses_differ(asked, true))))
     for (StrengthState& state : states_of(asked, other)) result.states.push_back(std::move(state));
 
   // The drive may reverse, so take the worst state under either sense, and the given sense if both

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "assessed_crack.hpp"
+#include "strainwave/core/compare.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
@@ -33,10 +36,100 @@ CrackStrength acts_in_coupled_drive(CrackStrength report) {
   return report;
 }
 
+/// The answer for a crack whose K over a turn is not known at the given torque.
+CrackStrength beyond_turn_table(CrackStrength report, const TurnTable& table, double torque) {
+  report.sentence = fmt::format(
+      "cannot tell, because the table {} covers torques from {} to {}, but the load is {}",
+      shown(table.file), shown_quantity(table.torques.front(), "N*m", 9),
+      shown_quantity(table.torques.back(), "N*m", 9), shown_quantity(torque, "N*m", 9));
+  report.next_step = "Compute K over the turn at this torque too, and add it to the table.";
+  report.equations = {"FA-13", "GR-30"};
+  return report;
+}
+
+/// Notes on where the table of K over a turn ends an answer.
+void note_ends_of_table(CrackStrength& report, const TurnTable& table, double torque) {
+  if (!table.covers(-torque))
+    report.notes.push_back(
+        {fmt::format("the table {} has no torque of the other sense, so the other "
+                     "sense is not assessed",
+                     shown(table.file)),
+         "GR-30"});
+  if (!table.covers(0))
+    report.notes.push_back(
+        {fmt::format("the table {} does not have torque 0, so all of its K counts "
+                     "as that of the load",
+                     shown(table.file)),
+         "GR-30"});
+  const double most = turn_load_range(table, torque)[1];
+  for (const StrengthState& state : report.states)
+    if (state.with_assembly && state.reserve && !clearly_less(*state.reserve, most)) {
+      report.notes.push_back(
+          {fmt::format(
+               "the table {} ends at {:.3g} times the load, so the reserve is at least this",
+               shown(table.file), most),
+           "GR-30"});
+      return;
+    }
+}
+
+/// The answer for an axial crack of the rim with its table of K over a turn: K against the
+/// toughness. The stress of the net section is not known.
+CrackStrength rim_with_table(const GearSet& gear, const DriveCrack& crack, CrackStrength report) {
+  const TurnTable& table = *crack.turn_table;
+  const Material& material = material_of(gear, crack.material, crack.path + ".material");
+  const ElasticConstants steel = elastic_constants(material);
+  for_each_crack_with_turn(gear, [&](const std::string& path, const auto& of) {
+    if constexpr (requires { of.depth; })
+      if (path == crack.path) report.size = of.depth;
+  });
+  report.size_name = "depth";
+  report.ligament = gear.flexspline->rim->wall_thickness - report.size;
+  report.toughness = material.fracture_toughness;
+  report.equations = {"FA-13", "FR-1", "FR-20", "GR-30"};
+  report.notes = {kResidual};
+  StrengthState state{
+      .sense = gear.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative,
+      .with_assembly = true,
+      .unknown = "the stress of the rim's net section is not known",
+      .next_step = "Compare K with the toughness, and assess the net section by finite elements."};
+  const TurnFactors factors(table, report.size, 1.0);
+  for (std::size_t i = 0; i < factors.stations(); ++i)
+    for (const Modes& K : factors.at(i, gear.load.torque))
+      state.K = std::max(state.K,
+                         std::sqrt(steel.plane_strain_modulus() *
+                                   energy_release_rate(std::max(K[0], 0.0), K[1], K[2],
+                                                       {steel.plane_strain_modulus(), steel.G})));
+  report.sentence = "cannot tell: " + state.unknown;
+  const std::string shown_K = shown_quantity(state.K, "Pa*m^0.5", 3);
+  if (material.fracture_toughness) {
+    state.utilisation = state.K / *material.fracture_toughness;
+    report.sentence += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
+    if (*state.utilisation >= 1) {
+      state.verdict = StrengthVerdict::fractures;
+      state.unknown.clear();
+      state.next_step.clear();
+      report.sentence = fmt::format(
+          "fractures at this load together with the assembly's bending: K = {} reaches K_Ic",
+          shown_K);
+    }
+  } else {
+    report.sentence += "; K = " + shown_K;
+  }
+  report.verdict = state.verdict;
+  report.next_step = state.next_step;
+  report.states = {std::move(state)};
+  return report;
+}
+
 CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
                           std::span<const CrackReport> reports) {
   CrackStrength report{.path = crack.path, .kind = crack.kind, .material = crack.material};
-  if (crack.acts_in_coupled_drive) return acts_in_coupled_drive(std::move(report));
+  if (crack.turn_table && !crack.turn_table->covers(gear.load.torque))
+    return beyond_turn_table(std::move(report), *crack.turn_table, gear.load.torque);
+  if (crack.acts_in_coupled_drive)
+    return crack.turn_table ? rim_with_table(gear, crack, std::move(report))
+                            : acts_in_coupled_drive(std::move(report));
   const Material& material = material_of(gear, crack.material, crack.path + ".material");
   report.size_name = crack.size_name;
   report.size = crack.size.size;
@@ -57,6 +150,7 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
               .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
                                                                : of_path->intensity_uncertainty},
              std::move(report));
+  if (crack.turn_table) note_ends_of_table(report, *crack.turn_table, gear.load.torque);
   if (report.breaks())
     report.next_step =
         (crack.upper_bound.empty()

@@ -257,7 +257,9 @@ TEST_F(Files, BehaviourDevicesAndPipesAreOutputs) {
 TEST_F(Files, InputAnOutputThatIsRead) {
   fs::copy(kTables + "/tabulated_crack.toml", in_folder("drive.toml"));
   fs::copy(kTables + "/tables", in_folder("tables"));
-  const fs::path table = fs::directory_iterator(in_folder("tables"))->path();
+  fs::copy(kTables + "/turn_table.toml", in_folder("turn.toml"));
+  const fs::path table = fs::path(in_folder("tables")) / "through_45.csv";
+  const fs::path turn = fs::path(in_folder("tables")) / "turn_through.csv";
   fs::create_symlink("drive.toml", in_folder("soft.toml"));
   fs::create_hard_link(in_folder("drive.toml"), in_folder("hard.toml"));
   fs::create_symlink(table, in_folder("table link"));
@@ -269,6 +271,8 @@ TEST_F(Files, InputAnOutputThatIsRead) {
     for (const char* const option : {"-o ", "--plot "})
       for (const std::string& input : {at("drive.toml"), at("hard.toml"), at("soft.toml")})
         expect_refused("stiffness " + input + " " + option + output, 2, "name the same file, ");
+  expect_refused("grow " + at("turn.toml") + " -o " + word(turn.string()), 2,
+                 "turn_table and --output name the same file");
   expect_refused("stiffness - -o " + at("soft.toml") + " <" + at("drive.toml"), 2,
                  "FILE and --output name the same file");
   expect_refused("calibrate " + word(kTables + "/catalogue_size25.toml") + " --measured " +

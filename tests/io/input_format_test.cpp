@@ -269,6 +269,7 @@ TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
   const std::map<std::string, std::string> refused = {
       {"[[wave_generator.crack]] stress", "is read only with stress_driver = \"given\""},
       {"[[flexspline.crack]] compliance_table", "is not a file beside the input"},
+      {"[[flexspline.crack]] turn_table", "is not a file beside the input"},
       {"[[output_shaft.crack]] compliance_table", "is not a file beside the input"}};
   const std::vector<std::string> lines = lines_of(input_template());
   std::string heading = "top";
@@ -334,6 +335,13 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     for (std::size_t i = 0; i < lines.size(); ++i)
       if (lines[i].starts_with("# [flexspline.")) switch_on_table(lines, i);
     replace_line(lines, "crack_free", "crack_free = \"sections\"");
+  };
+  const std::function<void(Lines&)> without_turn_table = [](Lines& lines) {
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with("turn_table = "); });
+  };
+  const std::function<void(Lines&)> in_the_rim = [&](Lines& lines) {
+    all_sections(lines);
+    without_turn_table(lines);
   };
   const std::function<void(Lines&)> arc_on_the_diaphragm = [&](Lines& lines) {
     all_sections(lines);
@@ -405,13 +413,12 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[flexspline.diaphragm.profile]]", "flexspline.diaphragm.outer_diameter: must be given",
        all_sections},
       {"[flexspline.boss]", "is read only where crack_free = \"sections\"", all_sections},
-      {"[[flexspline.crack]] surface", "accepted", nothing},
+      {"[[flexspline.crack]] surface", "is not a file beside the input", without_turn_table},
       {"[[flexspline.crack]] diaphragm_arc",
        "flexspline.diaphragm: must be given for flexspline.crack[1]", arc_on_the_diaphragm},
       {"[[flexspline.crack]] diaphragm_groove",
        "flexspline.diaphragm: must be given for flexspline.crack[1]", groove_on_the_diaphragm},
-      {"[[flexspline.crack]] rim_axial", "flexspline.rim: must be given for flexspline.crack[1]",
-       all_sections},
+      {"[[flexspline.crack]] rim_axial", "is not a file beside the input", in_the_rim},
       {"[mesh]", "accepted", nothing},
       {"[mesh.tooth]", "accepted", nothing},
       {"[[mesh.crack]] tooth", "accepted", nothing},

@@ -17,12 +17,16 @@ threshold; a block.  easigrow prints 139 380 (P3) and 21 247.5 (P2) for its loop
 
 Drive cases: an annular crack in a solid shaft (handbook's K of torsion and tension, (SB-3) of
 bending) under three blocks with rotating bending; a surface crack in the wall of a flexspline under
-torque and wave; and where they rest and start.  A crack of the rim from a tooth root (GR-38).
+torque and wave; where they rest and start; and a crack through the wall whose K over a turn is a
+table (examples/tables/turn_through.csv, which --table writes from its closed form).  A crack of the
+rim from a tooth root (GR-38).
 
 In double precision; the integrators work to 1e-12.  Each row states its digits.
 """
 import functools
 import math
+import sys
+from pathlib import Path
 
 import numpy as np
 from scipy.integrate import quad, solve_ivp
@@ -34,6 +38,7 @@ from reference_csv import Table, publish
 from weight_function import intensities
 
 PI = math.pi
+TURN_TABLE = Path(__file__).resolve().parents[2] / "examples" / "tables" / "turn_through.csv"
 
 
 # --- Laws, in MPa, m ----------------------------------------------------------------------------
@@ -367,6 +372,121 @@ class Wall:
         return solved.t_events[0][0], solved.y_events[0][0][0]
 
 
+class Turn:
+    """The wall above with a crack through it, 2 mm half length, and K over a turn from a table.
+
+    The closed form of the table, with the angle theta from the lobe, T in N m and the station s (-1
+    inner face, 1 outer face), in MPa and m:
+    K_I   = g sqrt(pi a) (0.01 T + 40 s (cos 2 theta + 0.6 cos 4 theta)),
+    K_II  = g sqrt(pi a) 15 s sin 2 theta,
+    K_III = g sqrt(pi a) 0.002 T s, with g = 1 + 0.1 ln(a / 2 mm).
+    So the modes have different phases, and each wave has a second, smaller cycle."""
+    steps, waves = Wall.steps, Wall.waves
+    C, m, gamma = 6.9e-12, 3, 0.5
+    sizes = [2.0, 3.0, 4.0, 6.0, 8.0]  # mm
+    torques = [-9000.0, 0.0, 9000.0]
+    stations = [-1, 1]
+    angles = [10 * i for i in range(19)]  # deg
+
+    @staticmethod
+    def shape(T, s, theta):
+        return [0.01 * T + 40 * s * (math.cos(2 * theta) + 0.6 * math.cos(4 * theta)),
+                15 * s * math.sin(2 * theta), 0.002 * T * s]
+
+    @classmethod
+    def text(cls):
+        text = ("# K over a turn of the wave generator, invented for an example and a test by\n"
+                "# tools/reference/crack_growth.py --table: K = (1 + 0.1 ln(a/2 mm)) sqrt(pi a) S with\n"
+                "# S_I = 0.01 T + 40 s (cos 2 theta + 0.6 cos 4 theta), S_II = 15 s sin 2 theta,\n"
+                "# S_III = 0.002 T s in MPa; a half_length, T torque in N*m, s station, theta angle.\n"
+                "half_length [mm],torque [N*m],station,angle [deg],"
+                "K_I [MPa*m^0.5],K_II [MPa*m^0.5],K_III [MPa*m^0.5]\n")
+        for a in cls.sizes:
+            root = (1 + 0.1 * math.log(a / 2)) * math.sqrt(PI * a * 1e-3)
+            for T in cls.torques:
+                for s in cls.stations:
+                    for angle in cls.angles:
+                        K = [root * x for x in cls.shape(T, s, math.radians(angle))]
+                        K = [0.0 if abs(x) < 1e-12 else x for x in K]
+                        text += f"{a:g},{T:g},{s},{angle},{K[0]!r},{K[1]!r},{K[2]!r}\n"
+        return text
+
+    def __init__(self):
+        lines = [line for line in TURN_TABLE.read_text().splitlines() if line[0] not in "#h"]
+        rows = np.array([[float(x) for x in line.split(",")] for line in lines])
+        shape = (len(self.sizes), len(self.torques), len(self.stations), len(self.angles), 3)
+        # Over sqrt(pi a): linear in ln a, as the closed form is.
+        self.over_root = (rows[:, 4:] / np.sqrt(PI * rows[:, :1] * 1e-3)).reshape(shape)
+        self.ln = np.log(np.array(self.sizes) * 1e-3)
+
+    def turn(self, a, T, station):
+        """K at the angles of the table without the last one."""
+        i = min(max(np.searchsorted(self.ln, math.log(a)) - 1, 0), len(self.sizes) - 2)
+        share = (math.log(a) - self.ln[i]) / (self.ln[i + 1] - self.ln[i])
+        at_size = ((1 - share) * self.over_root[i] + share * self.over_root[i + 1])
+        j = 0 if T < self.torques[1] else 1
+        part = (T - self.torques[j]) / (self.torques[j + 1] - self.torques[j])
+        K = (1 - part) * at_size[j, station] + part * at_size[j + 1, station]
+        return (math.sqrt(PI * a) * K)[:-1]
+
+    @staticmethod
+    def norm(K):
+        return np.sqrt(K[..., 0] ** 2 + K[..., 1] ** 2 + K[..., 2] ** 2 / (1 - NU))
+
+    def widest(self, one, other):
+        """(GR-31): the largest K of both turns, and the largest range of any two moments."""
+        opened = np.concatenate([one, other])
+        opened[:, 0] = np.maximum(opened[:, 0], 0)
+        range_ = self.norm(np.abs(one[:, None, :] - other[None, :, :])).max()
+        largest = self.norm(opened).max()
+        return largest, 1 - range_ / largest
+
+    def within(self, turn):
+        """Smaller cycles of a wave, counted along the direction of its widest range."""
+        n = len(turn)
+        pairs = self.norm(np.abs(turn[:, None, :] - turn[None, :, :]))
+        p, q = divmod(int(pairs.argmax()), n)
+        along = turn @ (turn[p] - turn[q])
+        top = int(along.argmax())
+        order = [(top + k) % n for k in range(n + 1)]
+        index = {along[k]: k for k in range(n)}
+        counted = [(abs(x - y), x, y, count)
+                   for x, y, count in three_points([along[k] for k in order])]
+        counted.sort(reverse=True)
+        left, smaller = 1.0, []
+        for _, x, y, count in counted:
+            taken = min(left, count)
+            left -= taken
+            if count > taken:
+                smaller.append((tip_cycle(turn[index[x]], turn[index[y]]), count - taken))
+        return smaller
+
+    @functools.lru_cache
+    def cycles(self):
+        # Mode I at the outer face.
+        hump = [math.cos(2 * x) + 0.6 * math.cos(4 * x) for x in np.radians(self.angles)]
+        return count_duty(self.steps,
+                          lambda T, turned: 0.01 * T + 40 * (max(hump) if turned > 0 else min(hump)),
+                          self.waves)
+
+    def growth(self, a, minor=True):
+        law = walker(self.C, self.m, self.gamma)
+        turns = [[self.turn(a, T, s) for s in range(len(self.stations))] for T in self.steps]
+        grown = sum(n * max(law(*self.widest(one, other), a)
+                            for one, other in zip(turns[j], turns[k]))
+                    for (j, k), n in self.cycles().items())
+        if minor:
+            grown += sum(n * max(sum(count * law(*cycle, a) for cycle, count in self.within(turn))
+                                 for turn in at_step)
+                         for n, at_step in zip(self.waves, turns))
+        return grown
+
+    def repetitions(self, a_end, minor=True):
+        ends = [x * 1e-3 for x in self.sizes if 2e-3 < x * 1e-3 < a_end]
+        return sum(quad(lambda a: 1 / self.growth(a, minor), lo, hi, epsrel=1e-9)[0]
+                   for lo, hi in zip([2e-3, *ends], [*ends, a_end]))
+
+
 def willenborg_loop():
     """The shaft under torque 0 to 3000 N m twice and 0 to 6000 N m once, in this order, 15-5PH of
     the library (part-through), generalised Willenborg with beta 2, R_so 2.65, minimum closed, cycle
@@ -484,8 +604,15 @@ def tables():
         N, a = wall.until_length(c)
         table.add("wall.repetitions", (c,), N, "1", OURS, digits=9, printed=11)
         table.add("wall.depth", (c,), a, "m", OURS, digits=9, printed=11)
+    turn = Turn()
+    for a in (3e-3, 6e-3):
+        table.add("turn.repetitions", (a,), turn.repetitions(a), "1", OURS, digits=8, printed=11)
+    table.add("turn.without_smaller_cycles", (6e-3,), turn.repetitions(6e-3, False), "1", OURS,
+              digits=8, printed=11)
     return [table, root_rows()]
 
 
 if __name__ == "__main__":
+    if "--table" in sys.argv[1:]:
+        TURN_TABLE.write_text(Turn.text(), encoding="ascii", newline="\n")
     publish(*tables())

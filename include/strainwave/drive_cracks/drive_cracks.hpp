@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "strainwave/drive_cracks/faces.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/turn_table.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/sif/solution.hpp"
@@ -60,7 +62,7 @@ struct DriveCrack {
   std::string kind;      ///< "through"
   std::string material;  ///< name of its material; empty: the member has no material
   /// True if the crack acts through contacts, which only the coupled drive models.  The members
-  /// below are then empty.
+  /// below, apart from `turn_table`, are then empty.
   bool acts_in_coupled_drive = false;
 
   std::string size_name;           ///< "depth" or "half_length"
@@ -86,8 +88,12 @@ struct DriveCrack {
   /// `range_end`, where no section is left.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
 
-  double range_end = 0.0;      ///< largest size at which the solutions are valid [m]
-  std::string range_text;      ///< description of that size
+  double range_begin = 0.0;  ///< smallest size at which K over a turn is known [m]
+  double range_end = 0.0;    ///< largest size at which the solutions are valid [m]
+  std::string range_text;    ///< description of that size
+  /// K over the turn of the wave generator, in place of `front` with the assembly; null: none
+  std::shared_ptr<const TurnTable> turn_table;
+  bool ends_in_table = false;  ///< whether `range_end` is the end of `turn_table`
   bool assembly = false;       ///< true if the assembly stresses the crack
   double assembly_peak = 0.0;  ///< largest elastic stress of the assembly in the wall [Pa]
   int wave_number = 0;         ///< U [-]
@@ -104,6 +110,10 @@ struct DriveCrack {
   /// @param wave_angle  angle theta from a lobe to the crack [rad]
   [[nodiscard]] double assembly_phase(double wave_angle) const;
 };
+
+/// Gives a crack its table of K over a turn (GR-30): the table replaces what bounds or leaves out
+/// the stress of the assembly, and may end the range of sizes sooner.
+void take_turn_table(DriveCrack& crack, std::shared_ptr<const TurnTable> table);
 
 /// Turns a drive into its loaded cracks, in one form for all models that use them.
 ///

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,16 @@ class CrackFactors {
                bool bent = true);
 
   /// Number of points of the front.
-  [[nodiscard]] std::size_t points() const { return fronts_.front().load.size(); }
+  [[nodiscard]] std::size_t points() const {
+    return turn_ ? turn_->stations() : fronts_.front().load.size();
+  }
+  /// Whether K over the turn is that of a table; then only `over_turn` gives K.
+  [[nodiscard]] bool has_turn() const { return turn_.has_value(); }
+  /// K at a point at the angles of the table (GR-30) [Pa*m^0.5].
+  /// @throws InputError  if the torque [N*m] is beyond the table
+  [[nodiscard]] std::vector<Modes> over_turn(std::size_t point, double torque) const {
+    return turn_->at(point, torque);
+  }
   /// K at a point [Pa*m^0.5].
   /// @param factor  on torque, axial force and bending moment [-]
   [[nodiscard]] Modes at(std::size_t point, const LoadState& state, double factor = 1.0) const;
@@ -51,7 +61,8 @@ class CrackFactors {
 
   const CracksAtTorques& at_torque_;
   bool reverses_;
-  std::vector<Front> fronts_;  // of the crack itself, or of each torque
+  std::vector<Front> fronts_;  // of the crack itself, or of each torque; empty with a table
+  std::optional<TurnFactors> turn_;
 };
 
 }  // namespace strainwave

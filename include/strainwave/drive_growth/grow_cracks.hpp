@@ -123,7 +123,7 @@ struct CrackGrowth {
   /// For a crack that stands still at the end: threshold over the range of K there [-]; > 1
   std::optional<double> margin = {};
   /// Factor on the loads of the duty from which the crack grows on [-]; absent: it grows, or no
-  /// factor up to 1000 does it
+  /// factor up to 1000, or up to the end of its table of K over a turn, does it
   std::optional<double> factor_to_grow = {};
   /// angle by which the crack would turn, at its size in the file [rad]
   std::optional<double> kink_angle = {};
@@ -240,10 +240,10 @@ struct GrowthReport {
 
 /// Grows all cracks of a drive over its duty.
 ///
-/// Implements theory manual eqs. (GR-21) to (GR-26).  The sizes of all tips and the number of
-/// repetitions are integrated over the length of the path in the logarithms of the sizes, by
-/// Dormand and Prince's pair of orders 5 and 4.  So the last cycles before a fracture and the first
-/// ones of a tiny crack take equal steps.  Ends are found by bisection of the step.
+/// Implements theory manual eqs. (GR-21) to (GR-26), (GR-30) and (GR-31).  The sizes of all tips
+/// and the number of repetitions are integrated over the length of the path in the logarithms of
+/// the sizes, by Dormand and Prince's pair of orders 5 and 4.  So the last cycles before a fracture
+/// and the first ones of a tiny crack take equal steps.  Ends are found by bisection of the step.
 ///
 /// @param gear  has passed `check`, with a duty; cracks that act in the coupled drive are named in
 ///              a note and keep their size

@@ -58,7 +58,9 @@ class GrowingCrack {
   [[nodiscard]] const RateLaw& law() const { return law_; }
   [[nodiscard]] MixedMode mixed_mode() const { return mixed_mode_; }
   [[nodiscard]] const GrowthLimits& limits() const { return limits_; }
-  /// The tips that move: depth and length of a surface crack, else the size alone.
+  /// The tips that move: depth and length of a surface crack, else the size alone.  A surface crack
+  /// whose table of K over a turn has no aspect ratios keeps its shape and grows by its worst
+  /// point.
   [[nodiscard]] std::span<const Tip> tips() const;
 
   /// The cycles of one repetition at each tip, in the order of `tips`.
@@ -84,8 +86,19 @@ class GrowingCrack {
   /// Whether K_max reaches the toughness of law or material.
   [[nodiscard]] bool breaks(const CrackSize& size, double factor = 1.0) const;
 
+  /// Largest factor on the loads of the duty at which K is known: up to the end of the table of K
+  /// over a turn; infinite without a table [-].
+  [[nodiscard]] double largest_factor() const;
+  /// By how much the widest range over a turn changes at the size in the file if every second angle
+  /// of the table is left out, as a share of it; 0 without a table [-].
+  [[nodiscard]] double change_by_angles() const;
+
  private:
   [[nodiscard]] CrackFactors factors(const CrackSize& size) const;
+  /// Adds a cycle, or the cycles within a wave, from the table of K over a turn.
+  void add_turn(std::vector<TipLoad>& to, const CrackFactors& K,
+                std::pair<std::size_t, std::size_t> points, const LoadCycle& cycle,
+                const CrackSize& size, double factor) const;
   /// The points of a front whose growth moves a tip: the first one and the one behind the last.
   [[nodiscard]] std::pair<std::size_t, std::size_t> points_of(Tip tip, std::size_t points) const;
 

@@ -21,6 +21,9 @@ struct LoadCycle {
   double count = 0.0;    ///< in one repetition of the duty [-]; > 0
   std::size_t step = 0;  ///< step of the duty in which the cycle has its peak
   bool rare = false;     ///< whether the cycle is one of a momentary peak
+  /// Whether the entry stands for the smaller cycles within each of `count` waves; only of a crack
+  /// with a table of K over a turn
+  bool within_wave = false;
 };
 
 /// One repetition of the duty of a drive for one crack.
@@ -29,7 +32,7 @@ struct CrackDuty {
   std::vector<LoadCycle> cycle;  ///< in the order of their peaks
   double peaks = 0.0;            ///< momentary peaks in one repetition [-]
 
-  /// Number of cycles in one repetition [-].
+  /// Number of cycles in one repetition, without those within a wave [-].
   [[nodiscard]] double cycles() const;
 };
 
@@ -44,7 +47,8 @@ struct CrackDuty {
 /// @param history    of duty_history(gear); the rainflow cycles are those of K along the direction,
 ///                   in the space of the three modes, in which the constant loads differ most
 /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the torque
-/// @throws InputError  if a crack of a race needs the number of balls and the file gives none
+/// @throws InputError  if a crack of a race needs the number of balls and the file gives none, or
+///                     if a torque is beyond the crack's table of K over a turn
 [[nodiscard]] CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
                                    const DutyHistory& history,
                                    const CracksAtTorques& at_torque = {});

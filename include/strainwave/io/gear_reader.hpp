@@ -15,8 +15,8 @@ namespace strainwave {
 /// The structs describe the fields (core/fields.hpp).  Every fault is refused with one sentence:
 /// file, line, column, field, value, rule.  A material that a member names and the file does not
 /// define is taken from the material library.  A material table of the file always takes precedence
-/// and must be complete.  A compliance table that a crack names is read from the attachments; no
-/// file is opened.  The result has passed `check`.
+/// and must be complete.  The tables that a crack names are read from the attachments; no file is
+/// opened.  The result has passed `check`.
 ///
 /// @param text         TOML of at most kMaxTextSize
 /// @param file_name    name of the file in messages

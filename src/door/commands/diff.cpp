@@ -80,10 +80,13 @@ struct Side {
   Outputs outputs;
   std::vector<std::string> order;  // of the outputs
   double left_out = 0.0;           // lambda_l over the sound sum (ST-18)
-  Inputs tables;  // contents of the tables of compliances, by path of the field; empty for a result
+  Inputs tables;  // contents of the tables, by path of the field; empty for a result
 };
 
-constexpr std::string_view kTableField = ".compliance_table";
+/// Whether a field names a table beside the file.
+bool names_table(std::string_view path) {
+  return path.ends_with(".compliance_table") || path.ends_with(".turn_table");
+}
 
 void read_inputs(const Json& value, const std::string& path, Inputs& to) {
   if (value.is_object()) {
@@ -170,7 +173,7 @@ Side side_of(const std::string& name, Method method, const Request& request) {
   const Attachments beside = request.beside(name);
   Side side = side_of_result(run(stiffness, read_drive(text, name, beside), options).json(), name);
   for (const auto& [path, file] : side.inputs)
-    if (path.ends_with(kTableField)) side.tables[path] = beside.text(file, path);
+    if (names_table(path)) side.tables[path] = beside.text(file, path);
   return side;
 }
 
@@ -556,8 +559,7 @@ std::vector<InputDifference> unknown_tables(const Side& first, const Side& secon
   std::vector<InputDifference> unknown;
   for (const Side* const side : {&first, &second})
     for (const auto& [path, file] : side->inputs)
-      if (path.ends_with(kTableField) && !side->tables.contains(path))
-        unknown.push_back({path, file, file});
+      if (names_table(path) && !side->tables.contains(path)) unknown.push_back({path, file, file});
   return unknown;
 }
 

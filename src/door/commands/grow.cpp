@@ -103,6 +103,13 @@ std::string checkpoint_head(const Request& request, const GrowOptions& o) {
     for (const TableAxis& axis : table.axes)
       for (const double node : axis.nodes) beside += fmt::format(" {:a}", node);
   }
+  for (const auto& [name, table] : request.drive.gear.turn_tables) {
+    beside += name;
+    for (const std::vector<double>* const axis :
+         {&table->sizes, &table->aspect_ratios, &table->torques, &table->stations, &table->angles})
+      for (const double node : *axis) beside += fmt::format(" {:a}", node);
+    for (const Modes& K : table->K) beside += fmt::format(" {:a} {:a} {:a}", K[0], K[1], K[2]);
+  }
   if (const auto& record = request.drive.gear.duty_record)
     for (const DutyRow& row : record->rows)
       beside += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);

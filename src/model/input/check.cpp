@@ -14,6 +14,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/turn_table.hpp"
 
 // Rules between fields.  The rule of a single field is its Range.
 
@@ -710,6 +711,7 @@ void check(const GearSet& gear) {
     require(gear.tolerance->grade >= 1 && gear.tolerance->grade <= 11, "tolerance.grade",
             gear.tolerance->grade, "1", ">= 1 and <= 11");
   check_compliance_tables(gear);
+  check_turn_tables(gear);
   for (std::size_t i = 0; i < gear.range.size(); ++i)
     check_range(gear, FieldPath("range")[i], gear.range[i]);
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);

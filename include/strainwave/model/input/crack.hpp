@@ -170,6 +170,14 @@ inline constexpr Field kComplianceTableField{
     .example = R"("table.csv")",
     .in_template = InTemplate::commented};
 
+/// The field that names a table of K over a turn of the wave generator.
+inline constexpr Field kTurnTableField{
+    .name = "turn_table",
+    .unit = "",
+    .doc = "CSV of K over a turn beside this file, for growth and strength",
+    .example = R"("turn.csv")",
+    .in_template = InTemplate::commented};
+
 /// The part of a flexspline's wall that contains a crack, if sections are given.
 enum class WallSection { barrel, rim };
 template <>
@@ -191,6 +199,8 @@ struct WallThroughCrack {
   WallSection section = WallSection::barrel;
   /// file of a table (FE-41) that replaces the closed form
   std::optional<std::string> compliance_table = {};
+  /// file of a table of K over a turn (GR-30)
+  std::optional<std::string> turn_table = {};
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_of(section),
@@ -215,6 +225,7 @@ struct WallThroughCrack {
                 .in_template = InTemplate::commented},
           &WallThroughCrack::shell_correction);
     field(kComplianceTableField, &WallThroughCrack::compliance_table);
+    field(kTurnTableField, &WallThroughCrack::turn_table);
   }
 
   template <class Crack, class Visitor>
@@ -249,6 +260,7 @@ struct WallSurfaceCrack {
   double half_length = 0.0;             ///< half length c along the surface [m]; >= depth
   double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
   WallSection section = WallSection::barrel;
+  std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_of(section),
@@ -267,6 +279,7 @@ struct WallSurfaceCrack {
                 .example = R"("0.2 mm")"},
           &WallSurfaceCrack::half_length);
     WallThroughCrack::describe_place<WallSurfaceCrack>(field);
+    field(kTurnTableField, &WallSurfaceCrack::turn_table);
   }
 };
 
@@ -346,6 +359,13 @@ struct RimAxialCrack : RingCrack<CrackedPart::rim, false> {
   static constexpr std::string_view kKind = "rim_axial";
   static constexpr std::string_view kMeaning =
       "axial crack of the rim from a tooth root; coupled drive only";
+  std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    RingCrack::describe(field);
+    field(kTurnTableField, &RimAxialCrack::turn_table);
+  }
 };
 
 /// Axial crack of the wave generator bearing's outer ring; acts in the coupled drive only.

@@ -24,6 +24,8 @@
 
 namespace strainwave {
 
+struct TurnTable;
+
 /// The format that this version reads and writes.
 inline constexpr std::string_view kDriveFormat = "strainwave-drive/1";
 
@@ -144,6 +146,9 @@ struct GearSet {
   /// The tables that cracks name, by name; the reader of the file fills them
   /// (io/compliance_table_file.hpp).
   std::map<std::string, ComplianceTable> compliance_tables;
+  /// The tables of K over a turn that cracks name, by name; the reader of the file fills them
+  /// (io/turn_table_file.hpp).  Copies of the drive share them.
+  std::map<std::string, std::shared_ptr<const TurnTable>> turn_tables;
   /// The history that `duty` names; the reader of the file fills it (io/history_file.hpp).  Copies
   /// of the drive share it.
   std::shared_ptr<const DutyRecord> duty_record;

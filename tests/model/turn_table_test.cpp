@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/model/input/turn_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "strainwave/core/error.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+#include "support/turn_table.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+using Modes3 = std::array<double, 3>;
+
+test::TurnGrid turn_grid() {
+  return {.sizes = {1e-3, 2e-3, 4e-3, 10e-3}, .torques = {-100, 0, 300}, .stations = {-1, 1}};
+}
+
+/// Over sqrt(pi a): a cubic in ln a, linear in the torque on both sides of 0.
+Modes3 made_up_turn(double a, double T, std::size_t s, double theta) {
+  const double x = std::log(a / 2e-3);
+  const double root = std::sqrt(pi * a) * (1 + 0.3 * x - 0.1 * x * x + 0.02 * x * x * x);
+  const double opened = T > 0 ? 2e5 * T : 1e5 * T;
+  return {root * (opened + 3e7 * std::cos(2 * theta)), root * 1e7 * std::sin(2 * theta),
+          root * 1e6 * static_cast<double>(s)};
+}
+
+TurnTable made_up_table_of_turn() {
+  return test::turn_table_of(turn_grid(), "half_length",
+                             [](double a, double, double T, std::size_t s, double theta) {
+                               return made_up_turn(a, T, s, theta);
+                             });
+}
+
+TEST(TurnTable, IdentityCubicOverTheSizeLinearOverTheTorque) {  // GR-30, FE-41
+  // The interpolation reproduces what it assumes.
+  const TurnTable table = made_up_table_of_turn();
+  for (const double a : {1e-3, 1.7e-3, 3e-3, 9.9e-3})
+    for (const double T : {-100.0, -40.0, 0.0, 123.0, 300.0}) {
+      const TurnFactors factors(table, a, 1.0);
+      ASSERT_EQ(factors.stations(), 2U);
+      for (std::size_t s = 0; s < 2; ++s) {
+        const auto turn = factors.at(s, T);
+        ASSERT_EQ(turn.size(), table.angles.size() - 1);
+        for (std::size_t k = 0; k < turn.size(); ++k) {
+          const Modes3 exact = made_up_turn(a, T, s, table.angles[k]);
+          for (std::size_t mode = 0; mode < 3; ++mode)
+            EXPECT_NEAR(turn[k][mode], exact[mode], 1e-8 * 1e6);
+        }
+      }
+    }
+}
+
+TEST(TurnTable, LimitBeyondTheSizes) {  // GR-30
+  // K/sqrt(pi a) of the nearest size counts, and with one size everywhere.
+  const TurnTable table = made_up_table_of_turn();
+  const double at_end = TurnFactors(table, 10e-3, 1.0).at(0, 50)[3][0];
+  test::expect_relative(TurnFactors(table, 40e-3, 1.0).at(0, 50)[3][0], 2 * at_end, 1e-12);
+  test::TurnGrid one = turn_grid();
+  one.sizes = {2e-3};
+  const TurnTable single = test::turn_table_of(
+      one, "half_length", [](double a, double, double T, std::size_t s, double theta) {
+        return made_up_turn(a, T, s, theta);
+      });
+  test::expect_relative(TurnFactors(single, 8e-3, 1.0).at(1, 50)[5][0],
+                        2 * made_up_turn(2e-3, 50, 1, single.angles[5])[0], 1e-12);
+}
+
+TEST(TurnTable, IdentityShapes) {  // GR-30
+  test::TurnGrid grid = turn_grid();
+  grid.aspect_ratios = {0.2, 0.5, 1.0};
+  grid.stations = {0, 1};
+  const TurnTable table = test::turn_table_of(
+      grid, "depth", [](double a, double shape, double T, std::size_t s, double theta) {
+        Modes3 K = made_up_turn(a, T, s, theta);
+        for (double& mode : K) mode *= 2 + std::log(shape);
+        return K;
+      });
+  for (const double shape : {0.2, 0.33, 0.8, 1.0})
+    test::expect_relative(TurnFactors(table, 3e-3, shape).at(1, 200)[7][0],
+                          (2 + std::log(shape)) * made_up_turn(3e-3, 200, 1, table.angles[7])[0],
+                          1e-12);
+}
+
+TEST(TurnTable, BehaviourLoadsAndWaves) {
+  const TurnTable table = made_up_table_of_turn();
+  EXPECT_TRUE(table.covers(-100));
+  EXPECT_FALSE(table.covers(-101));
+  EXPECT_THROW((void)TurnFactors(table, 2e-3, 1.0).at(0, 301), InputError);
+  EXPECT_EQ(turn_load_range(table, 150), (std::array<double, 2>{0.0, 2.0}));
+  EXPECT_EQ(turn_load_range(table, -50), (std::array<double, 2>{0.0, 2.0}));
+  EXPECT_EQ(waves_of(table, 2), 1);
+  TurnTable whole = table;
+  for (double& angle : whole.angles) angle *= 2;
+  EXPECT_EQ(waves_of(whole, 2), 2);
+  EXPECT_EQ(waves_of(whole, 1), 1);
+}
+
+TEST(TurnTable, InputRulesBrokenOnce) {
+  const auto gear_of = [] {
+    GearSet gear = test::article_gear();
+    auto& crack = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+    crack.half_length = 3e-3;
+    test::give_turn_table<WallThroughCrack>(gear, made_up_table_of_turn());
+    return gear;
+  };
+  EXPECT_NO_THROW(check(gear_of()));
+  const auto refused = [&](const std::function<void(GearSet&, TurnTable&)>& change,
+                           const std::string& words) {
+    GearSet gear = gear_of();
+    TurnTable table = *gear.turn_tables.at("turn.csv");
+    change(gear, table);
+    if (!gear.turn_tables.empty())
+      gear.turn_tables["turn.csv"] = std::make_shared<const TurnTable>(std::move(table));
+    try {
+      check(gear);
+      ADD_FAILURE() << "accepted: " << words;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.field(), "flexspline.crack[0].turn_table");
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  refused([](GearSet& gear, TurnTable&) { gear.turn_tables.clear(); }, "has not been read");
+  refused([](GearSet&, TurnTable& table) { table.size_name = "depth"; },
+          "has a column depth, but a crack of kind \"through\" needs the column half_length");
+  refused(
+      [](GearSet&, TurnTable& table) {
+        table.aspect_ratios = {0.5, 1};
+      },
+      "has a column aspect_ratio, which a crack of kind \"through\" does not have");
+  refused([](GearSet&, TurnTable& table) { table.stations.back() = 2; },
+          "must have stations from -1 to 1 only");
+  refused([](GearSet&, TurnTable& table) { table.angles.back() += 0.01; },
+          "but must run over a wave of 180 deg or a turn of 360 deg");
+  refused(
+      [](GearSet& gear, TurnTable&) {
+        std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).half_length = 10.1e-3;
+      },
+      "covers 1 mm to 10 mm of half_length, but the drive has 10.1 mm");
+  refused([](GearSet& gear, TurnTable&) { gear.load.axial_force = 1; },
+          "is a table for torque alone, so load.axial_force must be 0");
+  refused(
+      [](GearSet& gear, TurnTable&) {
+        gear.duty.emplace();
+        gear.duty->block = {{.duration = 1, .output_speed = 1.0, .torque = 1, .axial_force = 2}};
+      },
+      "is a table for torque alone, so duty.block[0].axial_force must be 0");
+}
+
+TEST(TurnTable, InputSurfaceCracks) {
+  GearSet gear = test::article_gear();
+  gear.flexspline->crack = {WallSurfaceCrack{.depth = 2e-3, .half_length = 4e-3}};
+  test::TurnGrid grid = turn_grid();
+  grid.stations = {0, 1};
+  grid.aspect_ratios = {0.4, 0.6};
+  const auto give = [&] {
+    test::give_turn_table<WallSurfaceCrack>(
+        gear, test::turn_table_of(grid, "depth",
+                                  [](double a, double, double T, std::size_t s, double theta) {
+                                    return made_up_turn(a, T, s, theta);
+                                  }));
+  };
+  const auto refused = [&](const std::string& words) {
+    give();
+    try {
+      check(gear);
+      ADD_FAILURE() << "accepted: " << words;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  give();
+  EXPECT_NO_THROW(check(gear));
+  grid.stations = {0, 0.9};
+  refused("must have the stations 0, at the surface, and 1, at the deepest point");
+  grid.stations = {0, 1};
+  grid.aspect_ratios = {0.1, 0.4};
+  refused("covers 0.1 to 0.4 of depth/half_length, but the drive has 0.5");
+}
+
+}  // namespace
+}  // namespace strainwave
