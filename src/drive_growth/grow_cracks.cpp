@@ -270,6 +270,11 @@ class Growing {
       first_.push_back(at);
       at += cracks_.back().tips().size();
     }
+    if (first_time && options_.interaction.closure && !cracks_.empty() &&
+        std::ranges::all_of(cracks_, has_own_closure))
+      throw InputError("interaction.closure",
+                       "is not used, because the law of each crack has its own opening; leave out "
+                       "--constraint and --stress-level");
   }
 
   void take_evidence(const CoupledCrack& of) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/drive_growth/turn_cycles.hpp"
@@ -28,12 +27,25 @@ std::string records_with_laws() {
   return known;
 }
 
-bool has_toughness(const RateLaw& law) {
-  return std::visit(
-      [](const auto& l) {
-        return requires { l.toughness; };
-      },
-      law);
+const Material& material_of_crack(const GearSet& gear, const DriveCrack& crack) {
+  const std::string member = crack.path.substr(0, crack.path.find('.'));
+  return material_of(gear, crack.material, member + ".material");
+}
+
+/// The law that is chosen for a crack, or that of its material.
+RateLaw law_of_crack(const GearSet& gear, const DriveCrack& crack, const RateChoice& choice) {
+  const Material& material = material_of_crack(gear, crack);
+  if (choice.law.empty() && material.growth.empty())
+    throw InputError(
+        (FieldPath("material") / crack.material / "growth").text(),
+        fmt::format("must be given for the growth of {}; the library has laws for {}, which "
+                    "--law NAME takes",
+                    crack.path, records_with_laws()));
+  RateLaw law =
+      choice.law.empty() ? material.growth.front() : rate_law(require_material(choice.law));
+  if (crack.through_thickness > 0)
+    law = law_of_through_crack(law, crack.through_thickness, material.yield_strength);
+  return law;
 }
 
 /// A crack of the bearing at each torque of the duty, because K is not proportional to the torque.
@@ -70,32 +82,18 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHist
       at_torque_(crack_.turning == TurningLoad::balls ? race_at_torques(gear, crack_, history)
                                                       : std::move(at_torque)),
       duty_(crack_duty(gear, crack_, history, at_torque_)),
+      law_(law_of_crack(gear, crack_, choice)),
       mixed_mode_(choice.mixed_mode) {
-  const std::string member = crack_.path.substr(0, crack_.path.find('.'));
-  const Material& material = material_of(gear, crack_.material, member + ".material");
+  const Material& material = material_of_crack(gear, crack_);
   poissons_ratio_ = elastic_constants(material).nu;
   yield_strength_ = material.yield_strength;
-  std::optional<GrowthBounds> bounds = material.growth_bounds;
-  if (!choice.law.empty()) {
-    const MaterialRecord& record = require_material(choice.law);
-    law_ = rate_law(record);
-    bounds = growth_bounds(record);
-  } else if (!material.growth.empty()) {
-    law_ = material.growth.front();
-  } else {
-    throw InputError(
-        (FieldPath("material") / crack_.material / "growth").text(),
-        fmt::format("must be given for the growth of {}; the library has laws for {}, which "
-                    "--law NAME takes",
-                    crack_.path, records_with_laws()));
-  }
-  if (crack_.through_thickness > 0)
-    law_ = law_of_through_crack(law_, crack_.through_thickness, material.yield_strength);
+  const std::optional<GrowthBounds> bounds =
+      choice.law.empty() ? material.growth_bounds : growth_bounds(require_material(choice.law));
   if (bounds) {
     limits_.threshold = bounds->threshold;
     limits_.intrinsic_size = bounds->short_crack_size;
   }
-  if (!has_toughness(law_)) limits_.toughness = material.fracture_toughness;
+  if (!law_.toughness()) limits_.toughness = material.fracture_toughness;
 }
 
 std::span<const Tip> GrowingCrack::tips() const {
@@ -136,6 +134,7 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
       LoadState from = cycle.from;
       LoadState to = cycle.to;
       const bool one_phase = !from.turns() && !to.turns();
+      const bool alone = one_phase && points.second - points.first == 1;
       // Of the phases and points, the fastest growth counts; a cycle without growth by its range.
       TipCycle worst;
       double fastest = 0.0;
@@ -143,7 +142,7 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
         for (std::size_t i = points.first; i < points.second; ++i) {
           const TipCycle at =
               tip_cycle(mixed_mode_, K.at(i, from, factor), K.at(i, to, factor), poissons_ratio_);
-          const double rate = rate_of(at, size.size);
+          const double rate = alone ? 0.0 : rate_of(at, size.size);
           if (rate < fastest) continue;
           if (rate == fastest && at.full_range() <= worst.full_range()) continue;
           fastest = rate;
@@ -236,9 +235,7 @@ TipCycle GrowingCrack::widest(std::span<const TipLoad> loads) const {
 }
 
 std::optional<double> GrowingCrack::threshold(const TipCycle& cycle, double crack_size) const {
-  std::optional<double> highest;
-  if (const auto* const nasgro = std::get_if<Nasgro>(&law_))
-    highest = nasgro->threshold(cycle.ratio, crack_size);
+  std::optional<double> highest = law_.threshold(cycle.ratio, crack_size);
   if (limits_.threshold)
     highest = std::max(
         highest.value_or(0.0),

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/drive_growth/interaction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <variant>
 
 #include "strainwave/core/error.hpp"
 
@@ -26,6 +29,7 @@ class TipBehindOverload {
         zone_{.yield_strength = crack.yield_strength(), .factor = interaction.zone_factor},
         share_(share) {
     // The threshold of K_max is that of R = 0, so it is the same for all cycles.
+    if (interaction.rule == InteractionRule::closure) closure_ = closure_of(crack, interaction);
     if (interaction.rule == InteractionRule::willenborg)
       threshold_ = crack.threshold({.largest = 1.0, .ratio = 0.0}, crack_size).value_or(0.0);
   }
@@ -36,19 +40,29 @@ class TipBehindOverload {
   /// Applies equal cycles.
   void apply(const TipLoad& load, double count) {
     const double own_zone = zone_.size(load.cycle.largest);
+    const double least =
+        load.cycle.largest > 0 ? load.cycle.largest * load.cycle.ratio : load.cycle.largest;
     double left = count;
     while (left > 0) {
       const bool governs = size_ + moved_ + own_zone >= zone_end();
+      if (!governs) overload_.least = std::min(overload_.least, least);
       double rate = governs ? rate_of(load.cycle) : retarded_rate(load.cycle, moved_);
       if (governs) {
         moved_ += left * rate;
-        overload_ = {.crack_size = size_ + moved_, .largest = load.cycle.largest};
+        overload_ = {.crack_size = size_ + moved_, .largest = load.cycle.largest, .least = least};
         return;
       }
       if (!(rate > 0)) return;
       // The zone shrinks while the tip moves, so the cycles go on in parts, each with the rate in
       // its middle.
-      const double rest = zone_end() - size_ - moved_;
+      const double rest = this->rest();
+      if (rule_.rule == InteractionRule::closure) {
+        // The opening is held, so the rate is the same up to the cycle that governs.
+        const double part = std::min(left, std::max(1.0, std::ceil((rest - own_zone) / rate)));
+        moved_ += part * rate;
+        left -= part;
+        continue;
+      }
       const double part = std::min(left, std::max(1.0, std::floor(share_ * rest / rate)));
       if (part > 1) {
         const double middle = moved_ + (part - 1) * rate / 2;  // a cycle has the rate of its begin
@@ -64,11 +78,17 @@ class TipBehindOverload {
   /// @param refreshed  whether each repetition has its own overload
   void jump(double repetitions, double distance, bool refreshed) {
     moved_ += repetitions * distance;
-    if (refreshed) overload_.crack_size += repetitions * distance;
+    // Rounding must not place the overload ahead of the tip.
+    if (refreshed)
+      overload_.crack_size =
+          std::min(overload_.crack_size + repetitions * distance, size_ + moved_);
   }
 
   [[nodiscard]] double zone_of_overload() const { return zone_.size(overload_.largest); }
-  [[nodiscard]] double overload_place() const { return overload_.crack_size; }
+  [[nodiscard]] const Overload& overload() const { return overload_; }
+  /// What is left of the overload's zone beyond the tip [m].
+  [[nodiscard]] double rest() const { return zone_end() - size_ - moved_; }
+  [[nodiscard]] double zone_of(double K) const { return zone_.size(K); }
 
  private:
   [[nodiscard]] double zone_end() const { return overload_.crack_size + zone_of_overload(); }
@@ -77,6 +97,8 @@ class TipBehindOverload {
     if (rule_.rule == InteractionRule::wheeler)
       return rate_of(cycle) *
              wheeler_factor(zone_, overload_, size_ + moved, cycle.largest, rule_.wheeler_exponent);
+    if (rule_.rule == InteractionRule::closure)
+      return rate_of(closure_cycle(zone_, closure_, overload_, size_ + moved, cycle));
     return rate_of(willenborg_cycle({.zone = zone_,
                                      .threshold = threshold_,
                                      .shut_off_ratio = rule_.shut_off_ratio,
@@ -90,11 +112,26 @@ class TipBehindOverload {
   PlasticZone zone_;
   double share_;
   double threshold_ = 0.0;
+  NewmanClosure closure_;
   double moved_ = 0.0;
   Overload overload_;
 };
 
 }  // namespace
+
+bool has_own_closure(const GrowingCrack& crack) {
+  return std::holds_alternative<Nasgro>(crack.law());
+}
+
+NewmanClosure closure_of(const GrowingCrack& crack, const Interaction& interaction) {
+  if (const auto* const law = std::get_if<Nasgro>(&crack.law())) return law->closure;
+  if (!interaction.closure)
+    throw InputError("interaction.closure",
+                     fmt::format("must be given for {}, because its law has no crack opening of "
+                                 "its own: give --constraint and --stress-level",
+                                 crack.crack().path));
+  return *interaction.closure;
+}
 
 double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoad> loads,
                                double crack_size, const Interaction& interaction, double share) {
@@ -132,19 +169,31 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
   peaks();
   const double begin = tip.moved();
   double left = repetitions;
+  double widest_zone = 0.0;  // of a cycle that comes in each repetition
+  for (const TipLoad& load : loads)
+    if (!load.rare) widest_zone = std::max(widest_zone, tip.zone_of(load.cycle.largest));
+  bool was_refreshed = false;
   while (left > 0) {
-    const double place = tip.overload_place();
+    const Overload overload = tip.overload();
     const double before = tip.moved();
     repeat();
     left -= 1;
     const double distance = tip.moved() - before;
     if (!(left > 0)) break;
+    const bool refreshed = tip.overload().crack_size != overload.crack_size;
+    // The first repetition behind a peak, or behind its zone, differs from those that follow.
+    const bool settled = refreshed == was_refreshed && tip.overload().least == overload.least;
+    was_refreshed = refreshed;
+    if (!settled) continue;
     if (!(distance > 0)) break;
-    const bool refreshed = tip.overload_place() != place;
-    const double allowed = refreshed ? left : share * tip.zone_of_overload() / distance;
-    // At least some parts lie between two peaks, and halving the share doubles their number.
-    const double part = refreshed ? left : kPartsPerShare * share * repetitions;
-    const double jump = std::min(left, std::floor(std::min(allowed, part)));
+    double allowed = left;
+    if (!refreshed && interaction.rule == InteractionRule::closure)
+      allowed = (tip.rest() - widest_zone) / distance;  // all the same up to the end of the zone
+    else if (!refreshed)
+      // At least some parts lie between two peaks, and halving the share doubles their number.
+      allowed =
+          std::min(share * tip.zone_of_overload() / distance, kPartsPerShare * share * repetitions);
+    const double jump = std::min(left, std::floor(allowed));
     if (jump > 0) {
       tip.jump(jump, distance, refreshed);
       left -= jump;

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/life/block_temperature.hpp"
 #include "strainwave/materials/library_law.hpp"
 #include "strainwave/materials/material_library.hpp"
 
@@ -48,48 +50,105 @@ std::string origin_of(const GearSet& gear, const GrowingCrack& crack, const Rate
   return origin;
 }
 
-/// Notes on the range for which the constants are stated.
-void note_range(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
-  for (const CrackGrowth& crack : report.cracks) {
-    if (crack.series.empty() || !crack.grows) continue;
-    std::optional<GrowthBounds> bounds;
-    if (!choice.law.empty()) {
-      bounds = growth_bounds(require_material(choice.law));
-    } else {
-      for (const DriveCrack& of : drive_cracks(gear))
-        if (of.path == crack.path) bounds = gear.material.at(of.material).growth_bounds;
-    }
-    if (!bounds) continue;
-    double least = crack.series.front().delta_K;
-    double most = least;
-    double least_R = crack.series.front().ratio;
-    double most_R = least_R;
-    for (const GrowthPoint& point : crack.series) {
-      least = std::min(least, point.delta_K);
-      most = std::max(most, point.delta_K);
-      least_R = std::min(least_R, point.ratio);
-      most_R = std::max(most_R, point.ratio);
-    }
-    std::string outside;
-    if (bounds->stress_ratio &&
-        (least_R < (*bounds->stress_ratio)[0] || most_R > (*bounds->stress_ratio)[1]))
-      outside =
-          fmt::format("R is {:.3g} to {:.3g}, and the law is stated for {:.3g} to {:.3g}", least_R,
-                      most_R, (*bounds->stress_ratio)[0], (*bounds->stress_ratio)[1]);
-    if ((bounds->from && least < *bounds->from) || (bounds->to && most > *bounds->to)) {
-      if (!outside.empty()) outside += "; ";
-      outside += fmt::format("Delta K is {:.3g} to {:.3g} MPa*m^0.5, beyond the range of the law",
-                             least / units::MPa, most / units::MPa);
-    }
+/// Least and greatest R of the widest cycles of a crack on its way.
+std::pair<double, double> ratios_of(const CrackGrowth& crack) {
+  const auto ends = std::ranges::minmax(crack.series, {}, &GrowthPoint::ratio);
+  return {ends.min.ratio, ends.max.ratio};
+}
+
+/// Where the cycles of a crack leave the range for which constants are stated; empty: nowhere.
+std::string beyond_bounds(const CrackGrowth& crack, const GrowthBounds& bounds) {
+  const auto ends = std::ranges::minmax(crack.series, {}, &GrowthPoint::delta_K);
+  const auto [least_R, most_R] = ratios_of(crack);
+  std::string outside;
+  if (bounds.stress_ratio &&
+      (least_R < (*bounds.stress_ratio)[0] || most_R > (*bounds.stress_ratio)[1]))
+    outside = fmt::format("R is {:.3g} to {:.3g}, and the law is stated for {:.3g} to {:.3g}",
+                          least_R, most_R, (*bounds.stress_ratio)[0], (*bounds.stress_ratio)[1]);
+  if ((bounds.from && ends.min.delta_K < *bounds.from) ||
+      (bounds.to && ends.max.delta_K > *bounds.to)) {
+    if (!outside.empty()) outside += "; ";
+    outside += fmt::format("Delta K is {:.3g} to {:.3g} MPa*m^0.5, beyond the range of the law",
+                           ends.min.delta_K / units::MPa, ends.max.delta_K / units::MPa);
+  }
+  return outside;
+}
+
+/// Where the cycles of a crack leave the curves of a table; empty: nowhere.
+std::string beyond_table(const CrackGrowth& crack, const Tabulated& law) {
+  const auto [least_R, most_R] = ratios_of(crack);
+  std::string outside;
+  if (least_R < law.curve.front().stress_ratio || most_R > law.curve.back().stress_ratio)
+    outside = fmt::format(
+        "R is {:.3g} to {:.3g}, and the table has curves for {:.3g} to {:.3g}; outside of them the "
+        "nearest curve holds",
+        least_R, most_R, law.curve.front().stress_ratio, law.curve.back().stress_ratio);
+  const TableOfRates table = law.prepared();
+  const auto beyond = std::ranges::find_if(crack.series, [&](const GrowthPoint& point) {
+    return point.delta_K > table.last(point.ratio) * (1 + 1e-12);
+  });
+  if (beyond != crack.series.end()) {
+    if (!outside.empty()) outside += "; ";
+    outside += fmt::format(
+        "Delta K reaches {:.3g} MPa*m^0.5, and the last point of the table is at {:.3g} MPa*m^0.5; "
+        "the line of the last two points goes on",
+        std::ranges::max(crack.series, {}, &GrowthPoint::delta_K).delta_K / units::MPa,
+        table.last(beyond->ratio) / units::MPa);
+  }
+  return outside;
+}
+
+/// Notes on the ranges for which the constants of a crack are stated.
+void note_range(GrowthReport& report, const CrackGrowth& crack, const RateLaw* law,
+                const std::optional<GrowthBounds>& bounds) {
+  if (crack.series.empty() || !crack.grows) return;
+  const auto add = [&](const std::string& outside, std::string_view equation) {
     if (!outside.empty())
       report.notes.push_back(
           {.code = "growth.law_range",
            .text = outside,
            .path = crack.path,
-           .equation = "GR-2",
+           .equation = std::string(equation),
            .severity = Severity::care,
            .next_step = "Use constants that are stated for these cycles, or compare with another "
                         "law by --law."});
+  };
+  if (bounds) add(beyond_bounds(crack, *bounds), "GR-2");
+  if (law != nullptr)
+    if (const auto* const table = std::get_if<Tabulated>(law))
+      add(beyond_table(crack, *table), "GR-36");
+}
+
+/// Notes on what the constants of the cracks are stated for.
+void note_validity(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
+  std::vector<std::string> told;
+  for (const CrackGrowth& crack : report.cracks) {
+    std::optional<GrowthBounds> bounds;
+    const RateLaw* law = nullptr;
+    std::string of = choice.law;
+    if (!choice.law.empty()) {
+      bounds = growth_bounds(require_material(choice.law));
+    } else {
+      for (const DriveCrack& in_drive : drive_cracks(gear))
+        if (in_drive.path == crack.path) of = in_drive.material;
+      const Material& material = gear.material.at(of);
+      bounds = material.growth_bounds;
+      if (!material.growth.empty()) law = &material.growth.front();
+    }
+    note_range(report, crack, law, bounds);
+    if (std::ranges::find(told, of) != told.end()) continue;
+    told.push_back(of);
+    if (const auto unstated = unstated_temperature(
+            *gear.duty, fmt::format("the constants of crack growth, {},", crack.constants),
+            bounds ? bounds->temperature : std::nullopt))
+      report.notes.push_back({.code = "growth.temperature",
+                              .text = unstated->text,
+                              .path = unstated->path,
+                              .equation = "",
+                              .severity = Severity::care,
+                              .next_step =
+                                  "Give constants that hold at this temperature, and state their "
+                                  "temperatures in growth_bounds.temperature."});
   }
 }
 
@@ -291,7 +350,7 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 }
 
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
-  note_range(report, gear, choice);
+  note_validity(report, gear, choice);
   for (const CrackGrowth& crack : report.cracks) {
     constexpr double kTurns = 5 * units::deg;
     if (crack.kink_angle && std::abs(*crack.kink_angle) > kTurns)

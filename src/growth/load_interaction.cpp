@@ -60,4 +60,27 @@ TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload, doub
   return {.largest = largest, .ratio = least / largest};
 }
 
+TipCycle closure_cycle(const PlasticZone& zone, const NewmanClosure& closure,
+                       const Overload& overload, double crack_size, const TipCycle& cycle) {
+  check(overload, crack_size);
+  require(closure.constraint >= 1 && closure.constraint <= 3, "constraint", closure.constraint, "1",
+          ">= 1 and <= 3");
+  require(closure.stress_level > 0 && closure.stress_level < 1, "stress_level",
+          closure.stress_level, "1", "> 0 and < 1");
+  require(std::isfinite(cycle.largest), "K_max", cycle.largest, "Pa*m^0.5", "a finite number");
+  if (!(cycle.largest > 0)) return cycle;
+  require(cycle.ratio < 1 && std::isfinite(cycle.ratio), "R", cycle.ratio, "1", "< 1");
+  const double end = overload.crack_size + zone.size(overload.largest);
+  if (!(crack_size + zone.size(cycle.largest) < end)) return cycle;
+  require(overload.least < overload.largest && std::isfinite(overload.least), "overload",
+          overload.least, "Pa*m^0.5", "a K_min below K_max");
+  const double A0 = closure.at_zero();
+  const double held = closure.opening(overload.least / overload.largest, A0) * overload.largest;
+  const double own = closure.opening(cycle.ratio, A0) * cycle.largest;
+  if (held <= own) return cycle;
+  const double opened = std::max(cycle.largest - held, 0.0);
+  return {.largest = cycle.largest * opened / (cycle.largest - own),
+          .ratio = cycle.ratio};  // (GR-32)
+}
+
 }  // namespace strainwave

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/growth_laws/rate_law.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string_view>
-#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 
@@ -12,17 +14,6 @@ namespace strainwave {
 namespace {
 
 constexpr std::string_view kToughness = "Pa*m^0.5";
-
-double rate_of(const RateLaw& law, const TipCycle& cycle, double crack_size) {
-  return std::visit(
-      [&](const auto& l) {
-        if constexpr (requires { l.rate(cycle, crack_size); })
-          return l.rate(cycle, crack_size);
-        else
-          return l.rate(cycle);
-      },
-      law);
-}
 
 /// The toughness of the law itself.
 std::optional<double> own_toughness(const RateLaw& law) {
@@ -88,6 +79,37 @@ void check(const Nasgro& law) {
   not_negative("intrinsic_size", law.intrinsic_size, "m");
 }
 
+void check(const RateCurve& curve, const FieldPath& at) {
+  const FieldPath ranges = at / "delta_K";
+  const FieldPath rates = at / "rate";
+  require(curve.stress_ratio < 1 && std::isfinite(curve.stress_ratio), (at / "stress_ratio").text(),
+          curve.stress_ratio, "1", "< 1");
+  if (curve.delta_K.size() < 2)
+    throw InputError(ranges.text(), "must have at least two values, the first one the threshold");
+  if (curve.rate.size() != curve.delta_K.size())
+    throw InputError(rates.text(), fmt::format("has {} values, but delta_K has {}",
+                                               curve.rate.size(), curve.delta_K.size()));
+  const auto rises = [](const std::vector<double>& values, const FieldPath& path,
+                        std::string_view unit) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      positive(path[i].text(), values[i], unit);
+      if (i > 0 && !(values[i] > values[i - 1]))
+        throw InputError(path[i].text(), "must be larger than the value before");
+    }
+  };
+  rises(curve.delta_K, ranges, kToughness);
+  rises(curve.rate, rates, "m");
+}
+void check(const Tabulated& law) {
+  const FieldPath at("curve");
+  if (law.curve.empty()) throw InputError("curve", "must be given: rates at one or more R");
+  for (std::size_t i = 0; i < law.curve.size(); ++i) {
+    check(law.curve[i], at[i]);
+    if (i > 0 && !(law.curve[i].stress_ratio > law.curve[i - 1].stress_ratio))
+      throw InputError((at[i] / "stress_ratio").text(), "must be larger than in the curve before");
+  }
+}
+
 void require_limits(const GrowthLimits& limits) {
   if (limits.threshold) positive("threshold", *limits.threshold, kToughness);
   not_negative("intrinsic_size", limits.intrinsic_size, "m");
@@ -100,21 +122,61 @@ void require_constants(const RateLaw& law) {
   std::visit([](const auto& l) { check(l); }, law);
 }
 
+PreparedLaw::PreparedLaw(RateLaw law) : law_(std::move(law)), toughness_(own_toughness(law_)) {
+  std::visit(
+      [this](const auto& l) {
+        if constexpr (requires { l.prepared(); })
+          ready_ = l.prepared();
+        else
+          ready_ = l;
+      },
+      law_);
+}
+
+double PreparedLaw::rate(const TipCycle& cycle, double crack_size) const {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.rate(cycle, crack_size); })
+          return l.rate(cycle, crack_size);
+        else
+          return l.rate(cycle);
+      },
+      ready_);
+}
+
+std::optional<double> PreparedLaw::threshold(double ratio, double crack_size) const {
+  return std::visit(
+      [&](const auto& l) -> std::optional<double> {
+        if constexpr (requires { l.threshold(ratio, crack_size); })
+          return l.threshold(ratio, crack_size);
+        else if constexpr (requires { l.threshold(ratio); })
+          return l.threshold(ratio);
+        else
+          return {};
+      },
+      ready_);
+}
+
 GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_size,
+                       const GrowthLimits& limits) {
+  return growth_rate(PreparedLaw(law), cycle, crack_size, limits);
+}
+
+GrowthRate growth_rate(const PreparedLaw& law, const TipCycle& cycle, double crack_size,
                        const GrowthLimits& limits) {
   require(std::isfinite(cycle.largest), "K_max", cycle.largest, kToughness, "a finite number");
   require(crack_size > 0 && std::isfinite(crack_size), "crack_size", crack_size, "m", "> 0");
   require_limits(limits);
   if (!(cycle.largest > 0)) return {};  // the whole cycle presses; its R has no meaning
   require(cycle.ratio < 1 && std::isfinite(cycle.ratio), "R", cycle.ratio, "1", "< 1");
-  for (const std::optional<double>& toughness : {own_toughness(law), limits.toughness})
+  for (const std::optional<double>& toughness : {law.toughness(), limits.toughness})
     if (toughness && cycle.largest >= *toughness) return {0.0, TipState::breaks};
   if (limits.threshold) {
     const double least = *limits.threshold *
                          std::sqrt(crack_size / (crack_size + limits.intrinsic_size));  // (GR-12)
     if (cycle.full_range() <= least) return {};
   }
-  const double rate = rate_of(law, cycle, crack_size);
+  const double rate = law.rate(cycle, crack_size);
   if (std::isnan(rate))
     throw InputError("law", "its constants give no number; require_constants names the constant");
   return rate > 0 ? GrowthRate{rate, TipState::grows} : GrowthRate{};

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "strainwave/core/described.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/io/edit.hpp"
@@ -79,7 +80,8 @@ std::string key_text(std::string_view key) {
 }
 
 template <class T>
-inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> || is_vector<T>;
+inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> ||
+                                 (is_vector<T> && !is_array_of_numbers<T>);
 template <class T>
 inline constexpr bool is_table<std::optional<T>> = is_table<T>;
 
@@ -126,6 +128,10 @@ class GearWriter {
       return value ? plain(*value, field) : std::string();
     } else if constexpr (is_pair_of_numbers<T>) {
       return fmt::format("[{}, {}]", plain(value[0], field), plain(value[1], field));
+    } else if constexpr (is_array_of_numbers<T>) {
+      std::string list;
+      for (const double number : value) list += (list.empty() ? "" : ", ") + plain(number, field);
+      return fmt::format("[{}]", list);
     } else if constexpr (std::is_enum_v<T>) {
       return toml_string(enum_name(value));
     } else if constexpr (std::is_same_v<T, std::string>) {

@@ -206,6 +206,7 @@ std::map<std::string_view, std::string> unit_patterns() {
   return {
       {"m", length},
       {"s", words_like("s")},
+      {"K", words_like("K")},
       {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, words_like("s"))})},
       {"N", force},
       {"rad", angle},

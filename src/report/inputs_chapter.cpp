@@ -9,6 +9,7 @@
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
+#include "strainwave/core/described.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/io/input_remarks.hpp"
 #include "strainwave/materials/material_library.hpp"
@@ -55,7 +56,8 @@ std::string library_evidence(std::string_view material, std::string_view propert
 }
 
 template <class T>
-inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> || is_vector<T>;
+inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> ||
+                                 (is_vector<T> && !is_array_of_numbers<T>);
 template <class T>
 inline constexpr bool is_table<std::optional<T>> = is_table<T>;
 

@@ -15,6 +15,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/life/block_temperature.hpp"
 #include "strainwave/life/duty.hpp"
 #include "strainwave/life/flank_wear.hpp"
 #include "strainwave/life/load_history.hpp"
@@ -505,6 +506,15 @@ void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states,
                                 : "Lower the load, or make the wall stronger."});
   }
   use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
+  const Material& steel = material_of(of.gear, of.gear.flexspline->material, "flexspline.material");
+  if (steel.fatigue && of.gear.duty)
+    if (const auto unstated = unstated_temperature(
+            *of.gear.duty, "the constants of fatigue of the flexspline's material",
+            steel.fatigue->temperature))
+      report.notes.push_back(
+          {"life.temperature", unstated->text, unstated->path, "", Severity::care,
+           "Give constants that hold at this temperature, and state their temperatures in "
+           "fatigue.temperature."});
   if (std::ranges::any_of(report.fatigue, [](const auto& p) { return !p.miner.empty(); }))
     use(report, {"LI-8", "LI-37"});
   if (!report.fatigue.back().reserve) return;

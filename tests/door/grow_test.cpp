@@ -51,7 +51,15 @@ TEST(Grow, InputEachOptionRuleBrokenOnce) {
       {R"({"interaction": "wheeler", "zone_factor": 2})", "wheeler_exponent"},
       {R"({"interaction": "willenborg", "zone_factor": 2, "wheeler_exponent": 1})",
        "is read with --interaction wheeler only"},
-      {R"({"zone_factor": 2})", "is read with --interaction wheeler or willenborg only"},
+      {R"({"zone_factor": 2})", "is read with --interaction wheeler, willenborg or closure only"},
+      {R"({"constraint": 2})", "is read with --interaction closure only"},
+      {R"({"stress_level": 0.3})", "is read with --interaction closure only"},
+      {R"({"interaction": "closure", "constraint": 2, "stress_level": 0.3})", "zone_factor"},
+      {R"({"interaction": "closure", "zone_factor": 2, "constraint": 2})", "stress_level"},
+      {R"({"interaction": "closure", "zone_factor": 2, "stress_level": 0.3})", "constraint"},
+      {R"({"interaction": "closure", "zone_factor": 2, "constraint": 4, "stress_level": 0.3})",
+       "constraint"},
+      {R"({"interaction": "closure", "zone_factor": 2})", "give --constraint and --stress-level"},
       {R"({"points": 1})", "points"}};
   for (const Case& one : cases) {
     const std::string message = refusal_of_grow(one.options);
@@ -60,7 +68,8 @@ TEST(Grow, InputEachOptionRuleBrokenOnce) {
   for (const char* const accepted :
        {R"({"until": "300 h"})", R"({"until": "1e5 cycles"})", R"({"until": "event"})",
         R"({"until": "output_shaft.crack[0].depth=3 mm"})", R"({"law": "generic steel"})",
-        R"({"interaction": "willenborg", "zone_factor": 2})"})
+        R"({"interaction": "willenborg", "zone_factor": 2})",
+        R"({"interaction": "closure", "zone_factor": 2, "constraint": 2, "stress_level": 0.3})"})
     EXPECT_EQ(refusal_of_grow(accepted), "") << accepted;
   EXPECT_NE(refusal_of_grow("{}", nullptr, "article").find("duty"), std::string::npos);
 }

@@ -45,13 +45,21 @@ class SingleCycles {
     const double own = zone.size(cycle.largest);
     if (kSize + moved_ + own >= overload_.crack_size + zone.size(overload_.largest)) {
       moved_ += crack_.rate_of(cycle, kSize);
-      overload_ = {.crack_size = kSize + moved_, .largest = cycle.largest};
+      overload_ = {.crack_size = kSize + moved_,
+                   .largest = cycle.largest,
+                   .least = cycle.largest * cycle.ratio};
       return;
     }
     if (rule_.rule == InteractionRule::wheeler) {
       moved_ +=
           crack_.rate_of(cycle, kSize) *
           wheeler_factor(zone, overload_, kSize + moved_, cycle.largest, rule_.wheeler_exponent);
+      return;
+    }
+    if (rule_.rule == InteractionRule::closure) {
+      overload_.least = std::min(overload_.least, cycle.largest * cycle.ratio);
+      moved_ += crack_.rate_of(
+          closure_cycle(zone, closure_of(crack_, rule_), overload_, kSize + moved_, cycle), kSize);
       return;
     }
     const double threshold =
@@ -74,7 +82,8 @@ TEST(Interaction, CrosscheckSingleCyclesOfARepetition) {  // GR-27
   // cycles.
   const GrowingCrack crack = stainless_crack();
   Dice dice(3);
-  for (const InteractionRule rule : {InteractionRule::wheeler, InteractionRule::willenborg})
+  for (const InteractionRule rule :
+       {InteractionRule::wheeler, InteractionRule::willenborg, InteractionRule::closure})
     for (int trial = 0; trial < 25; ++trial) {
       std::vector<TipLoad> loads(static_cast<std::size_t>(dice.integer(2, 8)));
       for (TipLoad& load : loads)
@@ -105,7 +114,8 @@ TEST(Interaction, CrosscheckSingleCyclesBetweenRarePeaks) {  // GR-27
   // share 15 repetitions are skipped at once.
   const GrowingCrack crack = stainless_crack();
   Dice dice(4);
-  for (const InteractionRule rule : {InteractionRule::wheeler, InteractionRule::willenborg})
+  for (const InteractionRule rule :
+       {InteractionRule::wheeler, InteractionRule::willenborg, InteractionRule::closure})
     for (int trial = 0; trial < 12; ++trial) {
       std::vector<TipLoad> loads(3);
       for (TipLoad& load : loads)
@@ -137,13 +147,63 @@ TEST(Interaction, BehaviourWithoutRuleAndAtFracture) {
   EXPECT_GT(sum, 0.0);
   test::expect_relative(growth_with_interaction(crack, loads, kSize, {}, 0.01), sum, 1e-14);
   const std::vector<TipLoad> breaks = {loads[0], {.cycle = {.largest = 90e6}, .count = 1e-9}};
-  for (const InteractionRule rule :
-       {InteractionRule::none, InteractionRule::wheeler, InteractionRule::willenborg})
+  for (const InteractionRule rule : {InteractionRule::none, InteractionRule::wheeler,
+                                     InteractionRule::willenborg, InteractionRule::closure})
     EXPECT_TRUE(std::isinf(growth_with_interaction(crack, breaks, kSize, rule_of(rule), 0.01)));
   // Nothing grows below the threshold.
   const std::vector<TipLoad> rests = {{.cycle = {.largest = 1e6}, .count = 1e6}};
   EXPECT_EQ(growth_with_interaction(crack, rests, kSize, rule_of(InteractionRule::wheeler), 0.01),
             0.0);
+}
+
+TEST(Interaction, LimitTheOpeningOfAnOverload) {  // GR-32
+  // 200 cycles behind one of the overload, whose zone is long against their growth.  Paris with m
+  // 3: the rate falls by the cube of the share of the range that is left; a huge overload stops the
+  // crack, and the overload alone is left.
+  GearSet gear = test::growing_shaft();
+  const GrowingCrack crack = test::only_crack(gear);
+  Interaction interaction = rule_of(InteractionRule::closure);
+  interaction.closure = {.constraint = 2, .stress_level = 0.3};
+  const double f = interaction.closure->at_zero();
+  const TipCycle small{.largest = 15e6, .ratio = 0};
+  for (const double over : {1.0, 1.5, 2.0, 3.0, 3.1}) {
+    const TipCycle large{.largest = 15e6 * over, .ratio = 0};
+    const std::vector<TipLoad> loads = {{.cycle = large, .count = 1},
+                                        {.cycle = small, .count = 200}};
+    const double left = std::max(1 - over * f, 0.0) / (1 - f);
+    const double expected =
+        crack.rate_of(large, kSize) + 200 * crack.rate_of(small, kSize) * left * left * left;
+    test::expect_relative(growth_with_interaction(crack, loads, kSize, interaction, 0.01), expected,
+                          1e-12);
+  }
+  // A pressed cycle between them lowers the opening, from f(0) to f(-1).
+  const double pressed_f = interaction.closure->opening(-1);
+  const TipCycle large{.largest = 30e6, .ratio = 0};
+  const TipCycle pressed{.largest = 1e6, .ratio = -30};
+  const std::vector<TipLoad> loads = {
+      {.cycle = large, .count = 1}, {.cycle = pressed, .count = 1}, {.cycle = small, .count = 200}};
+  const double left = (1 - 2 * pressed_f) / (1 - f);
+  test::expect_relative(
+      growth_with_interaction(crack, loads, kSize, interaction, 0.01),
+      crack.rate_of(large, kSize) + 200 * crack.rate_of(small, kSize) * left * left * left, 1e-12);
+}
+
+TEST(Interaction, InputTheOpeningIsGivenOnce) {  // GR-32
+  GearSet gear = test::growing_shaft();
+  GrowthOptions options;
+  options.interaction = rule_of(InteractionRule::closure);
+  const auto refused = [&] {
+    return test::broken_rule([&] { return grow_cracks(gear, options); });
+  };
+  EXPECT_NE(refused().find("must be given for output_shaft.crack[0]"), std::string::npos)
+      << refused();
+  options.interaction.closure = {.constraint = 2.5, .stress_level = 0.3};
+  EXPECT_EQ(refused(), "no error");
+  // A law of NASGRO brings its opening, so a second one would do nothing.
+  options.rate.law = "15-5PH H900";
+  EXPECT_NE(refused().find("is not used"), std::string::npos) << refused();
+  options.interaction.closure.reset();
+  EXPECT_EQ(refused(), "no error");
 }
 
 }  // namespace

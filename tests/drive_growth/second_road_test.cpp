@@ -252,6 +252,29 @@ TEST(SecondRoad, ReferenceWillenborgCycleByCycle) {  // GR-19, GR-27
   test::expect_relative(report.repetitions, rows_of("shaft.willenborg").at(1.01e-3).value, 2e-3);
 }
 
+TEST(SecondRoad, ReferenceHeldOpeningCycleByCycle) {  // GR-32, GR-27
+  // Torque 0 to 7000 twice and 0 to 10 000 N*m once, 15-5PH, 1 to 1.05 mm, as above.
+  GearSet gear = test::growing_shaft();
+  Material& steel = gear.material.at("steel");
+  steel.fracture_toughness.reset();
+  steel.ultimate_strength.reset();
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 1e-3;
+  const DutyBlock rest{.duration = 1, .output_speed = 1.0, .torque = 0};
+  DutyBlock low = rest;
+  low.torque = 7000;
+  DutyBlock high = rest;
+  high.torque = 10000;
+  gear.duty->block = {rest, low, rest, low, rest, high};
+  GrowthOptions options = test::until_size(kShaftCrack, 1.05e-3);
+  options.rate = {.mixed_mode = MixedMode::richard, .law = "15-5PH H900"};
+  const double unslowed = grow_cracks(gear, options).repetitions;
+  options.interaction = {.rule = InteractionRule::closure, .zone_factor = 2.0};
+  const GrowthReport report = grow_cracks(gear, options);
+  EXPECT_EQ(report.end, DriveEnd::until);
+  test::expect_relative(report.repetitions, rows_of("shaft.closure").at(1.05e-3).value, 2e-3);
+  EXPECT_GT(report.repetitions, 1.1 * unslowed);
+}
+
 TEST(SecondRoad,
      ReferenceSurfaceCrackUnderTorqueAndWave) {  // FA-12, FR-4, FR-10, SP-3, GR-21 to GR-24
   GearSet gear = test::cracked_wall(R"(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -83,6 +84,77 @@ TEST(LoadInteraction, BehaviourOfANegativeMinimum) {
   EXPECT_EQ(willenborg_cycle(willenborg, overload, 5e-3, {.largest = -1, .ratio = 0}).largest, -1);
 }
 
+// --- Held opening
+// ---------------------------------------------------------------------------------
+
+NewmanClosure opening() { return {.constraint = 2, .stress_level = 0.3}; }
+
+TipCycle held_cycle(const Overload& overload, const TipCycle& cycle, double crack_size = 5e-3) {
+  return closure_cycle(zone_of_unit_K(), opening(), overload, crack_size, cycle);
+}
+
+TEST(LoadInteraction, ReferenceHeldOpening) {  // GR-32, GR-7
+  // f(0) = 0.325656 and f(0.5) = 0.548066 with alpha 2, s 0.3.  By hand: the overload 20 with K_min
+  // 0 is open from 6.51312 on.  A cycle to 10 with R = 0 opens at 3.25656; 3.48688 of 6.74344 are
+  // left.  A cycle to 10 with R = 0.5 opens at 5.48066; 3.48688 of 4.51934 are left.  Tolerance:
+  // the digits of f.
+  const Overload overload{.crack_size = 5e-3, .largest = 20, .least = 0};
+  const TipCycle at_zero = held_cycle(overload, {.largest = 10, .ratio = 0});
+  test::expect_relative(at_zero.largest, 10 * 3.48688 / 6.74344, 3e-6);
+  EXPECT_EQ(at_zero.ratio, 0.0);
+  const TipCycle at_half = held_cycle(overload, {.largest = 10, .ratio = 0.5});
+  test::expect_relative(at_half.largest, 10 * 3.48688 / 4.51934, 3e-6);
+  EXPECT_EQ(at_half.ratio, 0.5);
+  // The smaller the minimum of the overload, the lower its opening.
+  EXPECT_GT(held_cycle({5e-3, 20, -20}, {.largest = 10, .ratio = 0}).largest, at_zero.largest);
+}
+
+TEST(LoadInteraction, IdentityTheHeldOpeningIsTheRangeAtTheTip) {  // GR-32
+  // The range above the opening of the returned cycle is K_max less the held opening.
+  for (const double least : {-10.0, 0.0, 5.0})
+    for (const double largest : {7.0, 10.0, 14.0, 19.0})
+      for (const double R : {-3.0, -1.0, 0.0, 0.3, 0.7, 0.9}) {
+        const double held = opening().opening(least / 20) * 20;
+        const double own = opening().opening(R) * largest;
+        const TipCycle at_tip = held_cycle({5e-3, 20, least}, {.largest = largest, .ratio = R});
+        EXPECT_EQ(at_tip.ratio, R);
+        EXPECT_NEAR((1 - opening().opening(R)) * at_tip.largest,
+                    std::max(largest - std::max(held, own), 0.0), 1e-13);
+        EXPECT_LE(at_tip.largest, largest);
+      }
+}
+
+TEST(LoadInteraction, IdentityConstantAmplitudeStays) {  // GR-32
+  // The same cycle comes back to the last digit: after an equal one, after a smaller one, and
+  // outside of the zone.
+  for (const double R : {-5.0, -1.0, 0.0, 0.1, 0.5, 0.95}) {
+    const TipCycle cycle{.largest = 12.3, .ratio = R};
+    const auto same = [&](const Overload& overload, double crack_size) {
+      const TipCycle back = held_cycle(overload, cycle, crack_size);
+      EXPECT_EQ(back.largest, cycle.largest);
+      EXPECT_EQ(back.ratio, cycle.ratio);
+    };
+    same({5e-3, 12.3, 12.3 * R}, 5e-3);
+    same({5e-3, 9, 0}, 5e-3);
+    same({5e-3, 20, 0}, 5e-3 + zone_of_unit_K().size(20));
+    // An overload that is pressed strongly afterwards opens before a cycle with large R.
+    if (R > 0.9) same({5e-3, 20, -20}, 5e-3);
+  }
+  EXPECT_EQ(held_cycle({5e-3, 20, 0}, {.largest = -1, .ratio = 0}).largest, -1);
+}
+
+TEST(LoadInteraction, LimitAHugeOverloadStopsTheCrack) {  // GR-32
+  // At R = 0 the crack stays closed behind 1/f(0) = 3.07072 times the load.
+  const TipCycle cycle{.largest = 10, .ratio = 0};
+  const double stop = 10 / opening().at_zero();
+  test::expect_relative(stop, 30.7072, 2e-6);
+  EXPECT_EQ(held_cycle({5e-3, stop * (1 + 1e-12), 0}, cycle).largest, 0.0);
+  EXPECT_EQ(held_cycle({5e-3, 1e6, 0}, cycle).largest, 0.0);
+  const double little = held_cycle({5e-3, stop * (1 - 1e-9), 0}, cycle).largest;
+  EXPECT_GT(little, 0.0);
+  EXPECT_LT(little, 1e-7);
+}
+
 TEST(LoadInteraction, InputEachRuleBrokenOnce) {
   const auto field = [](const auto& call) -> std::string {
     try {
@@ -113,6 +185,16 @@ TEST(LoadInteraction, InputEachRuleBrokenOnce) {
               (void)willenborg_cycle(rule(), overload, 6e-3, {std::nan(""), 0});
             }),
             "K_max");
+  const auto closed = [&](const NewmanClosure& closure, const Overload& over,
+                          const TipCycle& cycle) {
+    return field([&] { (void)closure_cycle(zone_of_unit_K(), closure, over, 5e-3, cycle); });
+  };
+  EXPECT_EQ(closed({0.9, 0.3}, overload, {1, 0}), "constraint");
+  EXPECT_EQ(closed({2, 1}, overload, {1, 0}), "stress_level");
+  EXPECT_EQ(closed({2, 0.3}, overload, {1, 1}), "R");
+  EXPECT_EQ(closed({2, 0.3}, overload, {std::nan(""), 0}), "K_max");
+  EXPECT_EQ(closed({2, 0.3}, {5e-3, 30, 30}, {1, 0}), "overload");
+  EXPECT_EQ(closed({2, 0.3}, {6e-3, 30, 0}, {1, 0}), "crack_size");
   Willenborg wrong = rule();
   wrong.shut_off_ratio = 1;
   EXPECT_EQ(field([&] {

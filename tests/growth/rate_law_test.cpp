@@ -209,7 +209,11 @@ std::vector<RateLaw> all_laws() {
           Walker{6.9e-12, 3, 0.5},
           Forman{4e-10, 3, 60e6},
           HartmanSchijve{1e-10, 2, 1.5e6, 80e6},
-          stainless()};
+          stainless(),
+          Tabulated{.curve = {{.stress_ratio = 0, .delta_K = {2e6, 50e6}, .rate = {1e-11, 1e-6}},
+                              {.stress_ratio = 0.5,
+                               .delta_K = {1e6, 4e6, 30e6},
+                               .rate = {2e-11, 5e-9, 1e-6}}}}};
 }
 
 TEST(RateLaw, BehaviourThresholdAndToughnessOfEachLaw) {  // GR-12

@@ -9,8 +9,10 @@
 #include <locale>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "strainwave/io/edit.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/input_format.hpp"
 
@@ -110,6 +112,29 @@ TEST(GearWriter, BehaviourAMaterialBasedOnTheLibraryKeepsItsOwnNumbers) {
   const GearSet again = read_gear_set(written, "again.toml");
   EXPECT_EQ(numbers(again), numbers(first));
   EXPECT_EQ(again.material.at("steel").origin, first.material.at("steel").origin);
+}
+
+TEST(GearWriter, IdentityOfATableOfRates) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_shaft.toml");
+  const Tabulated table{
+      .curve = {{.stress_ratio = -1, .delta_K = {5e6, 1e7}, .rate = {1e-10, 2e-9}},
+                {.stress_ratio = 0.1,
+                 .delta_K = {3e6, 7.1e6, 4e7},
+                 .rate = {1.0 / 3 * 1e-10, 3e-9, 1e-6}}}};
+  gear.material.at("steel").growth = {table};
+  gear.duty->block[0].temperature = 393.15;
+  const std::string text = gear_text(gear);
+  EXPECT_NE(text.find(R"(delta_K = ["5 MPa*m^0.5", "10 MPa*m^0.5"])"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"(temperature = "393.15 K")"), std::string::npos) << text;
+  const GearSet again = read_gear_set(text, "again.toml");
+  EXPECT_EQ(numbers(again), numbers(gear));
+  EXPECT_EQ(gear_text(again), text);
+  // One number of a list is edited in its place.
+  const std::string edited = edit(text, "material.steel.growth[0].curve[1].rate[1]", "\"4e-9 m\"");
+  EXPECT_EQ(std::get<Tabulated>(read_gear_set(edited, "edited.toml").material.at("steel").growth[0])
+                .curve[1]
+                .rate[1],
+            4e-9);
 }
 
 TEST(GearWriter, BehaviourTextsAndMaterialNames) {

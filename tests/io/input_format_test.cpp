@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "strainwave/core/described.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -105,7 +106,8 @@ void for_each_field(const std::string& path, const F& f) {
 }
 
 template <class T>
-constexpr bool is_table = Described<T> || is_string_map<T> || is_vector<T>;
+constexpr bool is_table = Described<T> || is_string_map<T> ||
+                          (is_vector<T> && !is_array_of_numbers<T>);
 template <class T>
 constexpr bool is_table<std::optional<T>> = Described<T>;
 
@@ -157,6 +159,14 @@ T parsed(std::string_view text, const Field& field) {
     return {parse_quantity(field.name, unquoted(text.substr(1, comma - 1)), field.unit),
             parse_quantity(field.name, unquoted(text.substr(comma + 2, text.size() - comma - 3)),
                            field.unit)};
+  } else if constexpr (is_array_of_numbers<T>) {
+    T values;
+    for (std::size_t at = 1; at < text.size();) {
+      const std::size_t end = std::min(text.find(", ", at), text.size() - 1);
+      values.push_back(parsed<double>(text.substr(at, end - at), field));
+      at = end + 2;
+    }
+    return values;
   } else {
     return unquoted(text);
   }
@@ -202,6 +212,9 @@ TEST(InputDescriptions, BehaviourExamplesAndFallbacksAreInTheirRanges) {
             } else if constexpr (is_pair_of_numbers<Inner>) {
               EXPECT_TRUE(field.range.contains(value[0])) << path;
               EXPECT_TRUE(field.range.contains(value[1])) << path;
+            } else if constexpr (is_array_of_numbers<Inner>) {
+              EXPECT_GE(value.size(), 2U) << path;
+              for (const double number : value) EXPECT_TRUE(field.range.contains(number)) << path;
             }
           }
         }
@@ -218,7 +231,7 @@ TEST(InputDescriptions, BehaviourNamesUnitsAndMeaningsAreThere) {
         EXPECT_FALSE(field.doc.empty()) << path;
         using Inner = typename Unwrap<Value>::type;
         constexpr bool kIsNumber = std::is_same_v<Inner, double> || std::is_same_v<Inner, int> ||
-                                   is_pair_of_numbers<Inner>;
+                                   is_array_of_numbers<Inner>;
         EXPECT_EQ(!field.unit.empty(), kIsNumber) << path;
         if (kIsNumber) {
           EXPECT_EQ(parse_unit(field.unit).factor, 1) << path << " is not in SI";
@@ -375,6 +388,10 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     switch_on(lines, "[[material.steel.growth]]", "nasgro");
     switch_on(lines, "[material.steel.growth.closure]");
   };
+  const std::function<void(Lines&)> tabulated = [&](Lines& lines) {
+    switch_on(lines, "[[material.steel.growth]]", "tabulated");
+    switch_on(lines, "[[material.steel.growth.curve]]");
+  };
   // One of the two speeds, and a block.
   const std::function<void(Lines&)> with_block = [&](Lines& lines) {
     switch_on(lines, "[[duty.block]]");
@@ -396,6 +413,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[material.steel.growth]] hartman_schijve", "accepted", nothing},
       {"[[material.steel.growth]] nasgro", "closure: must be given", nasgro},
       {"[material.steel.growth.closure]", "material.steel.growth", nasgro},
+      {"[[material.steel.growth]] tabulated", "curve: must be given", tabulated},
+      {"[[material.steel.growth.curve]]", "material.steel.growth", tabulated},
       {"[material.steel.growth.over_thickness]", "material.steel.growth", nasgro},
       {"[material.steel.growth_bounds]", "accepted", nothing},
       {"[wave_generator.displacements]", "a second source of the radial stiffness", no_stiffness},
@@ -477,7 +496,7 @@ TEST(InputTemplate, BehaviourItsDimensionsFitTogether) {
     EXPECT_NE(text.find(std::string(table.meaning)), std::string::npos) << table.kind;
     EXPECT_FALSE(table.meaning.empty()) << table.kind;
   }
-  EXPECT_EQ(n_kinds, 17);
+  EXPECT_EQ(n_kinds, 18);
 }
 
 TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
@@ -647,7 +666,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 50);
+  EXPECT_EQ(n, 52);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -739,6 +758,8 @@ TEST(InputSchema, BehaviourTypesRangesAndDefaults) {
         EXPECT_EQ(property.at("items").at("oneOf").size(),
                   std::variant_size_v<typename Inner::value_type>)
             << path;
+      } else if constexpr (is_array_of_numbers<Inner>) {
+        EXPECT_EQ(property.at("items").at("type"), field.unit == "1" ? "number" : "string") << path;
       } else {
         EXPECT_EQ(property.at("items").at("type"), "object") << path;
       }
@@ -807,7 +828,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 50);
+  EXPECT_EQ(tables, 52);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

@@ -174,6 +174,15 @@ DiaphragmGroove& groove(GearSet& gear) {
 WaveGenerator& wave_generator(GearSet& gear) { return *gear.wave_generator; }
 Flexspline& flexspline(GearSet& gear) { return *gear.flexspline; }
 OutputShaft& shaft(GearSet& gear) { return *gear.output_shaft; }
+/// What the steel states for growth and fatigue; made on the first call.
+GrowthBounds& growth_bounds(GearSet& gear) {
+  auto& bounds = gear.material["steel"].growth_bounds;
+  return bounds ? *bounds : bounds.emplace();
+}
+FatigueStrength& fatigue(GearSet& gear) {
+  auto& strength = gear.material["steel"].fatigue;
+  return strength ? *strength : strength.emplace(FatigueStrength{.limit = 400e6});
+}
 RaceSurfaceCrack& race_crack(GearSet& gear) {
   return std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
 }
@@ -764,6 +773,31 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { g.scatter[1].relative_standard_deviation = 1.01; },
      "scatter[1].relative_standard_deviation", "> 0 and <= 1", ""},
 
+    // life of a material
+    {"TwoLawsOfGrowth", article,
+     [](GearSet& g) { g.material["steel"].growth = {Paris{1e-12, 3}, Paris{1e-12, 3}}; },
+     "material.steel.growth[1]", "", "is a second law; give one law, and two_lines for a law of two branches"},
+    {"TableWithoutCurves", article,
+     [](GearSet& g) { g.material["steel"].growth = {Tabulated{}}; },
+     "material.steel.growth[0].curve", "", "must be given: rates at one or more R"},
+    {"StressRatiosReversed", article,
+     [](GearSet& g) { growth_bounds(g).stress_ratio = {0.5, 0.1}; },
+     "material.steel.growth_bounds.stress_ratio", "not below the first one of the pair", ""},
+    {"TemperaturesOfGrowthReversed", article,
+     [](GearSet& g) { growth_bounds(g).temperature = {310, 290}; },
+     "material.steel.growth_bounds.temperature", "not below the first one of the pair", ""},
+    {"RangesOfGrowthReversed", article,
+     [](GearSet& g) {
+       growth_bounds(g).from = 4e6;
+       growth_bounds(g).to = 3e6;
+     },
+     "material.steel.growth_bounds.to", "to > from", ""},
+    {"TemperaturesOfFatigueReversed", article,
+     [](GearSet& g) { fatigue(g).temperature = {310, 290}; }, "material.steel.fatigue.temperature",
+     "not below the first one of the pair", ""},
+    {"SlopeWithoutKnee", article, [](GearSet& g) { fatigue(g).slope = 5; },
+     "material.steel.fatigue.cycles", "", "must be given beside slope: the line goes through the knee"},
+
     // output shaft
     {"BoreOfTheDiameter", article, [](GearSet& g) { shaft(g).inner_diameter = 70 * mm; },
      "output_shaft.inner_diameter", "inner_diameter < outer_diameter", ""},
@@ -1121,6 +1155,7 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, CheckBoundary, testing::ValuesIn(kAccepted)
 double inside(const Range& range) {
   if (std::isfinite(range.lower) && std::isfinite(range.upper))
     return (range.lower + range.upper) / 2;
+  if (std::isfinite(range.upper)) return range.upper - 1;
   return std::isfinite(range.lower) ? range.lower + 1 : 1.0;
 }
 
@@ -1302,6 +1337,7 @@ TEST(CheckRange, ReferenceRanges) {
       {"material.steel.growth[2].gamma", ">= 0 and <= 1"},
       {"material.steel.growth[5].closure.constraint", ">= 1 and <= 3"},
       {"material.steel.growth[5].closure.stress_level", "> 0 and < 1"},
+      {"material.steel.growth[6].curve[0].stress_ratio", "< 1"},
       {"material.steel.growth_bounds.stress_ratio[0]", "<= 1"},
       {"material.steel.growth_bounds.stress_ratio[1]", "<= 1"},
       {"output_bearing.load_factor", ">= 1"},

@@ -241,6 +241,25 @@ TEST(LifeReport, BehaviourNotesOfASoundDrive) {
   EXPECT_EQ(evidence_of(life_report(gear)).verdict.judgement, Judgement::critical);
 }
 
+TEST(LifeReport, BehaviourTemperatureOfABlock) {
+  GearSet gear = joint();
+  const auto note = [&] {
+    for (const Note& one : life_report(gear).notes)
+      if (one.code == "life.temperature") return one.path + ": " + one.text;
+    return std::string();
+  };
+  gear.duty->block[1].temperature = 350;
+  EXPECT_EQ(note(),
+            "duty.block[1].temperature: the block is at 350 K, but the constants of fatigue of the "
+            "flexspline's material state no temperature");
+  gear.material["steel"].fatigue->temperature = {290, 300};
+  EXPECT_EQ(note(),
+            "duty.block[1].temperature: the block is at 350 K, but the constants of fatigue of the "
+            "flexspline's material are stated for 290 K to 300 K");
+  gear.material["steel"].fatigue->temperature = {290, 350};
+  EXPECT_EQ(note(), "");
+}
+
 TEST(LifeReport, BehaviourFiniteLifeByMiner) {  // LI-37
   GearSet gear = joint();
   gear.material["steel"].fatigue->limit = 250e6;

@@ -55,7 +55,7 @@ class GrowingCrack {
 
   [[nodiscard]] const DriveCrack& crack() const { return crack_; }
   [[nodiscard]] const CrackDuty& duty() const { return duty_; }
-  [[nodiscard]] const RateLaw& law() const { return law_; }
+  [[nodiscard]] const RateLaw& law() const { return law_.law(); }
   [[nodiscard]] MixedMode mixed_mode() const { return mixed_mode_; }
   [[nodiscard]] const GrowthLimits& limits() const { return limits_; }
   /// The tips that move: depth and length of a surface crack, else the size alone.  A surface crack
@@ -105,7 +105,7 @@ class GrowingCrack {
   DriveCrack crack_;
   CracksAtTorques at_torque_;  // only if K is not linear in the torque
   CrackDuty duty_;
-  RateLaw law_;
+  PreparedLaw law_;
   GrowthLimits limits_;
   MixedMode mixed_mode_;
   double poissons_ratio_ = 0.3;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,10 +13,11 @@
 namespace strainwave {
 
 /// How a large cycle slows the cycles after it.
-enum class InteractionRule { none, wheeler, willenborg };
+enum class InteractionRule { none, wheeler, willenborg, closure };
 template <>
 struct EnumNames<InteractionRule> {
-  static constexpr std::array<std::string_view, 3> names = {"none", "wheeler", "willenborg"};
+  static constexpr std::array<std::string_view, 4> names = {"none", "wheeler", "willenborg",
+                                                            "closure"};
 };
 
 /// Load interaction with its constants.
@@ -25,7 +27,15 @@ struct Interaction {
   double wheeler_exponent = 1.5;  ///< gamma (GR-18) [-]; >= 0
   double shut_off_ratio = 2.65;   ///< R_so (GR-19) [-]; > 1
   NegativeMinimum negative = NegativeMinimum::closed;
+  /// Newman's opening (GR-32) for laws that have no own one; NASGRO takes its own
+  std::optional<NewmanClosure> closure = {};
 };
+
+/// The opening that the closure rule takes for a crack: that of its law, or else the given one.
+/// @throws InputError  if there is none
+[[nodiscard]] NewmanClosure closure_of(const GrowingCrack& crack, const Interaction& interaction);
+/// Whether the law of a crack has its own opening.
+[[nodiscard]] bool has_own_closure(const GrowingCrack& crack);
 
 /// Growth of a tip in one repetition with load interaction [m]; infinite as in
 /// GrowingCrack::growth.
@@ -39,7 +49,8 @@ struct Interaction {
 /// @param crack_size  a [m]; > 0
 /// @param share       of what is left of the overload's zone by which equal cycles advance in one
 ///                    step, and of its whole zone by which equal repetitions are skipped [-]
-/// @throws InputError  if a constant is out of range, or the yield strength is not known
+/// @throws InputError  if a constant is out of range, or the yield strength or the opening is not
+///                     known
 [[nodiscard]] double growth_with_interaction(const GrowingCrack& crack,
                                              std::span<const TipLoad> loads, double crack_size,
                                              const Interaction& interaction, double share);

@@ -53,7 +53,8 @@ template <class CycleAt>
   require(from > 0 && std::isfinite(from), "from", from, "m", "> 0");
   require(to > from && std::isfinite(to), "to", to, "m", "larger than the first size");
   require(steps >= 1, "steps", steps, "1", ">= 1");
-  const auto rate = [&](double a) { return growth_rate(law, cycle_at(a), a, limits); };
+  const PreparedLaw prepared(law);
+  const auto rate = [&](double a) { return growth_rate(prepared, cycle_at(a), a, limits); };
   const auto grows = [&](double a) { return rate(a).state == TipState::grows; };
   const auto end_of = [&](double a) {
     return rate(a).state == TipState::breaks ? GrowthEnd::breaks : GrowthEnd::arrested;

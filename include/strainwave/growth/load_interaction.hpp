@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/growth_laws/nasgro.hpp"
 #include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
@@ -19,6 +20,7 @@ struct PlasticZone {
 struct Overload {
   double crack_size = 0.0;  ///< a at the overload [m]
   double largest = 0.0;     ///< K_max of the overload [Pa*m^0.5]
+  double least = 0.0;       ///< least K_min since the overload began [Pa*m^0.5]
 };
 
 /// Wheeler's factor of the growth rate behind an overload (GR-18) [-]; from 0 to 1.
@@ -48,5 +50,14 @@ struct Willenborg {
 /// longer governs.
 [[nodiscard]] TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload,
                                         double crack_size, const TipCycle& cycle);
+
+/// The cycle that acts at the tip behind an overload that holds the crack closed (GR-32).
+///
+/// R stays, and K_max falls until the range that opens the crack is the one above the held opening.
+/// The same cycle, to the last digit, where the overload no longer governs or where the cycle opens
+/// later than the overload.  K_max is 0 where the cycle does not open the crack.
+[[nodiscard]] TipCycle closure_cycle(const PlasticZone& zone, const NewmanClosure& closure,
+                                     const Overload& overload, double crack_size,
+                                     const TipCycle& cycle);
 
 }  // namespace strainwave

@@ -14,7 +14,8 @@ inline constexpr Field kCoefficient{.name = "coefficient",
                                     .unit = "m",
                                     .doc = "growth per cycle at a range of 1 MPa*m^0.5",
                                     .range = kPositive,
-                                    .example = R"("6.9e-12 m")"};
+                                    .example = R"("6.9e-12 m")",
+                                    .usual = {.lower = 1e-25, .upper = 1e-7}};
 inline constexpr Field kExponent{.name = "exponent",
                                  .unit = "1",
                                  .doc = "exponent of the range",

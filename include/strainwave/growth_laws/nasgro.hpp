@@ -88,6 +88,8 @@ struct ToughnessOverThickness {
   }
 };
 
+class PreparedNasgro;
+
 /// da/dN = C [(1 - f)/(1 - R) Delta K/K_1]^n (1 - Delta K_th/Delta K)^p/(1 - K_max/K_c)^q (GR-8).
 ///
 /// R < 0: Delta K is the full range; the opening f lets only a part of it count.
@@ -108,25 +110,10 @@ struct Nasgro {
   /// toughness of through cracks; absent: `toughness` holds for them too
   std::optional<ToughnessOverThickness> over_thickness = {};
 
-  /// Delta K_th, full range [Pa*m^0.5].
-  ///
-  /// Below R = -2, where the opening has no further data, K_max at the threshold stays.
-  /// @param crack_size  a [m]; > 0
-  [[nodiscard]] double threshold(double ratio, double crack_size) const {
-    const double A0 = closure.at_zero();
-    return threshold_of(ratio, closure.opening(ratio, A0), A0, crack_size);
-  }
-
-  /// da/dN [m]; 0 up to the threshold; K_max < K_c.
-  [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const {
-    const double A0 = closure.at_zero();
-    const double f = closure.opening(cycle.ratio, A0);
-    const double over = 1 - threshold_of(cycle.ratio, f, A0, crack_size) / cycle.full_range();
-    if (!(over > 0)) return 0.0;
-    const double effective = (1 - f) * cycle.largest / units::MPa;
-    return coefficient * power(effective, exponent) * power(over, threshold_exponent) /
-           power(1 - cycle.largest / toughness, instability_exponent);  // (GR-8)
-  }
+  /// The law with A_0 computed once.
+  [[nodiscard]] PreparedNasgro prepared() const;
+  /// As PreparedNasgro::threshold.
+  [[nodiscard]] double threshold(double ratio, double crack_size) const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -171,21 +158,56 @@ struct Nasgro {
                 .in_template = InTemplate::commented},
           &Nasgro::over_thickness);
   }
+};
+
+/// NASGRO with the opening at R = 0, which depends on no cycle and takes most of the time.
+class PreparedNasgro {
+ public:
+  explicit PreparedNasgro(const Nasgro& law)
+      : law_(law), A0_(law.closure.at_zero()), open_at_zero_(std::log1p(-A0_)) {}
+
+  /// Delta K_th, full range [Pa*m^0.5].
+  ///
+  /// Below R = -2, where the opening has no further data, K_max at the threshold stays.
+  /// @param crack_size  a [m]; > 0
+  [[nodiscard]] double threshold(double ratio, double crack_size) const {
+    return threshold_of(ratio, law_.closure.opening(ratio, A0_), crack_size);
+  }
+
+  /// da/dN [m]; 0 up to the threshold; K_max < K_c.
+  [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const {
+    const double f = law_.closure.opening(cycle.ratio, A0_);
+    const double over = 1 - threshold_of(cycle.ratio, f, crack_size) / cycle.full_range();
+    if (!(over > 0)) return 0.0;
+    const double effective = (1 - f) * cycle.largest / units::MPa;
+    return law_.coefficient * power(effective, law_.exponent) *
+           power(over, law_.threshold_exponent) /
+           power(1 - cycle.largest / law_.toughness, law_.instability_exponent);  // (GR-8)
+  }
 
  private:
-  [[nodiscard]] double threshold_of(double ratio, double f, double A0, double crack_size) const {
+  [[nodiscard]] double threshold_of(double ratio, double f, double crack_size) const {
     const double R = std::max(ratio, -2.0);
-    const double datum = threshold_datum * std::sqrt(crack_size / (crack_size + intrinsic_size));
-    const double open = (1 - f) / (1 - R);
-    const double slope = R < 0 ? slope_minus : slope_plus;
-    const double exponent_of_opening = 1 + R * slope;
     const double below = (1 - ratio) / (1 - R);  // 1 from R = -2 on
-    if (form == NasgroThreshold::from_zero)
-      return below * datum * power((1 - A0) / open, exponent_of_opening);  // (GR-9)
-    return below * datum /
-           (power(open, exponent_of_opening) * power(1 - A0, slope_plus - R * slope));  // (GR-10)
+    const double datum =
+        below * law_.threshold_datum * std::sqrt(crack_size / (crack_size + law_.intrinsic_size));
+    const double slope = R < 0 ? law_.slope_minus : law_.slope_plus;
+    // One logarithm and one exponential in place of two powers.
+    const double open = (1 + R * slope) * std::log((1 - f) / (1 - R));
+    if (law_.form == NasgroThreshold::from_zero)
+      return datum * std::exp((1 + R * slope) * open_at_zero_ - open);               // (GR-9)
+    return datum * std::exp(-open - (law_.slope_plus - R * slope) * open_at_zero_);  // (GR-10)
   }
+
+  Nasgro law_;
+  double A0_;
+  double open_at_zero_;  // ln(1 - A_0)
 };
+
+inline PreparedNasgro Nasgro::prepared() const { return PreparedNasgro(*this); }
+inline double Nasgro::threshold(double ratio, double crack_size) const {
+  return prepared().threshold(ratio, crack_size);
+}
 
 /// Toughness of a through crack over the thickness (GR-11) [Pa*m^0.5].
 /// @param plane_strain_toughness  K_Ic [Pa*m^0.5]; > 0

@@ -8,6 +8,7 @@
 #include "strainwave/growth_laws/hartman_schijve.hpp"
 #include "strainwave/growth_laws/nasgro.hpp"
 #include "strainwave/growth_laws/paris.hpp"
+#include "strainwave/growth_laws/tabulated.hpp"
 #include "strainwave/growth_laws/tip_cycle.hpp"
 #include "strainwave/growth_laws/two_lines.hpp"
 #include "strainwave/growth_laws/walker.hpp"
@@ -15,7 +16,30 @@
 namespace strainwave {
 
 /// Law of the growth rate.
-using RateLaw = std::variant<Paris, TwoLines, Walker, Forman, HartmanSchijve, Nasgro>;
+using RateLaw = std::variant<Paris, TwoLines, Walker, Forman, HartmanSchijve, Nasgro, Tabulated>;
+
+/// A law of the growth rate with all that depends on no cycle computed once.
+///
+/// A law with a member `prepared` brings its own form for this; any other law is ready as it is.
+class PreparedLaw {
+ public:
+  /// @param law  its constants are in range (require_constants)
+  explicit PreparedLaw(RateLaw law);
+
+  [[nodiscard]] const RateLaw& law() const { return law_; }
+  /// da/dN by the law alone [m]; K_max > 0 and below the toughness
+  [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const;
+  /// Delta K_th of the law at a stress ratio, full range [Pa*m^0.5]; absent: the law has none
+  [[nodiscard]] std::optional<double> threshold(double ratio, double crack_size) const;
+  /// K_max at which the law breaks the part [Pa*m^0.5]; absent: the law has no toughness
+  [[nodiscard]] std::optional<double> toughness() const { return toughness_; }
+
+ private:
+  RateLaw law_;
+  std::variant<Paris, TwoLines, Walker, Forman, HartmanSchijve, PreparedNasgro, TableOfRates>
+      ready_;
+  std::optional<double> toughness_;
+};
 
 /// What bounds a law that has no such bound of its own.
 struct GrowthLimits {
@@ -28,15 +52,18 @@ struct GrowthLimits {
 
 /// Growth of a crack in one cycle.
 ///
-/// Implements theory manual eqs. (GR-2) to (GR-12).  The crack breaks where K_max reaches the
-/// lesser of the toughnesses of the law and of the limits.  It stands still where Delta K is not
-/// above the threshold of the law or that of the limits, or if K_max <= 0.  Its rate is then
-/// exactly 0.
+/// Implements theory manual eqs. (GR-2) to (GR-12) and (GR-36).  The crack breaks where K_max
+/// reaches the lesser of the toughnesses of the law and of the limits.  It stands still where Delta
+/// K is not above the threshold of the law or that of the limits, or if K_max <= 0.  Its rate is
+/// then exactly 0.
 ///
 /// @param crack_size   a [m]; > 0
 /// @param law          its constants are in range (require_constants)
 /// @throws InputError  if R >= 1 although K_max > 0, if a <= 0, if a limit is out of range, or if a
 ///                     number is not finite
+[[nodiscard]] GrowthRate growth_rate(const PreparedLaw& law, const TipCycle& cycle,
+                                     double crack_size, const GrowthLimits& limits = {});
+/// The same for a single cycle; many cycles are faster with a PreparedLaw.
 [[nodiscard]] GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_size,
                                      const GrowthLimits& limits = {});
 

@@ -25,6 +25,8 @@ struct GrowOptions {
   InteractionRule interaction = InteractionRule::none;
   std::optional<double> zone_factor;
   std::optional<double> wheeler_exponent;
+  std::optional<double> constraint;
+  std::optional<double> stress_level;
   int points = 60;
 
   template <class Visitor>
@@ -63,6 +65,17 @@ struct GrowOptions {
            .doc = "exponent of --interaction wheeler, which needs it",
            .range = kNonNegative},
           &GrowOptions::wheeler_exponent);
+    field({.name = "constraint",
+           .unit = "1",
+           .doc = "alpha of Newman's opening, 1 in plane stress to 3 in plane strain, for "
+                  "--interaction closure; cracks with a law of NASGRO take that of their law",
+           .range = {.lower = 1.0, .lower_open = false, .upper = 3.0, .upper_open = false}},
+          &GrowOptions::constraint);
+    field({.name = "stress_level",
+           .unit = "1",
+           .doc = "largest stress over the flow stress of Newman's opening, with --constraint",
+           .range = {.lower = 0.0, .upper = 1.0}},
+          &GrowOptions::stress_level);
     field({.name = "points",
            .unit = "",
            .doc = "largest number of rows of a series",
@@ -80,13 +93,23 @@ Interaction interaction_of(const GrowOptions& o) {
   if (acts && !o.zone_factor)
     throw OptionError("zone_factor", "must be given with --interaction, because sources differ");
   if (!acts && o.zone_factor)
-    throw OptionError("zone_factor", "is read with --interaction wheeler or willenborg only");
+    throw OptionError("zone_factor",
+                      "is read with --interaction wheeler, willenborg or closure only");
   const bool wheeler = o.interaction == InteractionRule::wheeler;
   if (wheeler != o.wheeler_exponent.has_value())
     throw OptionError("wheeler_exponent", wheeler ? "must be given with --interaction wheeler"
                                                   : "is read with --interaction wheeler only");
   if (acts) interaction.zone_factor = *o.zone_factor;
   if (wheeler) interaction.wheeler_exponent = *o.wheeler_exponent;
+  const bool opening = o.constraint || o.stress_level;
+  if (opening && o.interaction != InteractionRule::closure)
+    throw OptionError(o.constraint ? "constraint" : "stress_level",
+                      "is read with --interaction closure only");
+  if (opening && !o.constraint)
+    throw OptionError("constraint", "must be given with --stress-level");
+  if (opening && !o.stress_level)
+    throw OptionError("stress_level", "must be given with --constraint");
+  if (opening) interaction.closure = {.constraint = *o.constraint, .stress_level = *o.stress_level};
   return interaction;
 }
 
@@ -114,9 +137,10 @@ std::string checkpoint_head(const Request& request, const GrowOptions& o) {
     for (const DutyRow& row : record->rows)
       beside += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
   const std::string asked =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
                   enum_name(o.mixed_mode), enum_name(o.interaction), o.zone_factor.value_or(0),
-                  o.wheeler_exponent.value_or(-1), request.drive.text, beside);
+                  o.wheeler_exponent.value_or(-1), o.constraint.value_or(-1),
+                  o.stress_level.value_or(-1), request.drive.text, beside);
   return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
 }
 

@@ -26,6 +26,12 @@ void check_tube(const FieldPath& path, const TubeSection& tube) {
           tube.wall_thickness, "m", "wall_thickness < outer_diameter/2");
 }
 
+void check_temperatures(const FieldPath& path, const std::optional<std::array<double, 2>>& range) {
+  if (range)
+    require((*range)[0] <= (*range)[1], path.text(), (*range)[1], "K",
+            "not below the first one of the pair");
+}
+
 void check_material(const FieldPath& path, const Material& material) {
   try {
     (void)elastic_constants(material);
@@ -41,11 +47,16 @@ void check_material(const FieldPath& path, const Material& material) {
     try {
       require_constants(material.growth.front());
     } catch (const InputError& error) {
+      const std::string what = error.what();
       throw InputError(((path / "growth")[0] / error.field()).text(),
-                       "contradicts the other constants: " + std::string(error.what()));
+                       error.rule().empty() ? what.substr(error.field().size() + 2)
+                                            : "contradicts the other constants: " + what);
     }
   }
+  if (material.fatigue)
+    check_temperatures(path / "fatigue" / "temperature", material.fatigue->temperature);
   if (const auto& bounds = material.growth_bounds) {
+    check_temperatures(path / "growth_bounds" / "temperature", bounds->temperature);
     if (const auto& R = bounds->stress_ratio)
       require((*R)[0] <= (*R)[1], (path / "growth_bounds.stress_ratio").text(), (*R)[1], "1",
               "not below the first one of the pair");

@@ -59,6 +59,8 @@ struct DutyBlock {
   double radial_force = 0.0;               ///< F_r at the output bearing, fixed in space [N]; >= 0
   double bending_moment = 0.0;  ///< M at output bearing and shaft, fixed in space [N*m]; >= 0
   int repetitions = 1;          ///< how often the block follows on itself [-]; >= 1
+  /// of the parts, absolute [K]; > 0.  Absent: that of the material's constants
+  std::optional<double> temperature = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -106,6 +108,16 @@ struct DutyBlock {
                 .fallback = "1",
                 .in_template = InTemplate::commented},
           &DutyBlock::repetitions);
+    field(
+        Field{.name = "temperature",
+              .unit = "K",
+              .doc = "absolute temperature of the parts; the answer says where the constants of a "
+                     "material are not stated for it",
+              .range = kPositive,
+              .example = R"("330 K")",
+              .in_template = InTemplate::commented,
+              .usual = {.lower = 150.0, .upper = 700.0}},
+        &DutyBlock::temperature);
   }
 };
 

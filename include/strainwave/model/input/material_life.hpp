@@ -12,6 +12,15 @@
 
 namespace strainwave {
 
+inline constexpr Field kTemperatures{
+    .name = "temperature",
+    .unit = "K",
+    .doc = "range of the absolute temperature for which the constants are stated",
+    .range = kPositive,
+    .example = R"(["288 K", "303 K"])",
+    .in_template = InTemplate::commented,
+    .usual = {.lower = 70.0, .upper = 1500.0}};
+
 /// Bounds of a law of growth: where cracks do not grow, and for what the law is stated.
 struct GrowthBounds {
   /// Delta K_th of long cracks, full range [Pa*m^0.5]; > 0.  Absent: that of the law, or none
@@ -22,6 +31,8 @@ struct GrowthBounds {
   std::optional<double> from;  ///< least Delta K [Pa*m^0.5]
   std::optional<double> to;    ///< greatest Delta K [Pa*m^0.5]
   std::string environment;     ///< "air"; empty: not stated
+  /// the temperatures for which the law is stated [K]; absent: not stated
+  std::optional<std::array<double, 2>> temperature = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -63,6 +74,7 @@ struct GrowthBounds {
                 .fallback = R"("")",
                 .in_template = InTemplate::commented},
           &GrowthBounds::environment);
+    field(kTemperatures, &GrowthBounds::temperature);
   }
 };
 
@@ -73,6 +85,8 @@ struct FatigueStrength {
   std::optional<double> slope = {};   ///< k of the line above the knee [-]; >= 1
   std::optional<double> roughness = {};    ///< R_z of the surface [m]; >= 0; absent: polished
   std::optional<double> size_factor = {};  ///< endurance of the part over that of a specimen [-]
+  /// the temperatures for which the line is stated [K]; absent: not stated
+  std::optional<std::array<double, 2>> temperature = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -100,6 +114,7 @@ struct FatigueStrength {
         R"("6.3 um")", &FatigueStrength::roughness);
     add("size_factor", "1", "endurance of the part over that of a specimen; 1 if left out",
         {.lower = 0.0, .upper = 1.0, .upper_open = false}, "0.9", &FatigueStrength::size_factor);
+    field(kTemperatures, &FatigueStrength::temperature);
   }
 };
 
