@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <cstddef>
 #include <map>
 #include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
@@ -140,6 +141,22 @@ TEST(CoupledCrack, ReferenceStressOfTheSoundDrive) {  // GR-29, GR-33
       EXPECT_FALSE(has(report, "growth.coupled"));
       EXPECT_NE(std::ranges::find(report.equations, ring == Ring::rim ? "GR-29" : "GR-33"),
                 report.equations.end());
+    }
+  }
+}
+
+TEST(CoupledCrack, IdentityGrownCrackIsOneOfItsSize) {
+  // K on the path, with and without a tooth root, is that of a drive that gives this size.
+  for (const bool root : {false, true}) {
+    GearSet gear = with_ring_crack(Ring::rim, 150, 0.2e-3);
+    if (root) gear.flexspline->tooth_root = ToothRoot{.height = 0.35e-3, .root_radius = 0.1e-3};
+    const GrowthReport report = grow_cracks(gear);
+    const std::vector<GrowthPoint>& series = report.cracks.at(0).series;
+    ASSERT_GT(series.size(), 5U);
+    for (const std::size_t row : {series.size() / 2, series.size() - 2}) {
+      ASSERT_GT(series[row].size, 0.2e-3);
+      std::get<RimAxialCrack>(gear.flexspline->crack[0]).depth = series[row].size;
+      test::expect_relative(first_point(gear).K_max, series[row].K_max, 1e-12);
     }
   }
 }
