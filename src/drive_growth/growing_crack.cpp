@@ -281,22 +281,16 @@ double GrowingCrack::largest_factor() const {
   return largest;
 }
 
-double GrowingCrack::change_by_angles() const {
+double GrowingCrack::missed_by_angles() const {
   if (!crack_.turn_table) return 0.0;
   const CrackFactors K = factors(crack_.size);
-  double widest = 0.0;
-  double change = 0.0;
+  double missed = 0.0;
   for (const LoadCycle& cycle : duty_.cycle)
-    for (std::size_t i = 0; i < K.points(); ++i) {
-      const std::vector<Modes> turn = K.over_turn(i, cycle.from.torque);
-      std::vector<Modes> half;
-      for (std::size_t k = 0; k < turn.size(); k += 2) half.push_back(turn[k]);
-      const double all = cycle_of_turns(mixed_mode_, turn, turn, poissons_ratio_).full_range();
-      const double left = cycle_of_turns(mixed_mode_, half, half, poissons_ratio_).full_range();
-      widest = std::max(widest, all);
-      change = std::max(change, all - left);
-    }
-  return widest > 0 ? change / widest : 0.0;
+    for (std::size_t i = 0; i < K.points(); ++i)
+      missed =
+          std::max(missed, missed_between_angles(mixed_mode_, K.over_turn(i, cycle.from.torque),
+                                                 crack_.turn_table->angles, poissons_ratio_));
+  return missed;
 }
 
 }  // namespace strainwave

@@ -156,19 +156,18 @@ void note_validity(GrowthReport& report, const GearSet& gear, const RateChoice& 
 void note_turn_table(std::vector<Note>& notes, const GrowingCrack& crack) {
   const DriveCrack& of = crack.crack();
   const TurnTable& table = *of.turn_table;
-  const double change = crack.change_by_angles();
-  constexpr double kMuch = 0.02;
+  const double missed = crack.missed_by_angles();
+  constexpr double kMuch = 0.01;
   notes.push_back(
       {.code = "growth.turn_table",
-       .text = fmt::format(
-           "K over the turn is that of the table {} with {} angles; if every second angle is left "
-           "out, the widest range falls by {:.2g} %, so the angles make K too small by about a "
-           "third of this",
-           shown(table.file), table.angles.size() - 1, 100 * change),
+       .text =
+           fmt::format("K over the turn is that of the table {}; its {} angles miss about {:.2g} % "
+                       "of the widest range",
+                       shown(table.file), table.angles.size() - 1, 100 * missed),
        .path = of.path,
        .equation = "GR-31",
-       .severity = change > kMuch ? Severity::care : Severity::information,
-       .next_step = change > kMuch ? "Give more angles near the largest and the least K." : ""});
+       .severity = missed > kMuch ? Severity::care : Severity::information,
+       .next_step = missed > kMuch ? "Give more angles near the largest and the least K." : ""});
   std::string held;
   if (table.sizes.size() == 1)
     held = fmt::format("has one size, {}, so K/sqrt(pi a) counts as constant",

@@ -80,6 +80,19 @@ WidestRange widest_range(MixedMode rule, std::span<const Modes> one, std::span<c
   return widest;
 }
 
+/// K at the moments of a turn along the direction of its widest range (GR-31).
+std::vector<double> along_widest(std::span<const Modes> turn, const WidestRange& widest) {
+  std::vector<double> along;
+  along.reserve(turn.size());
+  for (const Modes& K : turn) {
+    double sum = 0.0;
+    for (std::size_t mode = 0; mode < K.size(); ++mode)
+      sum += K[mode] * (widest.from[mode] - widest.to[mode]);
+    along.push_back(sum);
+  }
+  return along;
+}
+
 }  // namespace
 
 TipCycle cycle_of_turns(MixedMode rule, std::span<const Modes> one, std::span<const Modes> other,
@@ -96,13 +109,7 @@ std::vector<CycleWithinTurn> cycles_within_turn(MixedMode rule, std::span<const 
                                                 int waves, double poissons_ratio) {
   const WidestRange widest = widest_range(rule, turn, turn, poissons_ratio);
   if (!(widest.range > 0)) return {};
-  std::vector<double> along;  // (GR-31)
-  for (const Modes& K : turn) {
-    double sum = 0.0;
-    for (std::size_t mode = 0; mode < K.size(); ++mode)
-      sum += K[mode] * (widest.from[mode] - widest.to[mode]);
-    along.push_back(sum);
-  }
+  std::vector<double> along = along_widest(turn, widest);
   // The turn is closed, and begins and ends at its largest value.
   const auto begin =
       static_cast<std::size_t>(std::max_element(along.begin(), along.end()) - along.begin());
@@ -129,6 +136,28 @@ std::vector<CycleWithinTurn> cycles_within_turn(MixedMode rule, std::span<const 
       smaller.push_back({.cycle = of, .count = (cycle.count - taken) / waves});
   }
   return smaller;
+}
+
+double missed_between_angles(MixedMode rule, std::span<const Modes> turn,
+                             std::span<const double> angles, double poissons_ratio) {
+  const WidestRange widest = widest_range(rule, turn, turn, poissons_ratio);
+  if (!(widest.range > 0)) return 0.0;
+  const std::vector<double> along = along_widest(turn, widest);
+  const std::size_t n = turn.size();
+  // How far the parabola through an extreme and its two neighbours goes beyond it.
+  const auto beyond = [&](std::size_t k) {
+    const double left = k == 0 ? angles[n] - angles[n - 1] : angles[k] - angles[k - 1];
+    const double right = angles[k + 1] - angles[k];
+    const double to_left = (along[(k + n - 1) % n] - along[k]) / left;
+    const double to_right = (along[(k + 1) % n] - along[k]) / right;
+    const double curvature = (to_left + to_right) / (left + right);
+    const double slope = to_right - curvature * right;
+    return curvature == 0 ? 0.0 : std::abs(slope * slope / (4 * curvature));
+  };
+  const auto [least, most] = std::minmax_element(along.begin(), along.end());
+  return (beyond(static_cast<std::size_t>(least - along.begin())) +
+          beyond(static_cast<std::size_t>(most - along.begin()))) /
+         (*most - *least);
 }
 
 }  // namespace strainwave

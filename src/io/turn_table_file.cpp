@@ -65,7 +65,8 @@ void require_grid(const HistoryFile& file, const Block& rows,
     std::string text;
     for (std::size_t c = columns.size(); c-- > 0;) {
       const std::vector<double>& node = columns[c].node;
-      text = columns[c].at(node[point % node.size()]) + (text.empty() ? "" : ", ") + text;
+      const std::string here = columns[c].at(node[point % node.size()]);
+      text = text.empty() ? here : fmt::format("{}, {}", here, text);
       point /= node.size();
     }
     return text;

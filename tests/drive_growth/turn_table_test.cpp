@@ -261,6 +261,22 @@ TEST(TurnTableGrowth, ReferenceCyclesOfATurn) {  // GR-31, GR-13
   EXPECT_TRUE(cycles_within_turn(MixedMode::energy, circle, 1, 0.3).empty());
 }
 
+TEST(TurnTableGrowth, ReferenceMissedBetweenAngles) {  // GR-31
+  // A cosine whose extremes lie between two of 24 samples: the range is that of the samples, short
+  // by 1 - cos of the distance.  Tolerance: the fourth order of the step.
+  for (const double share : {0.0, 0.25, 0.5}) {
+    std::vector<Modes> turn;
+    std::vector<double> angles;
+    const double step = 2 * pi / 24;
+    for (int k = 0; k <= 24; ++k) {
+      angles.push_back(k * step);
+      if (k < 24) turn.push_back({20e6 + 10e6 * std::cos((k - share) * step), 0, 0});
+    }
+    EXPECT_NEAR(missed_between_angles(MixedMode::energy, turn, angles, 0.3),
+                1 / std::cos(share * step) - 1, std::pow(step, 4) / 32);
+  }
+}
+
 TEST(TurnTableGrowth, CrosscheckEveryPairOfMoments) {  // GR-31
   // The widest range is that of all pairs, one by one, under one load and between two.
   const MixedMode rules[] = {MixedMode::energy, MixedMode::tanaka, MixedMode::richard};

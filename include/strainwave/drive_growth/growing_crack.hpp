@@ -89,9 +89,9 @@ class GrowingCrack {
   /// Largest factor on the loads of the duty at which K is known: up to the end of the table of K
   /// over a turn; infinite without a table [-].
   [[nodiscard]] double largest_factor() const;
-  /// By how much the widest range over a turn changes at the size in the file if every second angle
-  /// of the table is left out, as a share of it; 0 without a table [-].
-  [[nodiscard]] double change_by_angles() const;
+  /// Estimate of what the angles of the table of K over a turn miss of the widest range at the size
+  /// in the file, as a share of it; 0 without a table [-].
+  [[nodiscard]] double missed_by_angles() const;
 
  private:
   [[nodiscard]] CrackFactors factors(const CrackSize& size) const;

@@ -44,4 +44,11 @@ struct CycleWithinTurn {
                                                               std::span<const Modes> turn,
                                                               int waves, double poissons_ratio);
 
+/// Estimate of what the angles of a table miss of the widest range, as a share of it [-]: parabolas
+/// through both extremes and their neighbours (GR-31).
+/// @param turn    as in cycles_within_turn
+/// @param angles  of the turn, with the first one again at the end [rad]
+[[nodiscard]] double missed_between_angles(MixedMode rule, std::span<const Modes> turn,
+                                           std::span<const double> angles, double poissons_ratio);
+
 }  // namespace strainwave

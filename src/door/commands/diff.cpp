@@ -91,7 +91,7 @@ bool names_table(std::string_view path) {
 void read_inputs(const Json& value, const std::string& path, Inputs& to) {
   if (value.is_object()) {
     for (const auto& [name, member] : value.items())
-      read_inputs(member, path.empty() ? name : path + "." + name, to);
+      read_inputs(member, path.empty() ? name : fmt::format("{}.{}", path, name), to);
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i)
       read_inputs(value[i], fmt::format("{}[{}]", path, i), to);
@@ -129,7 +129,7 @@ void read_outputs(const Json& value, const std::string& path, Side& to) {
     to.order.push_back(path);
   } else if (value.is_object()) {
     for (const auto& [name, member] : value.items())
-      read_outputs(member, path.empty() ? name : path + "." + name, to);
+      read_outputs(member, path.empty() ? name : fmt::format("{}.{}", path, name), to);
   }
 }
 
