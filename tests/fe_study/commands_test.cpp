@@ -168,8 +168,9 @@ TEST(FeCommands, InputSurfaceCrackOfAShaft) {
       EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
     }
   };
-  const std::string kind = "output_shaft.crack[1]: finite elements do not compute a crack of kind "
-                           "\"surface\", only annular cracks of a shaft";
+  const std::string kind =
+      "output_shaft.crack[1]: finite elements do not compute a crack of kind "
+      "\"surface\", only annular cracks of a shaft";
   refused({.crack = "output_shaft.crack[1]"}, kind);
   refused({.member = fe_study::Member::output_shaft}, kind + "; remove it");
   gear.output_shaft->crack.erase(gear.output_shaft->crack.begin());

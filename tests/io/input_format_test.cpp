@@ -412,6 +412,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
        "flexspline.diaphragm: must be given for flexspline.crack[1]", groove_on_the_diaphragm},
       {"[[flexspline.crack]] rim_axial", "flexspline.rim: must be given for flexspline.crack[1]",
        all_sections},
+      {"[[output_shaft.crack]] surface", "accepted", nothing},
       {"[mesh]", "accepted", nothing},
       {"[mesh.tooth]", "accepted", nothing},
       {"[[mesh.crack]] tooth", "accepted", nothing},
