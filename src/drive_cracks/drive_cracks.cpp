@@ -181,13 +181,7 @@ class Maker {
     };
     made.range_end = kNearlyAll * d / 2;
     made.range_text = "the radius of the shaft";
-    made.kinks.push_back(
-        {.code = "sensitivity.solid_shaft",
-         .text = "a bore of 0 is a solid shaft, whose crack has a separate solution, so the "
-                 "derivative with respect to the bore is that of the sound shaft",
-         .path = "output_shaft.inner_diameter",
-         .equation = "FR-12",
-         .severity = Severity::care});
+    made.kinks.push_back(solid_shaft_kink("FR-12"));
   }
   void fill(DriveCrack& made, const AnnularCrack& crack,
             const LoadedCrack<sif::AnnularCrackHollow>& loaded) const {
@@ -220,6 +214,87 @@ class Maker {
     made.reference_stress = [=](const CrackSize& size, double P, double T) {
       return ring_reference_stress({.outer_radius = r_o - size.size, .inner_radius = r_i}, P, T);
     };
+  }
+
+  void fill(DriveCrack& made, const ShaftSurfaceCrack& crack,
+            const LoadedCrack<sif::ShaftSurfaceSolid>& loaded) const {
+    const double r = gear_.output_shaft->outer_diameter / 2;
+    fill_shaft_surface(made, crack, loaded, 0.1);  // (GR-35)
+    made.reference_stress = [r](const CrackSize& size, double P, double T) {
+      return one_sided_reference_stress(
+          {.outer_radius = r, .inner_radius = 0.0, .depth = size.size, .chord_depth = size.size}, P,
+          T);
+    };
+    made.range_end = kNearlyAll * 2 * r * sif::ShaftSurfaceSolid::kMaxDepthRatio;
+    made.range_text = "half of the diameter, the range of the stress intensity";
+    made.kinks.push_back(solid_shaft_kink("SB-7"));
+    use(made, {"SB-7"});
+  }
+  void fill(DriveCrack& made, const ShaftSurfaceCrack& crack,
+            const LoadedCrack<sif::ShaftSurfaceHollow>& loaded) const {
+    const double r_o = gear_.output_shaft->outer_diameter / 2;
+    const double r_i = gear_.output_shaft->inner_diameter / 2;
+    fill_shaft_surface(made, crack, loaded, 0.0);
+    made.reference_stress = [=](const CrackSize& size, double P, double T) {
+      return one_sided_reference_stress({.outer_radius = r_o,
+                                         .inner_radius = r_i,
+                                         .depth = size.size,
+                                         .chord_depth = chord_depth(size, r_o)},
+                                        P, T);
+    };
+    made.range_end = sif::ShaftSurfaceHollow::kMaxDepthRatio * (r_o - r_i);
+    made.range_text = "0.6 of the wall, the range of the stress intensity";
+    use(made, {"SB-10", "SB-11"});
+  }
+  /// Fills the parts that do not depend on the bore.
+  /// @param first  share of the front beside the surface that is left out [-]
+  template <class Solution>
+  void fill_shaft_surface(DriveCrack& made, const ShaftSurfaceCrack& crack,
+                          const LoadedCrack<Solution>& loaded, double first) const {
+    take_basics(made, loaded);
+    take_size(made, "depth", CrackSize::of(crack.depth, crack.half_length),
+              gear_.output_shaft->outer_diameter / 2 - gear_.output_shaft->inner_diameter / 2 -
+                  crack.depth);
+    const auto states = std::make_shared<const BothStates<Solution>>(loaded.solution);
+    const auto place = [first, end = loaded.solution.front().end](std::size_t i) {
+      return end * (first + (1 - first) * static_cast<double>(i) / (kFrontPoints - 1));
+    };
+    made.front = [states, place](const CrackSize& size, Faces faces) {
+      const Solution solution = states->with(faces).with_size(size.size, size.half_length());
+      std::vector<FrontIntensity> front(kFrontPoints);
+      for (std::size_t i = 0; i < front.size(); ++i)
+        front[i].load = solution.stress_intensity(size.size, place(i));
+      return front;
+    };
+    made.turning = TurningLoad::bending;
+    made.bending = [states, place](const CrackSize& size) {
+      const Solution solution = states->open.with_size(size.size, size.half_length());
+      std::vector<Modes> bent(kFrontPoints);
+      for (std::size_t i = 0; i < bent.size(); ++i)
+        bent[i] = {solution.turning_bending(size.size, place(i)), 0.0, 0.0};
+      return bent;
+    };
+    use(made, {"FR-22", "FA-15"});
+  }
+  /// Depth of the segment that contains a semi-ellipse along the arc (FA-15).
+  static double chord_depth(const CrackSize& size, double radius) {
+    double deepest = size.size;
+    for (int i = 0; i < kFrontPoints; ++i) {
+      const double share = static_cast<double>(i) / (kFrontPoints - 1);
+      const double depth = size.size * std::sqrt((1 - share) * (1 + share));
+      deepest = std::max(deepest,
+                         radius - (radius - depth) * std::cos(share * size.half_length() / radius));
+    }
+    return deepest;
+  }
+  [[nodiscard]] static Note solid_shaft_kink(const char* equation) {
+    return {.code = "sensitivity.solid_shaft",
+            .text =
+                "a bore of 0 is a solid shaft, whose crack has a separate solution, so the "
+                "derivative with respect to the bore is that of the sound shaft",
+            .path = "output_shaft.inner_diameter",
+            .equation = equation,
+            .severity = Severity::care};
   }
 
   // --- Flexspline -------------------------------------------------------------------------------

@@ -365,6 +365,9 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
            .next_step = "Give the crack the direction into which it turns."});
     if (crack.kind == "annular" && crack.grows) report.equations.emplace_back("GR-25");
   }
+  for (const DriveCrack& crack : drive_cracks(gear))
+    if (crack.kind == "surface" && crack.turning == TurningLoad::bending)
+      report.equations.insert(report.equations.end(), {"GR-34", "GR-35"});
   const auto of = [&](const std::string& path) -> const CrackGrowth* {
     const auto found = std::ranges::find(report.cracks, path, &CrackGrowth::path);
     return found == report.cracks.end() ? nullptr : &*found;

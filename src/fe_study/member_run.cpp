@@ -184,6 +184,37 @@ struct Work {
   }
 };
 
+/// Refuses a crack of a kind without finite elements if the user asked for it, and notes it
+/// otherwise.
+/// @param computed  the kinds that finite elements compute in this member
+template <class Crack>
+void leave_out(Work& work, const RunOptions& options, const std::string& path, const Crack& crack,
+               std::string_view computed) {
+  const std::string_view kind =
+      std::visit([](const auto& one) -> std::string_view { return one.kKind; }, crack);
+  const std::string problem =
+      fmt::format("finite elements do not compute a crack of kind \"{}\", {}", kind, computed);
+  if (options.crack) throw InputError(path, problem);
+  if (options.member)
+    throw InputError(path, problem + "; remove it or choose other cracks by --crack");
+  work.notes.push_back({"fe.crack_left_out", fmt::format("{} is left out: {}", path, problem), path,
+                        "", Severity::care});
+}
+
+void add_shaft(Work& work, const OutputShaft& shaft, const RunOptions& options) {
+  for (std::size_t n = 0; n < shaft.crack.size(); ++n) {
+    if (options.crack && options.crack != crack_path(n)) continue;
+    if (std::holds_alternative<AnnularCrack>(shaft.crack[n]))
+      work.shaft.push_back(n);
+    else
+      leave_out(work, options, crack_path(n), shaft.crack[n], "only annular cracks of a shaft");
+  }
+  if (shaft.crack.empty() && options.member)
+    throw InputError(
+        "output_shaft.crack",
+        "must be given, because a sound shaft of one diameter does not need finite elements");
+}
+
 void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) {
   const Flexspline& flexspline = *gear.flexspline;
   const int order = options.order.value_or(kSolidOrder);
@@ -193,19 +224,8 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     const auto* const through = std::get_if<WallThroughCrack>(&crack);
     const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
     if (through == nullptr && surface == nullptr) {
-      const std::string_view kind =
-          std::visit([](const auto& one) -> std::string_view { return one.kKind; }, crack);
-      const std::string problem = fmt::format(
-          "finite elements do not compute a crack of kind \"{}\", only through and surface cracks "
-          "of the wall",
-          kind);
-      if (options.crack) throw InputError(wall_crack_path(n), problem);
-      if (options.member)
-        throw InputError(wall_crack_path(n),
-                         problem + "; remove it or choose other cracks by --crack");
-      work.notes.push_back({"fe.crack_left_out",
-                            fmt::format("{} is left out: {}", wall_crack_path(n), problem),
-                            wall_crack_path(n), "", Severity::care});
+      leave_out(work, options, wall_crack_path(n), crack,
+                "only through and surface cracks of the wall");
       continue;
     }
     require(order <= 4, "order", order, "1", "<= 4 for a crack of the flexspline's wall");
@@ -280,14 +300,8 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
     throw InputError("output_shaft", "must be given to be computed");
   if (options.member == Member::flexspline && !gear.flexspline)
     throw InputError("flexspline", "must be given to be computed");
-  if (gear.output_shaft && asked(Member::output_shaft)) {
-    for (std::size_t n = 0; n < gear.output_shaft->crack.size(); ++n)
-      if (!options.crack || options.crack == crack_path(n)) work.shaft.push_back(n);
-    if (gear.output_shaft->crack.empty() && options.member)
-      throw InputError(
-          "output_shaft.crack",
-          "must be given, because a sound shaft of one diameter does not need finite elements");
-  }
+  if (gear.output_shaft && asked(Member::output_shaft))
+    add_shaft(work, *gear.output_shaft, options);
   if (gear.flexspline && asked(Member::flexspline)) add_flexspline(work, gear, options);
   const bool nothing = work.shaft.empty() && !work.cup && !work.has_wall_cracks();
   if (nothing && options.crack)

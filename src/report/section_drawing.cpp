@@ -249,6 +249,11 @@ class Section {
     };
     switch (c.shape) {
       case CrackShape::semi_ellipse:
+        if (c.part == CrackedPart::output_shaft) {  // it lies across the axis
+          add(crack, {{z, from}, {z, from + into * c.depth}}, false, c.depth,
+              detail(c.half_length, Detail::Shape::ellipse));
+          break;
+        }
         add(crack, semi_ellipse({z, from}, half, c.depth, {0, into}), true, c.depth,
             detail(c.half_length, Detail::Shape::ellipse));
         break;

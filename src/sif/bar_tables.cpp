@@ -123,11 +123,24 @@ constexpr Grid<8, 9> relative_to_hole(std::size_t load, Grid<8, 9> grid) {
 // Coefficients of t^0, t^2, t^4, t^6 (of t, t^3, ... in sliding), for each a/d and, in it, each
 // a/c. tools/reference/bar_surface.py --library.
 // clang-format off
+constexpr std::array<double, 2> kShallowDepth = {0.025, 0.05};
 constexpr std::array<double, 5> kFrontDepth = {0.1, 0.2, 0.3, 0.4, 0.5};
 constexpr std::array<double, 5> kFrontAspect = {0.0, 0.25, 0.5, 0.75, 1.0};
-constexpr std::size_t kTerms = 4;
-using Coefficients = std::array<Grid<5, kTerms>, 5>;
+constexpr std::size_t kFrontTerms = 4;
+using Coefficients = std::array<Grid<5, kFrontTerms>, 7>;
 constexpr Coefficients kFrontTension = {{
+  {{
+    {1.0720, -0.4459, 0.1054, -0.4686},
+    {1.0114, -0.4951, 0.1195, -0.2625},
+    {0.8841, -0.3225, -0.0224, 0.1242},
+    {0.7610, -0.1382, 0.0467, 0.0973},
+    {0.6591, 0.0565, -0.0399, 0.1001}}},
+  {{
+    {1.0559, -0.3851, 0.1328, -0.4922},
+    {1.0053, -0.4015, 0.1635, -0.3959},
+    {0.8875, -0.2730, -0.0659, 0.1177},
+    {0.7655, -0.1234, 0.0360, 0.0989},
+    {0.6625, 0.0615, -0.0481, 0.1154}}},
   {{
     {1.0593, -0.3175, 0.1604, -0.4974},
     {1.0164, -0.3279, 0.2584, -0.5134},
@@ -160,6 +173,18 @@ constexpr Coefficients kFrontTension = {{
     {1.2337, 0.6890, -0.7750, 1.2514}}}}};
 constexpr Coefficients kFrontBending = {{
   {{
+    {1.0383, -0.4444, 0.0969, -0.4408},
+    {0.9796, -0.4648, 0.1103, -0.2585},
+    {0.8554, -0.2857, -0.0387, 0.1255},
+    {0.7353, -0.1073, 0.0325, 0.0993},
+    {0.6358, 0.0797, -0.0452, 0.0989}}},
+  {{
+    {0.9885, -0.3801, 0.1119, -0.4387},
+    {0.9413, -0.3628, 0.1500, -0.3769},
+    {0.8298, -0.2102, -0.0879, 0.1166},
+    {0.7137, -0.0655, 0.0110, 0.1016},
+    {0.6157, 0.1061, -0.0577, 0.1124}}},
+  {{
     {0.9228, -0.3050, 0.1193, -0.4045},
     {0.8857, -0.2793, 0.2161, -0.4471},
     {0.7874, -0.1026, -0.0771, 0.0037},
@@ -190,6 +215,18 @@ constexpr Coefficients kFrontBending = {{
     {0.7785, 0.4179, -0.2545, 0.3927},
     {0.5342, 0.6323, -0.4918, 0.7419}}}}};
 constexpr Coefficients kFrontSliding = {{
+  {{
+    {0.3566, -0.4359, 0.6778, -0.5352},
+    {0.5115, -0.2248, 0.1953, -0.2190},
+    {0.7498, -0.0969, 0.0904, -0.0867},
+    {0.9436, -0.1262, -0.1870, 0.1061},
+    {1.0995, -0.4983, 0.1206, -0.0101}}},
+  {{
+    {0.4653, -0.4898, 0.7581, -0.6134},
+    {0.5584, -0.1880, 0.0488, -0.1841},
+    {0.7783, -0.1528, 0.0303, -0.0180},
+    {0.9468, -0.1477, -0.1654, 0.1160},
+    {1.0844, -0.4778, 0.1232, -0.0032}}},
   {{
     {0.5915, -0.4658, 0.6728, -0.5623},
     {0.6392, -0.2321, 0.1690, -0.2719},
@@ -222,6 +259,18 @@ constexpr Coefficients kFrontSliding = {{
     {1.0154, 0.3492, -1.2386, 1.3126}}}}};
 constexpr Coefficients kFrontTearing = {{
   {{
+    {0.9263, -0.3118, -0.0567, -0.2997},
+    {0.8662, -0.4568, 0.0995, -0.2191},
+    {0.7375, -0.4643, -0.1641, 0.1157},
+    {0.6170, -0.4763, -0.2684, 0.3697},
+    {0.5207, -0.5538, 0.0227, 0.2221}}},
+  {{
+    {0.8772, -0.2322, -0.0574, -0.2762},
+    {0.8310, -0.3445, 0.0751, -0.2238},
+    {0.7140, -0.4014, -0.1881, 0.1737},
+    {0.5966, -0.4487, -0.2574, 0.3592},
+    {0.5018, -0.5331, 0.0143, 0.2231}}},
+  {{
     {0.8058, -0.1488, -0.0330, -0.2325},
     {0.7727, -0.2470, 0.1252, -0.2537},
     {0.6710, -0.3148, -0.1065, 0.1090},
@@ -253,14 +302,23 @@ constexpr Coefficients kFrontTearing = {{
     {0.2467, -0.2260, -0.3622, 0.4456}}}}};
 // clang-format on
 
-/// Polynomial in t^2 at a depth and an aspect ratio between the nodes.
-double along_front(const Coefficients& table, const std::array<double, 5>& depth,
-                   const std::array<double, 5>& aspect, double t) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < depth.size(); ++i)
-    for (std::size_t j = 0; j < aspect.size(); ++j)
-      sum += depth[i] * aspect[j] * polynomial(table[i][j], t * t);
-  return sum;
+/// Weights of the depths, the shallow ones first.  Shallower than the other nodes, the polynomial
+/// through those gets a correction that leaves its value and slope at the first of them.
+template <class Real>
+std::array<Real, 7> depth_weights(const Real& x) {
+  const std::array<Real, 5> deep = lagrange_products(kFrontDepth, x);
+  std::array<Real, 7> weight{};
+  for (std::size_t i = 0; i < 5; ++i) weight[2 + i] = deep[i];
+  if (!(value_of(x) < kFrontDepth[0])) return weight;
+  const std::array<Real, 2> line = lagrange_products(kShallowDepth, x);
+  const Real left = x - kFrontDepth[0];
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double whole = kShallowDepth[n] - kFrontDepth[0];
+    weight[n] = line[n] * left * left / (whole * whole);
+    const std::array<double, 5> there = lagrange_products(kFrontDepth, kShallowDepth[n]);
+    for (std::size_t i = 0; i < 5; ++i) weight[2 + i] -= weight[n] * there[i];
+  }
+  return weight;
 }
 
 }  // namespace
@@ -294,22 +352,42 @@ std::array<double, 3> penny_in_bar(double x) {
   return factor;
 }
 
-OneSidedFactors one_sided_factors(double depth_ratio, double aspect, double t) {
-  const auto d = lagrange(kFrontDepth, depth_ratio);
-  const auto k = lagrange(kFrontAspect, aspect);
-  return {.tension = along_front(kFrontTension, d, k, t),
-          .bending = along_front(kFrontBending, d, k, t),
-          .sliding = t * along_front(kFrontSliding, d, k, t),
-          .tearing = along_front(kFrontTearing, d, k, t)};
+template <class Real>
+BasicOneSidedTable<Real>::BasicOneSidedTable(const Real& aspect) {
+  static_assert(kDepths == kShallowDepth.size() + kFrontDepth.size() && kTerms == kFrontTerms);
+  const std::array<Real, kFrontAspect.size()> weight = lagrange_products(kFrontAspect, aspect);
+  const std::array<const Coefficients*, 4> tables = {&kFrontTension, &kFrontBending, &kFrontSliding,
+                                                     &kFrontTearing};
+  for (std::size_t load = 0; load < tables.size(); ++load)
+    for (std::size_t i = 0; i < kDepths; ++i)
+      for (std::size_t j = 0; j < weight.size(); ++j)
+        for (std::size_t m = 0; m < kTerms; ++m)
+          curves_[load][i][m] += weight[j] * (*tables[load])[i][j][m];
 }
 
-double one_sided_swept(double depth, double aspect) {
-  const double k2 = aspect * aspect;
-  const double u = depth * depth / (k2 + std::sqrt(k2 * k2 + (1 - k2) * depth * depth));
-  const double y = std::sqrt(2 * u - u * u);
-  const double sine = aspect * y / depth;
-  const double ratio = sine > 1e-6 ? std::asin(std::min(sine, 1.0)) / sine : 1.0;
-  return 2 * y * ratio;  // (SB-8)
+template <class Real>
+BasicOneSidedFactors<Real> BasicOneSidedTable<Real>::at(const Real& depth_ratio, double t) const {
+  const std::array<Real, kDepths> weight = depth_weights(depth_ratio);
+  const double t2 = t * t;
+  const std::array<double, kTerms> power = {1.0, t2, t2 * t2, t2 * t2 * t2};
+  std::array<Real, 4> factor{};
+  for (std::size_t load = 0; load < factor.size(); ++load)
+    for (std::size_t i = 0; i < kDepths; ++i) {
+      Real along(0.0);
+      for (std::size_t m = 0; m < kTerms; ++m) along += curves_[load][i][m] * power[m];
+      factor[load] += weight[i] * along;
+    }
+  return {.tension = factor[0],
+          .bending = factor[1],
+          .sliding = t * factor[2],
+          .tearing = factor[3]};  // (SB-7)
+}
+
+template class BasicOneSidedTable<double>;
+template class BasicOneSidedTable<DualReal>;
+
+OneSidedFactors one_sided_factors(double depth_ratio, double aspect, double t) {
+  return BasicOneSidedTable<double>(aspect).at(depth_ratio, t);
 }
 
 }  // namespace strainwave::sif

@@ -12,8 +12,8 @@
 namespace strainwave {
 namespace {
 
-/// Uncertainties of an annular crack's added compliance.
-struct AnnularAccuracy {
+/// Uncertainties of the added compliance of a shaft's crack and of its stress intensity.
+struct ShaftAccuracy {
   ModelAccuracy torsion = accuracy::kAnnularTorsion;
   ModelAccuracy tension = accuracy::kAnnularTension;
   double K_I = accuracy::kAnnularTension / 2;  ///< uncertainty of the stress intensity
@@ -23,7 +23,7 @@ struct AnnularAccuracy {
 /// Whether Poisson's ratio differs from 0.3, for which mode I was computed.
 bool other_poissons_ratio(const ElasticConstants& steel) { return std::abs(steel.nu - 0.3) > 0.02; }
 
-AnnularAccuracy annular_accuracy(const ElasticConstants& steel) {
+ShaftAccuracy annular_accuracy(const ElasticConstants& steel) {
   if (!other_poissons_ratio(steel)) return {};
   return {.tension = accuracy::kAnnularTensionOtherRatio,
           .K_I = accuracy::kAnnularTensionOtherRatio / 2};
@@ -38,21 +38,29 @@ class ShaftCracks : public CrackAdder {
            const LoadedCrack<sif::AnnularCrackSolid>& loaded);
   void add(CrackReport report, const AnnularCrack& crack,
            const LoadedCrack<sif::AnnularCrackHollow>& loaded);
+  void add(CrackReport report, const ShaftSurfaceCrack& crack,
+           const LoadedCrack<sif::ShaftSurfaceSolid>& loaded);
+  void add(CrackReport report, const ShaftSurfaceCrack& crack,
+           const LoadedCrack<sif::ShaftSurfaceHollow>& loaded);
 
  private:
   void note_load_and_ends(const CrackReport& report, const BothSenses& faces);
-  AnnularAccuracy hollow_accuracy(const std::string& path);
+  void note_poissons_ratio(const CrackReport& report);
+  ShaftAccuracy hollow_accuracy(const std::string& path);
 
   /// Adds one annular crack; the crack is open unless the axial force presses it together.
   template <class Solution>
   void add_annular(CrackReport report, const AnnularCrack& crack,
-                   const LoadedCrack<Solution>& loaded, const AnnularAccuracy& accuracy);
+                   const LoadedCrack<Solution>& loaded, const ShaftAccuracy& accuracy);
+  /// Adds one surface crack by the closed form.
+  template <class Solution>
+  void add_surface(CrackReport report, const LoadedCrack<Solution>& loaded,
+                   const ShaftAccuracy& accuracy);
 };
 
 template <class Solution>
 void ShaftCracks::add_annular(CrackReport report, const AnnularCrack& crack,
-                              const LoadedCrack<Solution>& loaded,
-                              const AnnularAccuracy& accuracy) {
+                              const LoadedCrack<Solution>& loaded, const ShaftAccuracy& accuracy) {
   const double P = gear.load.axial_force;
   if (loaded.table) {
     take_from_table(report, member, gear, crack, *loaded.table);
@@ -88,14 +96,17 @@ void ShaftCracks::note_load_and_ends(const CrackReport& report, const BothSenses
                             .text = "even a crack in the middle has less than one diameter of "
                                     "shaft on each side, so the ends disturb its field",
                             .path = report.path,
-                            .equation = "FR-12",
+                            .equation = report.kind == AnnularCrack::kKind ? "FR-12" : "FR-22",
                             .severity = Severity::care});
+}
+
+void ShaftCracks::note_poissons_ratio(const CrackReport& report) {
   if (other_poissons_ratio(model.loads().shaft_steel()) && gear.load.axial_force != 0)
     member.notes.push_back({.code = "crack.poissons_ratio",
                             .text = "the mode I solution was computed for Poisson's ratio 0.3; "
                                     "torsion does not depend on it",
                             .path = report.path,
-                            .equation = shaft.solid() ? "FR-13" : "FR-15",
+                            .equation = gear.output_shaft->solid() ? "FR-13" : "FR-15",
                             .severity = Severity::care});
 }
 
@@ -103,18 +114,19 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
                       const LoadedCrack<sif::AnnularCrackSolid>& loaded) {
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
   note_load_and_ends(report, loaded.faces);
+  note_poissons_ratio(report);
   use({"FR-12", "FR-13"});
   add_annular(std::move(report), crack, loaded,
               crack.solution == AnnularSolution::tada
-                  ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
-                                    accuracy::kAnnularTada / 2, accuracy::kAnnularTada / 2}
+                  ? ShaftAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
+                                  accuracy::kAnnularTada / 2, accuracy::kAnnularTada / 2}
                   : annular_accuracy(model.loads().shaft_steel()));
 }
 
-AnnularAccuracy ShaftCracks::hollow_accuracy(const std::string& path) {
+ShaftAccuracy ShaftCracks::hollow_accuracy(const std::string& path) {
   const OutputShaft& shaft = *gear.output_shaft;
   const ElasticConstants steel = model.loads().shaft_steel();
-  AnnularAccuracy accuracy = annular_accuracy(steel);
+  ShaftAccuracy accuracy = annular_accuracy(steel);
   accuracy.K_I = other_poissons_ratio(steel) ? double{accuracy::kAnnularTensionOtherRatio}
                                              : accuracy::kHollowTensionIntensity;
   accuracy.K_III = accuracy::kHollowTorsionIntensity;
@@ -136,8 +148,9 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
                       const LoadedCrack<sif::AnnularCrackHollow>& loaded) {
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
   note_load_and_ends(report, loaded.faces);
+  note_poissons_ratio(report);
   use({"FR-14", "FR-15", "FR-16"});
-  const AnnularAccuracy accuracy = hollow_accuracy(report.path);
+  const ShaftAccuracy accuracy = hollow_accuracy(report.path);
   const double depth_ratio = model.loads().depth_ratio(crack);
   if (!loaded.in_range && loaded.table) {
     take_from_table(report, member, gear, crack, *loaded.table);
@@ -157,6 +170,85 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
                     report.path, depth_ratio, sif::AnnularCrackHollow::kMaxDepthRatio);
   add_annular(std::move(report), crack, loaded, accuracy);
+}
+
+template <class Solution>
+void ShaftCracks::add_surface(CrackReport report, const LoadedCrack<Solution>& loaded,
+                              const ShaftAccuracy& accuracy) {
+  report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
+  note_load_and_ends(report, loaded.faces);
+  use({"FR-22"});
+  const auto added = closed_form(loaded, options.quadrature).positive;
+  demand_convergence(member, report, added.relative_error, added.converged);
+  const double P = gear.load.axial_force;
+  rest_on(member, report.path, accuracy.torsion);
+  if (P != 0) rest_on(member, report.path, accuracy.tension);
+  report.positive.at_output = {model.at_output(added.matrix), kComplianceUnit, accuracy.torsion};
+  report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
+  report.negative = report.positive;
+  report_intensities(report, loaded.with_faces(loaded.faces.positive), {P, gear.load.torque},
+                     {accuracy.K_I, accuracy.K_III, accuracy.K_III});
+  member.cracks.push_back(std::move(report));
+}
+
+/// The same uncertainty for compliance and half of it for K.
+ShaftAccuracy one_accuracy(const ModelAccuracy& accuracy) {
+  return {accuracy, accuracy, accuracy / 2, accuracy / 2};
+}
+
+void ShaftCracks::add(CrackReport report, const ShaftSurfaceCrack&,
+                      const LoadedCrack<sif::ShaftSurfaceSolid>& loaded) {
+  use({"SB-7", "SB-8"});
+  ShaftAccuracy accuracy = {accuracy::kSolidSurfaceTorsion, accuracy::kSolidSurfaceTension,
+                            accuracy::kSolidSurfaceOpening, accuracy::kSolidSurfaceShear};
+  if (other_poissons_ratio(model.loads().shaft_steel())) {
+    accuracy = one_accuracy(accuracy::kSolidSurfaceOtherRatio);
+    member.notes.push_back({.code = "crack.poissons_ratio",
+                            .text = "the stress intensity was computed for Poisson's ratio 0.3",
+                            .path = report.path,
+                            .equation = "SB-7",
+                            .severity = Severity::care});
+  }
+  if (loaded.solution.aspect_ratio() <= sif::kNearlyStraight) {
+    accuracy = one_accuracy(accuracy::kShaftSurfaceExtrapolated);
+    member.notes.push_back(
+        {.code = "crack.surface_range",
+         .text = "the crack is longer than a crack of its depth with a straight front, and is "
+                 "computed with a straight front",
+         .path = report.path,
+         .equation = "FR-22",
+         .severity = Severity::care});
+  }
+  add_surface(std::move(report), loaded, accuracy);
+}
+
+void ShaftCracks::add(CrackReport report, const ShaftSurfaceCrack& crack,
+                      const LoadedCrack<sif::ShaftSurfaceHollow>& loaded) {
+  use({"SB-10", "SB-11"});
+  using Hollow = sif::ShaftSurfaceHollow;
+  const OutputShaft& shaft = *gear.output_shaft;
+  const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
+  const double bore = shaft.inner_diameter / shaft.outer_diameter;
+  const double aspect = loaded.solution.aspect_ratio();
+  ShaftAccuracy accuracy = {accuracy::kHollowSurfaceTorsion, accuracy::kHollowSurfaceTension,
+                            accuracy::kHollowSurfaceOpening, accuracy::kHollowSurfaceShear};
+  demand_ligament(member, report.path, crack.depth, wall);
+  if (clearly_less(Hollow::kMaxDepthRatio * wall, crack.depth) ||
+      clearly_less(aspect, Hollow::kLeastAspectRatio) || clearly_less(bore, Hollow::kLeastBore) ||
+      clearly_less(Hollow::kLargestBore, bore)) {
+    accuracy = one_accuracy(accuracy::kShaftSurfaceExtrapolated);
+    member.notes.push_back(
+        {.code = "crack.surface_range",
+         .text = fmt::format("a/t = {:.3g}, a/c = {:.3g} and r_i/r_o = {:.3g}: the wall was "
+                             "compared with finite elements for a/t <= {:g}, a/c >= {:g} and "
+                             "{:g} <= r_i/r_o <= {:g}, and is extrapolated",
+                             crack.depth / wall, aspect, bore, Hollow::kMaxDepthRatio,
+                             Hollow::kLeastAspectRatio, Hollow::kLeastBore, Hollow::kLargestBore),
+         .path = report.path,
+         .equation = "SB-10",
+         .severity = Severity::care});
+  }
+  add_surface(std::move(report), loaded, accuracy);
 }
 
 }  // namespace

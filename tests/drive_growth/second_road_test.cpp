@@ -2,6 +2,7 @@
 // Growth beside the independent program tools/reference/crack_growth.py.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -273,6 +274,29 @@ TEST(SecondRoad, ReferenceHeldOpeningCycleByCycle) {  // GR-32, GR-27
   EXPECT_EQ(report.end, DriveEnd::until);
   test::expect_relative(report.repetitions, rows_of("shaft.closure").at(1.05e-3).value, 2e-3);
   EXPECT_GT(report.repetitions, 1.1 * unslowed);
+}
+
+TEST(SecondRoad, ReferenceSurfaceCrackOfABentShaft) {  // FR-22, SB-7, GR-22, GR-34, GR-35
+  // Turns and half length until three depths, beside the script's own K, integrated over the depth.
+  // Tolerance: the steps of the growth.
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/bent_shaft.toml");
+  Material& steel = gear.material.at("steel");
+  steel.fracture_toughness.reset();
+  steel.yield_strength.reset();
+  steel.ultimate_strength.reset();
+  const auto lengths = rows_of("bent_shaft.half_length");
+  int seen = 0;
+  for (const auto& [depth, row] : rows_of("bent_shaft.turns")) {
+    ++seen;
+    const GrowthReport report = grow_cracks(gear, test::until_size("output_shaft.crack[0]", depth));
+    EXPECT_EQ(report.end, DriveEnd::until);
+    test::expect_relative(14 * report.repetitions, row.value, 1e-6);
+    test::expect_relative(report.cracks[0].series.back().half_length, lengths.at(depth).value,
+                          1e-6);
+    EXPECT_NE(std::find(report.equations.begin(), report.equations.end(), "GR-34"),
+              report.equations.end());
+  }
+  EXPECT_EQ(seen, 3);
 }
 
 TEST(SecondRoad,

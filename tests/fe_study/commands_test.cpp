@@ -4,13 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 
 #include "command/field_witness.hpp"
 #include "command/kept_journal.hpp"
 #include "command/surface.hpp"
 #include "door/json_schema.hpp"
+#include "strainwave/core/error.hpp"
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "support/mpi.hpp"
@@ -148,6 +151,30 @@ TEST(FeNotes, IdentityEveryCodeIsReachedWithItsSeverity) {
                                                {"fe.sound_without_cracks", Severity::information},
                                                {"fe.stress_nonuniformity", Severity::information}};
   EXPECT_EQ(seen, all);
+}
+
+TEST(FeCommands, InputSurfaceCrackOfAShaft) {
+  // Beside an annular crack it is left out with a note; asked for, it is refused by name.
+  test::start_mpi();
+  GearSet gear = example("solid_shaft");
+  gear.output_shaft->crack.emplace_back(ShaftSurfaceCrack{.depth = 1e-3, .half_length = 2e-3});
+  const auto plan = fe_study::plan(gear, {});
+  EXPECT_EQ(std::ranges::count(plan.notes, "fe.crack_left_out", &Note::code), 1);
+  const auto refused = [&](const fe_study::RunOptions& options, const std::string& text) {
+    try {
+      (void)fe_study::plan(gear, options);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  };
+  const std::string kind =
+      "output_shaft.crack[1]: finite elements do not compute a crack of kind "
+      "\"surface\", only annular cracks of a shaft";
+  refused({.crack = "output_shaft.crack[1]"}, kind);
+  refused({.member = fe_study::Member::output_shaft}, kind + "; remove it");
+  gear.output_shaft->crack.erase(gear.output_shaft->crack.begin());
+  refused({}, "an output shaft with an annular crack");
 }
 
 }  // namespace

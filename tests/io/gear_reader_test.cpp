@@ -618,7 +618,7 @@ const std::vector<Wrong> kWrong = {
      "49:1: output_shaft.material: must be given (name of a [material], or of a record of "
      "the library)"},
     {"MissingKind", "kind = \"annular\"\n", "",
-     "55:1: output_shaft.crack[0].kind: must be given, one of \"annular\""},
+     "55:1: output_shaft.crack[0].kind: must be given, one of \"annular\", \"surface\""},
     {"MissingKindOfFive", "kind = \"through\"\n", "",
      "43:1: flexspline.crack[0].kind: must be given, one of \"through\", \"surface\", "
      "\"diaphragm_arc\", \"diaphragm_groove\", \"rim_axial\""},
@@ -746,13 +746,13 @@ const std::vector<Wrong> kWrong = {
      "36:9: flexspline.shape: a list is not one of \"cup\", \"hat\", \"cylinder\""},
     {"KindOfAnotherMember", "kind = \"annular\"", "kind = \"through\"",
      "56:8: output_shaft.crack[0].kind: \"through\" is not a kind of crack that this member can "
-     "have: \"annular\""},
+     "have: \"annular\", \"surface\""},
     {"KindUnknown", "kind = \"surface\"", "kind = \"Surface\"",
      "28:8: wave_generator.crack[0].kind: \"Surface\" is not a kind of crack that this member can "
      "have: \"surface\", \"edge\", \"outer_race\""},
     {"KindAsNumber", "kind = \"annular\"", "kind = 1",
      "56:8: output_shaft.crack[0].kind: 1 is not a kind of crack that this member can have: "
-     "\"annular\""},
+     "\"annular\", \"surface\""},
     {"FormatOfAnotherVersion", "strainwave-drive/1", "strainwave-drive/2",
      "1:10: format: \"strainwave-drive/2\" is not known; this version reads "
      "\"strainwave-drive/1\""},
@@ -807,9 +807,9 @@ const std::vector<Wrong> kWrong = {
      "67:9: output_shaft.crack[1].depth = \"13 mm\" violates: depth < (outer_diameter - "
      "inner_diameter)/2, the wall"},
     {"SecondCrackOfAnotherMember", "M_M = 0.42\n",
-     "[[output_shaft.crack]]\nkind = \"surface\"\ndepth = \"13 mm\"\n",
-     "66:8: output_shaft.crack[1].kind: \"surface\" is not a kind of crack that this member can "
-     "have: \"annular\""},
+     "[[output_shaft.crack]]\nkind = \"through\"\ndepth = \"13 mm\"\n",
+     "66:8: output_shaft.crack[1].kind: \"through\" is not a kind of crack that this member can "
+     "have: \"annular\", \"surface\""},
     {"SecondCrackIncomplete", "M_M = 0.42\n", "[[output_shaft.crack]]\nkind = \"annular\"\n",
      "65:1: output_shaft.crack[1].depth: must be given (crack depth a [m])"},
     {"CrackThroughTheRing", "depth = \"0.1 mm\"\naspect", "depth = \"1 cm\"\naspect",

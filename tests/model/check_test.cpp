@@ -821,6 +821,27 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { annular_crack(g).solution = AnnularSolution::tada; },
      "output_shaft.crack[0].solution", "",
      "\"tada\" is for solid shafts; a hollow one has a table"},
+    {"SurfaceCrackThroughTheWallOfTheShaft", article,
+     [](GearSet& g) {
+       shaft(g).crack = {ShaftSurfaceCrack{.depth = 12.5 * mm, .half_length = 20 * mm}};
+     },
+     "output_shaft.crack[0].depth", "depth < (outer_diameter - inner_diameter)/2, the wall", ""},
+    {"SurfaceCrackOfTheRadius", article,
+     [](GearSet& g) {
+       shaft(g).inner_diameter = 0;
+       shaft(g).crack = {ShaftSurfaceCrack{.depth = 35 * mm, .half_length = 40 * mm}};
+     },
+     "output_shaft.crack[0].depth", "depth < outer_diameter/2", ""},
+    {"SurfaceCrackShorterThanDeep", article,
+     [](GearSet& g) {
+       shaft(g).crack = {ShaftSurfaceCrack{.depth = 2 * mm, .half_length = 1.9 * mm}};
+     },
+     "output_shaft.crack[0].half_length", "half_length >= depth", ""},
+    {"SurfaceCrackRoundTheShaft", article,
+     [](GearSet& g) {
+       shaft(g).crack = {ShaftSurfaceCrack{.depth = 2 * mm, .half_length = 110 * mm}};
+     },
+     "output_shaft.crack[0].half_length", "2 half_length < circumference of the shaft", ""},
 };
 
 class CheckRule : public testing::TestWithParam<Broken> {};
@@ -1066,6 +1087,12 @@ const std::vector<Accepted> kAccepted = {
      [](GearSet& g) {
        shaft(g).inner_diameter = 0;
        annular_crack(g).depth = just_below(35 * mm);
+     }},
+    {"SurfaceCrackJustInTheShaft", article,
+     [](GearSet& g) {
+       shaft(g).crack = {ShaftSurfaceCrack{.depth = just_below(12.5 * mm),
+                                           .half_length = just_below(std::numbers::pi * 35 * mm)},
+                         ShaftSurfaceCrack{.depth = 2 * mm, .half_length = 2 * mm}};
      }},
     {"ThreeBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 3; }},
     {"TwoHundredBalls", coupled_gear,

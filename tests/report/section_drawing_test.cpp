@@ -156,7 +156,8 @@ TEST(SectionDrawing, ScalingCracksAreInTrueSizeAtTheirPlace) {
 }
 
 TEST(SectionDrawing, BehaviourEveryCrackIsDrawnAndNumbered) {
-  for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft"}) {
+  for (const char* const name :
+       {"article", "cracked_size25", "cup_sections", "solid_shaft", "bent_shaft"}) {
     const GearSet gear = example(name);
     const std::vector<NumberedCrack> cracks = numbered_cracks(gear);
     const Drawing drawing(section_drawing(gear));
@@ -199,6 +200,22 @@ TEST(SectionDrawing, BehaviourSmallCracksAreEnlargedByTheScaleThatIsStated) {
   // The crack of the wall is enlarged in the drawing that shows its true direction.
   EXPECT_EQ(cracks_in(Drawing(wall_drawing(gear)), "data-enlarged"),
             (std::set<std::string>{"flexspline.crack[0]"}));
+}
+
+TEST(SectionDrawing, BehaviourSurfaceCrackOfAShaftLiesAcrossTheAxis) {
+  // In the section it is a line of its depth; enlarged, the detail shows its length along the arc.
+  GearSet gear = example("bent_shaft");
+  const Drawing drawing(section_drawing(gear));
+  const Box crack = drawing.box("data-crack", "output_shaft.crack[0]");
+  EXPECT_NEAR(crack.width(), 0.0, 2 * kRounding / drawing.scale);
+  EXPECT_NEAR(crack.height(), 1.0, 2 * kRounding / drawing.scale);
+  std::get<ShaftSurfaceCrack>(gear.output_shaft->crack[0]) = {.depth = 0.1 * mm,
+                                                              .half_length = 0.15 * mm};
+  const Drawing small(section_drawing(gear));
+  const auto enlarged = small.with("data-enlarged", "output_shaft.crack[0]");
+  ASSERT_EQ(enlarged.size(), 1U);
+  const Box detail = box_of(enlarged[0]->at("d"));
+  EXPECT_NEAR(detail.width() / detail.height(), 3.0, 0.1);
 }
 
 TEST(SectionDrawing, BehaviourAngleBetaRunsFromTheGeneratorTowardMinusTheta) {

@@ -16,6 +16,7 @@
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/drive_cracks/reference_stress.hpp"
 #include "strainwave/sif/kassir_sih.hpp"
+#include "strainwave/sif/member/shaft_surface.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
@@ -607,6 +608,51 @@ TEST(CrackStrength, IdentityAnnularLimitLoad) {
   EXPECT_EQ(of_shaft(gear).states.at(0).K, state.K);
   EXPECT_EQ(of_shaft(gear).states.size(), 1U);
   EXPECT_NEAR(*of_shaft(gear).ligament, 8.5 * mm, 1e-15);
+}
+
+TEST(CrackStrength, IdentitySurfaceCrackOfAShaft) {  // FR-22, FA-15, FA-13
+  // K of the worst point by the solution, L_r by the section; at its critical depth, with its shape
+  // kept, the crack is on the line.
+  for (const double inner : {0.0, 45 * mm}) {
+    GearSet gear = article(1 * mm, (inner > 0 ? 21 : 30) * MPa);
+    gear.load.torque = 12000;
+    gear.load.axial_force = 2e4;
+    gear.output_shaft->inner_diameter = inner;
+    gear.output_shaft->crack = {ShaftSurfaceCrack{.depth = 4 * mm, .half_length = 5 * mm}};
+    const CrackStrength of_file = of_shaft(gear);
+    EXPECT_EQ(of_file.kind, "surface");
+    ASSERT_EQ(of_file.states.size(), 1U);  // the same under the other sense of torque
+    const StrengthState& state = of_file.states.front();
+    const sif::ShaftSurfaceSolid solid(
+        {.depth = 4 * mm, .half_length = 5 * mm, .diameter = 70 * mm});
+    const sif::ShaftSurfaceHollow hollow({.depth = 4 * mm,
+                                          .half_length = 5 * mm,
+                                          .outer_radius = 35 * mm,
+                                          .inner_radius = 22.5 * mm,
+                                          .poissons_ratio = 0.3});
+    Worst worst;
+    for (int i = 0; i <= 32; ++i) {
+      const double s = i / 32.0;
+      const auto k = inner > 0 ? hollow.stress_intensity(4 * mm, s * pi / 2)
+                               : solid.stress_intensity(4 * mm, 0.1 + 0.9 * s);
+      worst.add(k.I[0] * 2e4, k.II[1] * 12000, k.III[1] * 12000, false);
+    }
+    test::expect_relative(state.K, worst.K, 1e-3);  // nu of the material
+    if (inner == 0)
+      test::expect_relative(*state.L_r * kYield,
+                            one_sided_reference_stress({.outer_radius = 35 * mm,
+                                                        .inner_radius = 0.0,
+                                                        .depth = 4 * mm,
+                                                        .chord_depth = 4 * mm},
+                                                       2e4, 12000),
+                            1e-12);
+    ASSERT_TRUE(state.critical_size && state.critical_size->size) << inner;
+    for (const double factor : {0.999, 1.001}) {
+      const double depth = factor * *state.critical_size->size;
+      gear.output_shaft->crack = {ShaftSurfaceCrack{.depth = depth, .half_length = 1.25 * depth}};
+      EXPECT_EQ(!of_shaft(gear).breaks(), factor < 1) << inner;
+    }
+  }
 }
 
 TEST(CrackStrength, IdentitySolidShaftBothPolynomials) {

@@ -159,6 +159,13 @@ inline OutputShaft random_output_shaft(Dice& dice) {
   const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
   const int n_cracks = dice.integer(0, 2);
   for (int i = 0; i < n_cracks; ++i) {
+    if (dice.chance(0.3)) {
+      ShaftSurfaceCrack crack;
+      crack.depth = dice.log_uniform(1e-5, 0.9) * wall;
+      crack.half_length = crack.depth * dice.uniform(1, 2.5);
+      shaft.crack.emplace_back(crack);
+      continue;
+    }
     AnnularCrack crack;
     crack.depth = dice.log_uniform(1e-7, shaft.solid() ? 0.98 : 0.95) * wall;
     if (shaft.solid() && dice.chance(0.5)) crack.solution = AnnularSolution::tada;

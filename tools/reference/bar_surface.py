@@ -14,7 +14,7 @@ of degree 3 make it a little low, by the same factor along a front: sizes scale 
 so the factor hardly depends on the crack.  It is taken from the energy: the derivative of the
 energy with respect to the depth over the integral of K^2 along the front is BIAS^2 (--check).
 
-    bar_surface.py --write      tests/data/bar_surface.csv (half an hour)
+    bar_surface.py --write      tests/data/bar_surface*.csv (minutes)
     bar_surface.py --library    nodes of the library's table, coefficients over the front
     bar_surface.py --check      BIAS
 """
@@ -282,6 +282,9 @@ def factors(bar, kind="solid"):
             "sliding": shear * np.abs(sliding), "tearing": shear * np.abs(tearing)}
 
 
+DEPTHS = (0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0)
+
+
 def table():
     result = Table("bar_surface", "radius_ratio [1]", "depth_ratio [1]", "aspect_ratio [1]",
                    "position [1]")
@@ -296,12 +299,35 @@ def table():
                 result.add(f"{kind}.{name}", (repr(rho), repr(alpha), repr(k), repr(t)), value[j],
                            "1", "bar_surface.py three-dimensional elements p = 3", 2, 5)
 
-    nodes = [(a, k) for a in (0.2, 0.4, 0.6, 0.8, 1.0) for k in (0.0, 0.25, 0.5, 0.75, 1.0)]
-    for a, k in [*nodes, (0.5, 0.6), (0.7, 0.1)]:  # the library's nodes, and two between them
+    nodes = [(a, k) for a in DEPTHS for k in (0.0, 0.25, 0.5, 0.75, 1.0)]
+    # The library's nodes, and four between them.
+    for a, k in [*nodes, (0.5, 0.6), (0.7, 0.1), (0.15, 0.6), (0.07, 0.9)]:
         add("solid", Bar(solid(a, k)), 0.0, a, k, (0.0, 0.375, 0.75))
     for rho, outer, alpha, k in HOLLOW:
         bar = Bar(hollow(alpha * (1 - rho), k, rho, outer))
         add("outer" if outer else "inner", bar, rho, alpha, k, (0.0, 0.5, 0.75))
+    return result
+
+
+def compliance_table():
+    """Added compliance times E, outer radius 1, from the energy of the elements, without their K."""
+    result = Table("bar_surface_compliance", "radius_ratio [1]", "depth_ratio [1]",
+                   "aspect_ratio [1]")
+
+    def add(rho, alpha, k, bar):
+        (_, tension), (_, bending) = bar.opening()
+        inertia = np.pi / 4 * (1 - rho ** 4)
+        for name, energy, load in (("tension", tension, np.pi * (1 - rho ** 2)),
+                                   ("bending", bending, inertia),
+                                   ("torsion", bar.twisting()[2], 2 * inertia)):
+            result.add(name, (repr(rho), repr(alpha), repr(k)), energy / load ** 2, "1",
+                       "energy of the elements of bar_surface.py", 2, 5)
+
+    for a, k in ((0.1, 0.5), (0.2, 0.5), (0.4, 0.75), (0.6, 0.5), (0.4, 1.0), (0.8, 0.25)):
+        add(0.0, a, k, Bar(solid(a, k)))
+    for rho, alpha, k in ((0.5, 0.5, 1.0), (0.8, 0.5, 0.5), (0.5, 0.3, 0.5), (0.65, 0.6, 0.5),
+                          (0.9, 0.6, 0.4), (0.5, 0.6, 0.4), (0.3, 0.5, 0.6)):
+        add(rho, alpha, k, Bar(hollow(alpha * (1 - rho), k, rho, True)))
     return result
 
 
@@ -310,7 +336,7 @@ HOLLOW = ((0.5, True, 0.5, 1.0), (0.8, True, 0.5, 0.5), (0.5, True, 0.3, 0.5),
 
 
 def library_table():
-    for a in (0.2, 0.4, 0.6, 0.8, 1.0):
+    for a in DEPTHS:
         for k in (0.0, 0.25, 0.5, 0.75, 1.0):
             bar = Bar(solid(a, k))
             t = bar.q.t_nodes[bar.q.t_nodes < 0.95]
@@ -342,10 +368,29 @@ def check():
     pair("hollow 0.8 outer 0.5 0.5", lambda depth: hollow(depth, 0.5, 0.8, True), 0.1)
 
 
+def aside_table():
+    """Half of the range of K_I in a turn under a moment, (GR-34), over its largest stress."""
+    result = Table("bar_surface_turning", "depth_ratio [1]", "aspect_ratio [1]", "position [1]")
+    for a, k in ((0.2, 0.75), (0.4, 0.75), (0.6, 1.0), (0.8, 0.5), (0.8, 0.25)):
+        bar = Bar(solid(a, k))
+        q, N = bar.q, bar.N
+        _, (bending, _) = bar.opening()
+        fixed = np.concatenate((bar.index[q.axis].ravel(), 2 * N + bar.index[q.axis].ravel(),
+                                2 * N + bar.index[q.ligament, 0], [N + bar.index[q.axis[0], -1]]))
+        [(plane, _)] = bar.solve([bar.face(w=q.load["y"])], fixed)
+        K = bar.at_front(plane[2]) / (4 * (1 - NU ** 2)) / np.sqrt(np.pi * a)
+        for t in (0.375, 0.75, 0.9):
+            j = int(np.argmin(np.abs(q.t_nodes - t)))
+            result.add("amplitude", (repr(a), repr(k), repr(round(float(q.t_nodes[j]), 6))),
+                       BIAS["solid"][0] * np.hypot(bending[j], K[j]), "1",
+                       "bar_surface.py three-dimensional elements p = 3", 2, 5)
+    return result
+
+
 if __name__ == "__main__":
     if "--check" in sys.argv[1:]:
         check()
     elif "--library" in sys.argv[1:]:
         library_table()
     else:
-        publish(table())
+        publish(table(), compliance_table(), aside_table())

@@ -21,11 +21,12 @@ threshold; a block.  easigrow prints 139 380 (P3) and 21 247.5 (P2) for its loop
 Drive cases: an annular crack in a solid shaft (handbook's K of torsion and tension, (SB-3) of
 bending) under three blocks with rotating bending; a surface crack in the wall of a flexspline under
 torque and wave; where they rest and start; and a crack through the wall whose K over a turn is a
-table (examples/tables/turn_through.csv, which --table writes from its closed form).  A crack of the
-rim from a tooth root (GR-38).
+table (examples/tables/turn_through.csv, which --table writes from its closed form).  A surface crack
+in a solid shaft under torque and rotating bending.  A crack of the rim from a tooth root (GR-38).
 
 In double precision; the integrators work to 1e-12.  Each row states its digits.
 """
+import csv
 import functools
 import math
 import sys
@@ -37,7 +38,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
 from gradient import Hole
-from reference_csv import Table, publish
+from reference_csv import DATA, Table, publish
 from weight_function import intensities
 
 PI = math.pi
@@ -641,6 +642,68 @@ def table_life(R):
     return total
 
 
+class BentShaft:
+    """Solid shaft of 60 mm with a surface crack, a 1 mm, half length 1.5 mm along the arc: constant
+    torque 3000 N m, and a bending moment of 2000 N m round which it turns.  K from the coefficients
+    of bar_surface.py in library_tables.csv, joined here by polynomials in Newton's form."""
+    r, T, M = 30e-3, 3000.0, 2000.0
+    C, m = 6.9e-12, 3
+    shallow, deep, aspects = (0.025, 0.05), (0.1, 0.2, 0.3, 0.4, 0.5), (0, 0.25, 0.5, 0.75, 1)
+
+    def __init__(self):
+        self.table = {name: np.zeros((7, 5, 4))
+                      for name in ("tension", "bending", "sliding", "tearing")}
+        with open(DATA / "library_tables.csv", encoding="ascii", newline="") as file:
+            for row in csv.DictReader(file):
+                if row["case"].startswith("front."):
+                    at = tuple(int(row[f"{name} [1]"]) for name in "ijk")
+                    self.table[row["case"][6:]][at] = float(row["value"])
+
+    @staticmethod
+    def newton(x, y, at):
+        """Divided differences; y may be arrays."""
+        y = [np.array(v, dtype=float) for v in y]
+        value, product = y[0].copy(), 1.0
+        for order in range(1, len(x)):
+            y = [(y[i + 1] - y[i]) / (x[i + order] - x[i]) for i in range(len(y) - 1)]
+            product *= at - x[order - 1]
+            value = value + y[0] * product
+        return value
+
+    def factor(self, name, d, k, t):
+        over_k = [self.newton(self.aspects, list(row), k) for row in self.table[name]]
+        value = self.newton(self.deep, over_k[2:], d)
+        if d < 0.1:
+            ends = [(over_k[i] - self.newton(self.deep, over_k[2:], x)) / (x - 0.1) ** 2
+                    for i, x in enumerate(self.shallow)]
+            value = value + (d - 0.1) ** 2 * self.newton(self.shallow, ends, d)
+        return float(sum(c * t ** (2 * n) for n, c in enumerate(value))) \
+            * (t if name == "sliding" else 1)
+
+    def growth(self, a, s, t):
+        """In one turn, at the place t of half of the front; (FR-22), (SB-7), (GR-34)."""
+        r, end = self.r, s / self.r
+        sunk = (1 - math.cos(end)) * r / a
+        k = a * math.sqrt(1 - sunk ** 2) / (r * math.sin(end))
+        d = a / (2 * r)
+        F = {name: self.factor(name, d, k, t) for name in self.table}
+        psi = math.acos(sunk)
+        y = math.sin(t * psi) * a / k / r
+        root = math.sqrt(PI * a) * 1e-6
+        bending = math.hypot(F["bending"], 2 / 3 * F["tension"] * y) \
+            * 4 * self.M / (PI * r ** 3) * root
+        shear = 2 * self.T / (PI * r ** 3) * root
+        states = [[sign * bending, F["sliding"] * shear, F["tearing"] * shear] for sign in (1, -1)]
+        return paris(self.C, self.m)(*tip_cycle(*states), a)
+
+    def until_depth(self, a_end):
+        """Turns and half length."""
+        solved = solve_ivp(lambda a, y: [1 / self.growth(a, y[1], 0.0),
+                                         self.growth(a, y[1], 0.9) / self.growth(a, y[1], 0.0)],
+                           (1e-3, a_end), [0.0, 1.5e-3], method="DOP853", rtol=1e-11, atol=1e-15)
+        return solved.y[0][-1], solved.y[1][-1]
+
+
 OURS = "computed here"
 
 
@@ -681,6 +744,11 @@ def tables():
         table.add("turn.repetitions", (a,), turn.repetitions(a), "1", OURS, digits=8, printed=11)
     table.add("turn.without_smaller_cycles", (6e-3,), turn.repetitions(6e-3, False), "1", OURS,
               digits=8, printed=11)
+    bent = BentShaft()
+    for a in (1.5e-3, 5e-3, 15e-3):
+        turns, length = bent.until_depth(a)
+        table.add("bent_shaft.turns", (a,), turns, "1", OURS, digits=9, printed=11)
+        table.add("bent_shaft.half_length", (a,), length, "m", OURS, digits=9, printed=11)
     return [table, root_rows()]
 
 

@@ -106,17 +106,35 @@ def bars(table, data):
             table.add(f"penny.{load}", (x, "", ""), 1 / polynomial_through(nodes, values, x), "1", SOURCE)
 
 
+def front_at(d, k, entry):
+    """Below the depth 0.1 the deep polynomial is corrected by a line times (d - 0.1)^2."""
+    shallow, depths = [mpf("0.025"), mpf("0.05")], [mpf(n) / 10 for n in range(1, 6)]
+    over_aspect = lagrange([mpf(n) / 4 for n in range(5)], k)
+
+    def at(i):
+        return fdot(over_aspect, [entry(i, j) for j in range(5)])
+
+    def deep(x):
+        return polynomial_through(depths, [at(i) for i in range(2, 7)], x)
+    if d >= depths[0]:
+        return deep(d)
+    ends = [(at(i) - deep(x)) / (x - depths[0]) ** 2 for i, x in enumerate(shallow)]
+    slope = (ends[1] - ends[0]) / (shallow[1] - shallow[0])
+    return deep(d) + (d - depths[0]) ** 2 * (ends[0] + slope * (d - shallow[0]))
+
+
 def fronts(table, data):
-    depths = [mpf(n) / 10 for n in range(1, 6)]
     aspects = [mpf(n) / 4 for n in range(5)]
+    depths = [mpf("0.0125"), *both([mpf("0.025"), mpf("0.05")]), mpf("0.08"),
+              *both([mpf(n) / 10 for n in range(1, 6)])]
     for mode in ("tension", "bending", "sliding", "tearing"):
         coefficients = data[f"front.{mode}"]
-        for d in both(depths):
+        for d in depths:
             for k in both(aspects):
                 for t in (mpf("0.25"), mpf("0.5"), mpf("0.75"), mpf(1)):
                     def entry(i, j, t=t):
                         return sum(coefficients[i, j, n] * t ** (2 * n) for n in range(4))
-                    value = surface(lagrange(depths, d), lagrange(aspects, k), entry)
+                    value = front_at(d, k, entry)
                     table.add(f"front.{mode}", (d, k, t), value * (t if mode == "sliding" else 1),
                               "1", SOURCE)
 

@@ -40,6 +40,20 @@ template <std::size_t N>
   return value;
 }
 
+/// Lagrange's polynomials of N nodes at x by products, which are valid at the nodes too and have
+/// exact derivatives if x is a dual number.
+template <std::size_t N, class Real>
+[[nodiscard]] std::array<Real, N> lagrange_products(const std::array<double, N>& nodes,
+                                                    const Real& x) {
+  std::array<Real, N> value{};
+  for (std::size_t i = 0; i < N; ++i) {
+    value[i] = 1.0;
+    for (std::size_t j = 0; j < N; ++j)
+      if (j != i) value[i] *= (x - nodes[j]) / (nodes[i] - nodes[j]);
+  }
+  return value;
+}
+
 /// Lagrange's polynomials for many x; everything that does not depend on x is computed once.
 template <std::size_t N>
 class LagrangeBasis {

@@ -81,7 +81,8 @@ struct DriveCrack {
   /// depend linearly.
   std::function<std::vector<FrontIntensity>(const CrackSize&, Faces)> front;
   /// K along the front per unit of a bending moment of the member, with the crack in the middle of
-  /// the tension side [Pa*m^0.5/(N*m)]; empty if it cannot be stated.
+  /// the tension side; for a surface crack of a shaft the largest K in a turn (GR-34)
+  /// [Pa*m^0.5/(N*m)]; empty if it cannot be stated.
   std::function<std::vector<Modes>(const CrackSize&)> bending;
   /// Yield strength at which the net section is fully plastic [Pa], as a function of size, axial
   /// force [N] and torque [N*m]; proportional to both loads.  Throws InputError at a size beyond

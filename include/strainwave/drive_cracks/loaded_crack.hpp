@@ -19,6 +19,7 @@
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/shaft_surface.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/solution.hpp"
 
@@ -83,6 +84,13 @@ class CrackLoads {
   }
   template <class F>
   void load(const AnnularCrack& crack, const F& f) const {
+    if (gear_.output_shaft->solid())
+      f(loaded_in_solid_shaft(crack));
+    else
+      f(loaded_in_hollow_shaft(crack));
+  }
+  template <class F>
+  void load(const ShaftSurfaceCrack& crack, const F& f) const {
     if (gear_.output_shaft->solid())
       f(loaded_in_solid_shaft(crack));
     else
@@ -304,6 +312,31 @@ class CrackLoads {
             .faces = shaft_faces(),
             .in_range = !clearly_less(Hollow::kMaxDepthRatio, depth_ratio(crack)),
             .table = table_of(crack)};
+  }
+
+  [[nodiscard]] Loaded<sif::BasicShaftSurfaceSolid<Real>> loaded_in_solid_shaft(
+      const ShaftSurfaceCrack& crack) const {
+    using Solid = sif::BasicShaftSurfaceSolid<Real>;
+    return {.solution = Solid({.depth = lift_(crack.depth),
+                               .half_length = lift_(crack.half_length),
+                               .diameter = lift_(gear_.output_shaft->outer_diameter)}),
+            .moduli = plane_strain(shaft_steel()),
+            .faces = shaft_faces()};
+  }
+  [[nodiscard]] Loaded<sif::BasicShaftSurfaceHollow<Real>> loaded_in_hollow_shaft(
+      const ShaftSurfaceCrack& crack) const {
+    using Hollow = sif::BasicShaftSurfaceHollow<Real>;
+    const OutputShaft& shaft = *gear_.output_shaft;
+    const Elastic steel = shaft_steel();
+    return {
+        .solution = Hollow({.depth = lift_(crack.depth),
+                            .half_length = lift_(crack.half_length),
+                            .outer_radius = lift_(shaft.outer_diameter) / 2,
+                            .inner_radius = lift_(shaft.inner_diameter) / 2,
+                            .poissons_ratio = steel.nu}),
+        .moduli = plane_strain(steel),
+        .faces = shaft_faces(),
+        .in_range = not_too_deep(crack.depth, (shaft.outer_diameter - shaft.inner_diameter) / 2)};
   }
 
  private:

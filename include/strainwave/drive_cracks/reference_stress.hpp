@@ -27,6 +27,23 @@ struct NetRing {
 /// @throws InputError  if the radii are not in order
 [[nodiscard]] double ring_reference_stress(const NetRing& ring, double axial_force, double torque);
 
+/// Section of a shaft with a crack on one side.
+struct OneSidedSection {
+  double outer_radius = 0.0;  ///< r_o [m]; > inner_radius
+  double inner_radius = 0.0;  ///< r_i [m]; >= 0
+  double depth = 0.0;         ///< a, the largest depth of the crack [m]; >= 0, < r_o - r_i
+  /// h, depth of the segment that a straight chord cuts off, and in which the crack lies [m]; >= a
+  double chord_depth = 0.0;
+};
+
+/// Reference stress of a shaft with a crack on one side, under axial force and torque [Pa].
+///
+/// Implements theory manual eq. (FA-15): the normal stress is P/A_s, the shear stress T/W_s.  Both
+/// fields are in equilibrium, so this gives a lower bound of the limit load.
+/// @throws InputError  if the lengths are not in order
+[[nodiscard]] double one_sided_reference_stress(const OneSidedSection& section, double axial_force,
+                                                double torque);
+
 /// A crack through a wall, which weakens the transverse and the axial section.
 struct ThroughWall {
   double half_length = 0.0;  ///< a [m]; > 0

@@ -93,6 +93,18 @@ inline constexpr ModelAccuracy kAnnularExtrapolated{
     1.0, "extrapolated beyond the table in tension, r_i/r_o <= 0.95"};
 inline constexpr ModelAccuracy kAnnularTada{
     0.055, "handbook polynomials: 3.6 % in torsion, 5.4 % in tension against finite elements"};
+inline constexpr ModelAccuracy kSolidSurfaceTorsion{
+    0.05, "within 3.5 % of the energy of finite elements of the shaft, Poisson's ratio 0.3"};
+inline constexpr ModelAccuracy kSolidSurfaceTension{
+    0.02, "within 0.7 % of the energy of finite elements of the shaft, Poisson's ratio 0.3"};
+inline constexpr ModelAccuracy kSolidSurfaceOtherRatio{
+    0.30, "the table is for Poisson's ratio 0.3; K_III of an ellipse changes by 14 % to 0.45"};
+inline constexpr ModelAccuracy kHollowSurfaceTorsion{
+    0.15, "an embedded ellipse: within 13 % of the energy of finite elements of the shaft"};
+inline constexpr ModelAccuracy kHollowSurfaceTension{
+    0.15, "the wall as a plate: within 14 % of the energy of finite elements of the shaft"};
+inline constexpr ModelAccuracy kShaftSurfaceExtrapolated{
+    0.50, "a surface crack of a shaft beyond the sizes that were compared with finite elements"};
 inline constexpr ModelAccuracy kOrthogonalShear{
     1.0,
     "the driver treats a subsurface shear as a hoop tension, which gives an order of magnitude at "
@@ -110,6 +122,12 @@ inline constexpr double kHollowTensionIntensity = 0.015;
 /// Relative uncertainty of K_III of the hollow shaft, found in the same way; 0.11 % at the end of
 /// the table, a/t = 0.8.
 inline constexpr double kHollowTorsionIntensity = 0.0015;
+
+/// Relative uncertainties of K of a surface crack in a shaft, (SB-7), (SB-10) and (SB-11).
+inline constexpr double kSolidSurfaceOpening = 0.03;
+inline constexpr double kSolidSurfaceShear = 0.05;
+inline constexpr double kHollowSurfaceOpening = 0.08;
+inline constexpr double kHollowSurfaceShear = 0.20;
 
 /// The relative uncertainty of a result that is proportional to the n-th power of a quantity [-].
 [[nodiscard]] constexpr ModelAccuracy power(const ModelAccuracy& accuracy, double n) {

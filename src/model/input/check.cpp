@@ -277,14 +277,28 @@ void check_crack(const FieldPath& at, const GearSet& gear, const WallSurfaceCrac
           "half_length >= depth");
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& crack) {
-  const OutputShaft& shaft = *gear.output_shaft;
-  check_depth(at, crack.depth, (shaft.outer_diameter - shaft.inner_diameter) / 2,
+void check_depth_in_shaft(const FieldPath& at, const OutputShaft& shaft, double depth) {
+  check_depth(at, depth, (shaft.outer_diameter - shaft.inner_diameter) / 2,
               shaft.solid() ? "depth < outer_diameter/2"
                             : "depth < (outer_diameter - inner_diameter)/2, the wall");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& crack) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  check_depth_in_shaft(at, shaft, crack.depth);
   if (crack.solution == AnnularSolution::tada && !shaft.solid())
     throw InputError((at / "solution").text(),
                      "\"tada\" is for solid shafts; a hollow one has a table");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const ShaftSurfaceCrack& crack) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  check_depth_in_shaft(at, shaft, crack.depth);
+  require(crack.depth <= crack.half_length, (at / "half_length").text(), crack.half_length, "m",
+          "half_length >= depth");
+  require(2 * crack.half_length < std::numbers::pi * shaft.outer_diameter,
+          (at / "half_length").text(), crack.half_length, "m",
+          "2 half_length < circumference of the shaft");
 }
 
 /// Checks that cracks of one ring do not soften the same length (TC-22).

@@ -318,6 +318,33 @@ struct AnnularCrack {
   }
 };
 
+/// Semi-elliptical crack in the outer surface of a shaft, across its axis.
+struct ShaftSurfaceCrack {
+  static constexpr std::string_view kKind = "surface";
+  static constexpr std::string_view kMeaning =
+      "semi-elliptical crack in the outer surface of the shaft, across its axis";
+  double depth = 0.0;  ///< a, radial [m]; > 0, < wall of a hollow shaft, < radius of a solid one
+  /// c, half of the length along the arc of the surface [m]; >= depth, < half of the circumference
+  double half_length = 0.0;
+
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::output_shaft,
+            .shape = CrackShape::semi_ellipse,
+            .depth = depth,
+            .half_length = half_length};
+  }
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(kCrackDepthField, &ShaftSurfaceCrack::depth);
+    field(Field{.name = "half_length",
+                .unit = "m",
+                .doc = "half of the length along the arc of the surface, c",
+                .range = kPositive,
+                .example = R"("0.2 mm")"},
+          &ShaftSurfaceCrack::half_length);
+  }
+};
+
 /// An axial crack over the whole width of a ring, from a surface under bending (TC-22).
 template <CrackedPart part_, bool from_inside_>
 struct RingCrack {
@@ -487,7 +514,7 @@ struct DiaphragmGroove {
 using WaveGeneratorCrack = std::variant<RaceSurfaceCrack, RaceEdgeCrack, OuterRaceCrack>;
 using FlexsplineCrack = std::variant<WallThroughCrack, WallSurfaceCrack, DiaphragmArcCrack,
                                      DiaphragmGroove, RimAxialCrack>;
-using OutputShaftCrack = std::variant<AnnularCrack>;
+using OutputShaftCrack = std::variant<AnnularCrack, ShaftSurfaceCrack>;
 using ToothMeshCrack = std::variant<ToothCrack>;
 using CircularSplineCrack = std::variant<CircularSplineRingCrack>;
 

@@ -44,7 +44,7 @@ struct BarStraightCrack {
   }
   template <class Limit>
   void validity(Limit&& limit) const {
-    limit(depth >= 0.1 * diameter, "a/d >= 0.1");
+    limit(depth >= 0.025 * diameter, "a/d >= 0.025");
   }
   [[nodiscard]] double gross_stress(std::size_t load) const {
     return RoundSection{.outer_radius = diameter / 2}.stress(load, diameter / 2);
