@@ -497,7 +497,7 @@ TEST(InputTemplate, BehaviourItsDimensionsFitTogether) {
     EXPECT_NE(text.find(std::string(table.meaning)), std::string::npos) << table.kind;
     EXPECT_FALSE(table.meaning.empty()) << table.kind;
   }
-  EXPECT_EQ(n_kinds, 18);
+  EXPECT_EQ(n_kinds, 19);
 }
 
 TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
