@@ -279,9 +279,8 @@ class Growing {
 
   void take_evidence(const CoupledCrack& of) {
     report_.notes.insert(report_.notes.end(), of.notes.begin(), of.notes.end());
-    for (const std::string& tag : of.crack.equations)
-      if (std::ranges::find(report_.equations, tag) == report_.equations.end())
-        report_.equations.push_back(tag);
+    cite(report_,
+         std::vector<std::string_view>(of.crack.equations.begin(), of.crack.equations.end()));
   }
 
   GearSet gear_;
@@ -620,10 +619,8 @@ class Path {
       report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate, factor));
       for (Note& note : crack_notes(growing_.gear(), crack, options_.rate))
         report_.notes.push_back(std::move(note));
+      cite_models(report_, crack, options_.interaction);
     }
-    if (std::ranges::any_of(
-            cracks, [](const GrowingCrack& crack) { return crack.crack().turn_table != nullptr; }))
-      report_.equations.insert(report_.equations.end(), {"GR-30", "GR-31"});
     stands_still_.assign(cracks.size(), false);
   }
 
@@ -755,10 +752,6 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   report.mixed_mode = std::string(enum_name(options.rate.mixed_mode));
   report.equations = {"GR-21", "GR-22", "GR-23", "GR-24", "GR-25"};
   report.interaction = std::string(enum_name(options.interaction.rule));
-  if (options.interaction.rule == InteractionRule::wheeler) report.equations.emplace_back("GR-18");
-  if (options.interaction.rule == InteractionRule::willenborg)
-    report.equations.emplace_back("GR-19");
-  if (options.interaction.rule != InteractionRule::none) report.equations.emplace_back("GR-27");
   if (gear.duty && gear.duty->resonance) report.equations.emplace_back("GR-28");
   if (gear.duty) report.rainflow = std::string(enum_name(gear.duty->residue));
   GrowthCheckpoint none;

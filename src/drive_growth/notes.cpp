@@ -348,6 +348,50 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
   if (grows(above).value_or(false)) to.factor_to_grow = above;
 }
 
+void cite(GrowthReport& report, std::span<const std::string_view> tags) {
+  for (const std::string_view tag : tags)
+    if (std::ranges::find(report.equations, tag) == report.equations.end())
+      report.equations.emplace_back(tag);
+}
+
+void cite_models(GrowthReport& report, const GrowingCrack& crack, const Interaction& interaction) {
+  const auto use = [&](std::initializer_list<std::string_view> tags) {
+    cite(report, std::span(tags.begin(), tags.size()));
+  };
+  std::visit([&](const auto& law) { cite(report, law.kEquations); }, crack.law());
+  use({"GR-12"});
+  switch (crack.mixed_mode()) {
+    case MixedMode::energy:
+      use({"GR-13"});
+      break;
+    case MixedMode::tanaka:
+      use({"GR-14"});
+      break;
+    case MixedMode::richard:
+      use({"GR-15"});
+      break;
+    case MixedMode::largest_tangential_stress:
+      use({"GR-16"});
+      break;
+  }
+  switch (interaction.rule) {
+    case InteractionRule::none:
+      break;
+    case InteractionRule::wheeler:
+      use({"GR-17", "GR-18", "GR-27"});
+      break;
+    case InteractionRule::willenborg:
+      use({"GR-17", "GR-19", "GR-27"});
+      break;
+    case InteractionRule::closure:
+      use({"GR-17", "GR-7", "GR-32", "GR-27"});
+      break;
+  }
+  if (crack.crack().turn_table) use({"GR-30", "GR-31"});
+  if (crack.crack().kind == "surface" && crack.crack().turning == TurningLoad::bending)
+    use({"GR-34", "GR-35"});
+}
+
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
   note_validity(report, gear, choice);
   for (const CrackGrowth& crack : report.cracks) {
@@ -363,11 +407,7 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
            .equation = "GR-16",
            .severity = Severity::care,
            .next_step = "Give the crack the direction into which it turns."});
-    if (crack.kind == "annular" && crack.grows) report.equations.emplace_back("GR-25");
   }
-  for (const DriveCrack& crack : drive_cracks(gear))
-    if (crack.kind == "surface" && crack.turning == TurningLoad::bending)
-      report.equations.insert(report.equations.end(), {"GR-34", "GR-35"});
   const auto of = [&](const std::string& path) -> const CrackGrowth* {
     const auto found = std::ranges::find(report.cracks, path, &CrackGrowth::path);
     return found == report.cracks.end() ? nullptr : &*found;

@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "strainwave/drive_growth/grow_cracks.hpp"
@@ -46,6 +48,12 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);
+
+/// Adds tags of the theory manual that the report does not have yet.
+void cite(GrowthReport& report, std::span<const std::string_view> tags);
+
+/// Adds the tags of a crack's law, mixed modes, turn and interaction.
+void cite_models(GrowthReport& report, const GrowingCrack& crack, const Interaction& interaction);
 
 /// Adds sentence and notes.
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice);

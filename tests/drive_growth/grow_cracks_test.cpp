@@ -277,6 +277,29 @@ TEST(GrowCracks, BehaviourInteractionSlows) {  // GR-27
   test::expect_relative(slowed.repetitions, repetitions, 5e-3);
 }
 
+TEST(GrowCracks, BehaviourEachModelIsCitedOnce) {
+  struct Case {
+    std::string example;
+    InteractionRule rule;
+    std::vector<std::string> tags;
+  };
+  for (const Case& one : {Case{"growing_shaft", InteractionRule::none, {"GR-2", "GR-12", "GR-13"}},
+                          Case{"growing_shaft", InteractionRule::wheeler, {"GR-17", "GR-18"}},
+                          Case{"growing_size25", InteractionRule::closure, {"GR-8", "GR-32"}},
+                          Case{"bent_shaft", InteractionRule::none, {"GR-34", "GR-35"}},
+                          Case{"turn_table", InteractionRule::none, {"GR-30", "GR-31"}}}) {
+    GrowthOptions options;
+    options.interaction.rule = one.rule;
+    options.stop.time = 3600.0;
+    const GrowthReport report =
+        grow_cracks(read_gear_set_file(STRAINWAVE_EXAMPLES "/" + one.example + ".toml"), options);
+    for (const std::string& tag : one.tags)
+      EXPECT_EQ(std::ranges::count(report.equations, tag), 1) << one.example << ": " << tag;
+    for (const std::string& tag : report.equations)
+      EXPECT_EQ(std::ranges::count(report.equations, tag), 1) << one.example << ": " << tag;
+  }
+}
+
 TEST(GrowCracks, BehaviourRowsLieEvenlyAlongTheirCurve) {
   GrowthOptions options;
   options.points = 12;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/growth_laws/law_fields.hpp"
@@ -15,6 +17,7 @@ namespace strainwave {
 struct Forman {
   static constexpr std::string_view kKind = "forman";
   static constexpr std::string_view kMeaning = "power law that rises towards the toughness";
+  static constexpr std::array<std::string_view, 1> kEquations = {"GR-5"};
   double coefficient = 0.0;  ///< C [m]; > 0.  In other texts C has the unit of m/cycle times K_1
   double exponent = 0.0;     ///< m [-]; > 0
   double toughness = 0.0;    ///< K_c [Pa*m^0.5]; > 0

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/growth_laws/law_fields.hpp"
@@ -15,6 +17,7 @@ namespace strainwave {
 struct HartmanSchijve {
   static constexpr std::string_view kKind = "hartman_schijve";
   static constexpr std::string_view kMeaning = "power law of the range above a fitted threshold";
+  static constexpr std::array<std::string_view, 1> kEquations = {"GR-6"};
   double coefficient = 0.0;  ///< D [m]; > 0
   double exponent = 0.0;     ///< p [-]; > 0, about 2
   double threshold = 0.0;    ///< Delta K_thr, fitted; not that of long cracks [Pa*m^0.5]; >= 0

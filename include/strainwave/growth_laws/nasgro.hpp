@@ -96,6 +96,7 @@ class PreparedNasgro;
 struct Nasgro {
   static constexpr std::string_view kKind = "nasgro";
   static constexpr std::string_view kMeaning = "NASGRO equation with Newman's crack opening";
+  static constexpr std::array<std::string_view, 2> kEquations = {"GR-7", "GR-8"};
   double coefficient = 0.0;           ///< C [m]; > 0
   double exponent = 0.0;              ///< n [-]; > 0
   double threshold_exponent = 0.0;    ///< p [-]; >= 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -79,6 +80,7 @@ class TableOfRates {
 struct Tabulated {
   static constexpr std::string_view kKind = "tabulated";
   static constexpr std::string_view kMeaning = "rates from a table over the range of K and R";
+  static constexpr std::array<std::string_view, 1> kEquations = {"GR-36"};
   std::vector<RateCurve> curve;  ///< at rising R; at least one of at least two points
 
   [[nodiscard]] TableOfRates prepared() const { return TableOfRates(curve); }

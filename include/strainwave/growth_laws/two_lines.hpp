@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "strainwave/growth_laws/law_fields.hpp"
 #include "strainwave/growth_laws/paris.hpp"
 
@@ -10,6 +13,7 @@ namespace strainwave {
 struct TwoLines {
   static constexpr std::string_view kKind = "two_lines";
   static constexpr std::string_view kMeaning = "two power laws that meet";
+  static constexpr std::array<std::string_view, 1> kEquations = {"GR-3"};
   double coefficient = 0.0;        ///< of the law below `meet` [m]; > 0
   double exponent = 0.0;           ///< of the law below `meet` [-]; > 0
   double meet = 0.0;               ///< Delta K from which the second law holds [Pa*m^0.5]; > 0

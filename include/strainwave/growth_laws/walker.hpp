@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/growth_laws/law_fields.hpp"
@@ -15,6 +17,7 @@ namespace strainwave {
 struct Walker {
   static constexpr std::string_view kKind = "walker";
   static constexpr std::string_view kMeaning = "power law with Walker's effect of R";
+  static constexpr std::array<std::string_view, 1> kEquations = {"GR-4"};
   double coefficient = 0.0;  ///< C [m]; > 0
   double exponent = 0.0;     ///< m [-]; > 0
   double gamma = 0.5;        ///< [-]; 0 to 1.  1: no effect of R
