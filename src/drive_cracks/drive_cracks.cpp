@@ -220,6 +220,9 @@ class Maker {
             const LoadedCrack<sif::ShaftSurfaceSolid>& loaded) const {
     const double r = gear_.output_shaft->outer_diameter / 2;
     fill_shaft_surface(made, crack, loaded, 0.1);  // (GR-35)
+    made.ligament = 2 * r - crack.depth;
+    // A longer crack would have a front that is hollow toward its mouth (FR-22).
+    made.longest = [r](double depth) { return std::max(depth, r * std::acos(1 - depth / r)); };
     made.reference_stress = [r](const CrackSize& size, double P, double T) {
       return one_sided_reference_stress(
           {.outer_radius = r, .inner_radius = 0.0, .depth = size.size, .chord_depth = size.size}, P,
@@ -235,6 +238,7 @@ class Maker {
     const double r_o = gear_.output_shaft->outer_diameter / 2;
     const double r_i = gear_.output_shaft->inner_diameter / 2;
     fill_shaft_surface(made, crack, loaded, 0.0);
+    made.length_end = kNearlyAll * pi * r_o;
     made.reference_stress = [=](const CrackSize& size, double P, double T) {
       return one_sided_reference_stress({.outer_radius = r_o,
                                          .inner_radius = r_i,

@@ -31,15 +31,16 @@ PathStep step_of(std::string_view text, std::size_t line) {
     numbers.push_back(number);
     text = blank == std::string_view::npos ? std::string_view() : text.substr(blank + 1);
   }
-  constexpr std::size_t kHead = 6;
+  constexpr std::size_t kHead = 7;
   if (numbers.size() < kHead + 2) refuse_line(line);
   return {.pass = static_cast<int>(numbers[0]),
+          .leg = static_cast<int>(numbers[1]),
           .state = {numbers.begin() + kHead, numbers.end()},
-          .next_length = numbers[2],
-          .tried = static_cast<int>(numbers[1]),
-          .since_assessment = numbers[3],
-          .since_jump = numbers[4],
-          .jump = numbers[5]};
+          .next_length = numbers[3],
+          .tried = static_cast<int>(numbers[2]),
+          .since_assessment = numbers[4],
+          .since_jump = numbers[5],
+          .jump = numbers[6]};
 }
 
 /// A number in hexadecimal as std::from_chars reads it.
@@ -65,8 +66,9 @@ GrowthCheckpoint::GrowthCheckpoint(std::string_view lines,
   }
 }
 
-std::optional<PathStep> GrowthCheckpoint::next(int pass) {
-  if (stored_.empty() || stored_.front().pass != pass) return std::nullopt;
+std::optional<PathStep> GrowthCheckpoint::next(int pass, int leg) {
+  if (stored_.empty() || stored_.front().pass != pass || stored_.front().leg != leg)
+    return std::nullopt;
   PathStep step = std::move(stored_.front());
   stored_.pop_front();
   return step;
@@ -74,9 +76,13 @@ std::optional<PathStep> GrowthCheckpoint::next(int pass) {
 
 void GrowthCheckpoint::add(const PathStep& step) const {
   if (!append_) return;
-  std::vector<std::string> words = {hex(step.pass),        hex(step.tried),
-                                    hex(step.next_length), hex(step.since_assessment),
-                                    hex(step.since_jump),  hex(step.jump)};
+  std::vector<std::string> words = {hex(step.pass),
+                                    hex(step.leg),
+                                    hex(step.tried),
+                                    hex(step.next_length),
+                                    hex(step.since_assessment),
+                                    hex(step.since_jump),
+                                    hex(step.jump)};
   for (const double number : step.state) words.push_back(hex(number));
   append_(fmt::format("{}\n", fmt::join(words, " ")));
 }

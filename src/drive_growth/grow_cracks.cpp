@@ -9,9 +9,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "bent_shaft.hpp"
 #include "coupled_crack.hpp"
 #include "notes.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
@@ -60,15 +62,29 @@ class Growing {
 
   /// Time of a repetition [s].
   [[nodiscard]] double duration() const { return history_.duration; }
-  /// Largest |T| of the duty and its peaks, with sign [N*m].
-  [[nodiscard]] double largest_torque() const {
-    double largest = 0.0;
-    const auto take = [&](double torque) {
-      if (std::abs(torque) > std::abs(largest)) largest = torque;
+  /// The steps of the duty and its peaks that the failure assessment looks at: those with the
+  /// largest torque of each sense, the largest tension and compression, and the largest bending
+  /// moment.
+  [[nodiscard]] std::vector<DutyStep> heaviest() const {
+    std::vector<DutyStep> steps = history_.steps;
+    for (const DutyMomentaryPeak& peak : history_.peaks) steps.push_back(peak.step);
+    std::vector<DutyStep> heaviest;
+    const auto take = [&](double DutyStep::*load, double sign) {
+      const auto most = std::ranges::max_element(
+          steps, {}, [&](const DutyStep& step) { return sign * step.*load; });
+      if (most == steps.end() || !(sign * (*most).*load > 0)) return;
+      const bool known = std::ranges::any_of(heaviest, [&](const DutyStep& step) {
+        return step.torque == most->torque && step.axial_force == most->axial_force &&
+               step.bending_moment == most->bending_moment;
+      });
+      if (!known) heaviest.push_back(*most);
     };
-    for (const DutyStep& step : history_.steps) take(step.torque);
-    for (const DutyMomentaryPeak& peak : history_.peaks) take(peak.step.torque);
-    return largest;
+    take(&DutyStep::torque, 1);
+    take(&DutyStep::torque, -1);
+    take(&DutyStep::axial_force, 1);
+    take(&DutyStep::axial_force, -1);
+    take(&DutyStep::bending_moment, 1);
+    return heaviest;
   }
 
   [[nodiscard]] State start(double repetitions) const {
@@ -89,6 +105,8 @@ class Growing {
     if (cracks_[k].tips().size() == 1)
       return {.size = a, .aspect_ratio = cracks_[k].crack().size.aspect_ratio};
     double c = std::max(std::exp(state[at + 1]), a);
+    if (const auto& longest = cracks_[k].crack().longest) c = std::min(c, longest(a));
+    c = std::min(c, cracks_[k].crack().length_end);
     if (const auto& table = cracks_[k].crack().turn_table)
       c = std::clamp(c, a / table->aspect_ratios.back(), a / table->aspect_ratios.front());
     return CrackSize::of(a, c);
@@ -110,7 +128,7 @@ class Growing {
     const double factor = amplification(state);
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const CrackSize size = size_of(state, k);
-      const auto loads = cracks_[k].loads(size, factor);
+      const auto loads = cracks_[k].loads(size, std::min(factor, cracks_[k].largest_factor()));
       for (std::size_t t = 0; t < loads.size(); ++t) {
         const double grown = grown_in_repetition(cracks_[k], loads[t], size.size);
         rate.push_back(std::min(grown / (t == 0 ? size.size : size.half_length()), kFastest));
@@ -165,14 +183,56 @@ class Growing {
     const bool severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double a = std::exp(state[first_[k]]);
+      // A vibration may raise the torque beyond a table of K over a turn.
+      if (factor > cracks_[k].largest_factor()) return End{CrackEvent::range, k};
       if (cracks_[k].breaks(size_of(state, k), factor)) return End{CrackEvent::breaks, k};
       if (severed) return End{CrackEvent::severed, k};
-      if (a >= cracks_[k].crack().range_end || leaves_shapes(state, k))
+      const bool too_long = cracks_[k].tips().size() == 2 &&
+                            std::exp(state[first_[k] + 1]) >= cracks_[k].crack().length_end;
+      if (a >= cracks_[k].crack().range_end || too_long || leaves_shapes(state, k))
         return End{CrackEvent::range, k};
       if (cracks_[k].crack().path == options_.stop.crack && a >= options_.stop.size)
         return End{CrackEvent::wanted_size, k};
     }
     return std::nullopt;
+  }
+
+  /// The failure assessment of all cracks under the heaviest loads of the duty.
+  struct Assessment {
+    std::optional<std::string> failing;  ///< path of a crack beyond its line
+    std::optional<double> reserve;       ///< least factor on the loads at which a crack fails
+  };
+  [[nodiscard]] Assessment assessed(const State& state) const {
+    Assessment result;
+    const auto take = [&](const std::string& path, bool fails, std::optional<double> reserve) {
+      if (fails && !result.failing) result.failing = path;
+      if (reserve) result.reserve = std::min(result.reserve.value_or(*reserve), *reserve);
+    };
+    GearSet gear = gear_at(state);
+    const double factor = amplification(state);
+    const std::vector<DutyStep> steps = heaviest();
+    const bool axial =
+        std::ranges::any_of(steps, [](const DutyStep& step) { return step.axial_force != 0; });
+    for (const DutyStep& step : steps) {
+      if (step.torque != 0) {
+        gear.load.torque = step.torque * factor;
+        if (axial) gear.load.axial_force = step.axial_force * factor;
+        for (const CrackStrength& crack : crack_strength(gear))
+          take(crack.path, crack.breaks(),
+               ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
+      }
+      if (step.bending_moment == 0) continue;
+      for (std::size_t k = 0; k < cracks_.size(); ++k) {
+        const DriveCrack& crack = cracks_[k].crack();
+        if (crack.turning != TurningLoad::bending) continue;
+        const auto reserve = bent_reserve(gear, crack, size_of(state, k),
+                                          {.torque = step.torque * factor,
+                                           .axial_force = step.axial_force * factor,
+                                           .bending_moment = step.bending_moment * factor});
+        take(crack.path, reserve && *reserve < 1, reserve);
+      }
+    }
+    return result;
   }
 
   /// Whether a crack grows under the loads of the duty times a factor; absent: not known.
@@ -230,6 +290,16 @@ class Growing {
   }
 
  private:
+  /// Whether the reserve of a crack is only the end of its table of K over a turn.
+  [[nodiscard]] bool ends_in_table(const CrackStrength& strength, double torque) const {
+    for (const GrowingCrack& crack : cracks_) {
+      const auto& table = crack.crack().turn_table;
+      if (!table || crack.crack().path != strength.path || !table->covers(torque)) continue;
+      const auto reserve = strength.least_reserve();
+      return reserve && *reserve > 0.999 * turn_load_range(*table, torque)[1];
+    }
+    return false;
+  }
   [[nodiscard]] static DutyStep times(DutyStep step, double factor) {
     step.torque *= factor;
     step.axial_force *= factor;
@@ -267,6 +337,7 @@ class Growing {
       in_drive_.push_back(i);
       coupled_.push_back(coupled_drive);
       cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));
+      if (first_time) check_first(cracks_.back());
       first_.push_back(at);
       at += cracks_.back().tips().size();
     }
@@ -275,6 +346,25 @@ class Growing {
       throw InputError("interaction.closure",
                        "is not used, because the law of each crack has its own opening; leave out "
                        "--constraint and --stress-level");
+  }
+
+  /// Refuses at once what would stop the run on its way.
+  void check_first(const GrowingCrack& of) const {
+    const DriveCrack& crack = of.crack();
+    if (crack.path == options_.stop.crack)
+      require(
+          options_.stop.size < crack.range_end, "until " + crack.path, options_.stop.size, "m",
+          fmt::format("below {}, {}", shown_quantity(crack.range_end, "m", 4), crack.range_text));
+    if (crack.kind != WallSurfaceCrack::kKind || crack.turning != TurningLoad::wave) return;
+    try {  // the crack may go through the wall
+      (void)law_of_through_crack(of.law(), crack.size.size + crack.ligament,
+                                 gear_.material.at(crack.material).yield_strength);
+    } catch (const InputError&) {
+      throw InputError((FieldPath("material") / crack.material / "yield_strength").text(),
+                       fmt::format("must be given: {} may go through the wall, where the toughness "
+                                   "of its law depends on the yield strength",
+                                   crack.path));
+    }
   }
 
   void take_evidence(const CoupledCrack& of) {
@@ -371,6 +461,9 @@ class Path {
     add_coupled_drive();
   }
 
+  /// Stress ratios of the cycles by which each crack grows.
+  [[nodiscard]] const std::vector<RatioRange>& ratios() const { return ratios_; }
+
   /// Largest difference of the time and of the sizes at the end to another computation [-].
   [[nodiscard]] double difference(const Path& other) const {
     if (end_.size() != other.end_.size() || !(end_.back() > 0)) return 1.0;
@@ -445,7 +538,7 @@ class Path {
         if (const auto failed = failing(state)) return assessment_end(state, *failed);
         acceptable_ = state;
       }
-      if (std::optional<PathStep> stored = checkpoint_.next(pass_)) {
+      if (std::optional<PathStep> stored = checkpoint_.next(pass_, leg_)) {
         if (stored->state.size() != state.size())
           throw InputError("--resume", "has a step of another drive; remove the file");
         state = std::move(stored->state);
@@ -493,6 +586,7 @@ class Path {
       h = std::min(
           {5 * h, 0.9 * h * std::pow(std::max(excess, 1e-5), -0.2), kLongestStep * step_factor_});
       checkpoint_.add({.pass = pass_,
+                       .leg = leg_,
                        .state = state,
                        .next_length = h,
                        .tried = report_.steps,
@@ -515,17 +609,7 @@ class Path {
 
   /// The crack that fails the assessment at a state.
   [[nodiscard]] std::optional<std::string> failing(const State& state) const {
-    for (const CrackStrength& crack : strength_at(state))
-      if (crack.verdict == StrengthVerdict::fractures ||
-          crack.verdict == StrengthVerdict::collapses)
-        return crack.path;
-    return std::nullopt;
-  }
-  [[nodiscard]] std::vector<CrackStrength> strength_at(const State& state) const {
-    GearSet gear = growing_.gear_at(state);
-    gear.load.torque = growing_.largest_torque() * growing_.amplification(state);
-    if (gear.load.torque == 0) return {};
-    return crack_strength(gear);
+    return growing_.assessed(state).failing;
   }
 
   bool assessment_end(State& state, const std::string& path) {
@@ -575,6 +659,7 @@ class Path {
           crack.events.back().event = CrackEvent::through_wall;
           if (had_table) report_.notes.push_back(through_wall_note(path));
         }
+        ++leg_;
         state = growing_.start(before.back());
         acceptable_.clear();
         if (const auto at_once = growing_.end_at(state)) return finish_at(state, *at_once);
@@ -622,6 +707,7 @@ class Path {
       cite_models(report_, crack, options_.interaction);
     }
     stands_still_.assign(cracks.size(), false);
+    ratios_.assign(cracks.size(), {});
   }
 
   /// Adds the maker's stiffnesses to some rows, with the first and the last one.
@@ -662,6 +748,19 @@ class Path {
     }
   }
 
+  /// Takes the notes on the solutions of the growing cracks at their present sizes, each once.
+  void take_notes(const std::vector<Note>& notes) {
+    for (const Note& note : notes) {
+      const bool grows = std::ranges::any_of(growing_.cracks(), [&](const GrowingCrack& crack) {
+        return crack.crack().path == note.path;
+      });
+      const bool told = std::ranges::any_of(report_.notes, [&](const Note& other) {
+        return other.code == note.code && other.path == note.path;
+      });
+      if (grows && !told && note.severity != Severity::information) report_.notes.push_back(note);
+    }
+  }
+
   /// Adds a row to the series, if the last one is far enough.
   void record(const State& state) {
     if (!told_) return;
@@ -669,7 +768,7 @@ class Path {
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
       const GrowingCrack& crack = growing_.cracks()[k];
       const CrackSize size = growing_.size_of(state, k);
-      const auto loads = crack.loads(size, factor);
+      const auto loads = crack.loads(size, std::min(factor, crack.largest_factor()));
       std::size_t fastest = 0;
       double rate = 0.0;
       bool all_stand = true;
@@ -681,6 +780,10 @@ class Path {
             GrowingCrack::governing(loads[fastest]).largest)
           fastest = t;
       }
+      for (const std::vector<TipLoad>& at_tip : loads)
+        for (const TipLoad& load : at_tip)
+          if (load.count > 0 && crack.rate_of(load.cycle, size.size) > 0)
+            ratios_[k].take(load.cycle.ratio);
       if (all_stand && !stands_still_[k]) {
         stands_still_[k] = true;
         event(state, k, CrackEvent::arrested);
@@ -710,11 +813,10 @@ class Path {
       first_positive_ = row.positive;
       first_negative_ = row.negative;
     }
+    take_notes(stiffness.notes);
     row.change = std::min(row.positive / first_positive_, row.negative / first_negative_) - 1;
     row.resonance = std::sqrt(1 + row.change);  // (GR-25)
-    for (const CrackStrength& crack : strength_at(state))
-      if (const auto reserve = crack.least_reserve())
-        row.reserve = std::min(row.reserve.value_or(*reserve), *reserve);
+    row.reserve = growing_.assessed(state).reserve;
     if (!report_.stiffness.empty() && report_.stiffness.back().time == row.time &&
         report_.stiffness.back().change == row.change) {
       report_.stiffness.pop_back();
@@ -730,9 +832,11 @@ class Path {
   const Progress& progress_;
   GrowthCheckpoint& checkpoint_;
   int pass_;
+  int leg_ = 0;
   double step_factor_;
   bool told_;
   std::vector<bool> stands_still_;
+  std::vector<RatioRange> ratios_;  // of the cycles by which each crack grows
   State acceptable_;
   std::vector<GearSet> gears_;  // of the rows of stiffness
   State end_;
@@ -766,7 +870,7 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
     half.run();
     report.step_error = path.difference(half);
   }
-  complete(report, gear, options.rate);
+  complete(report, gear, options.rate, path.ratios());
   for (CrackGrowth& crack : report.cracks)
     keep_rows(crack.series,
               spread_rows(crack.series, options.points, &GrowthPoint::time, &GrowthPoint::size));

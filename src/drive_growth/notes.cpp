@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -50,21 +51,15 @@ std::string origin_of(const GearSet& gear, const GrowingCrack& crack, const Rate
   return origin;
 }
 
-/// Least and greatest R of the widest cycles of a crack on its way.
-std::pair<double, double> ratios_of(const CrackGrowth& crack) {
-  const auto ends = std::ranges::minmax(crack.series, {}, &GrowthPoint::ratio);
-  return {ends.min.ratio, ends.max.ratio};
-}
-
 /// Where the cycles of a crack leave the range for which constants are stated; empty: nowhere.
-std::string beyond_bounds(const CrackGrowth& crack, const GrowthBounds& bounds) {
+std::string beyond_bounds(const CrackGrowth& crack, const RatioRange& R,
+                          const GrowthBounds& bounds) {
   const auto ends = std::ranges::minmax(crack.series, {}, &GrowthPoint::delta_K);
-  const auto [least_R, most_R] = ratios_of(crack);
   std::string outside;
   if (bounds.stress_ratio &&
-      (least_R < (*bounds.stress_ratio)[0] || most_R > (*bounds.stress_ratio)[1]))
+      (R.least < (*bounds.stress_ratio)[0] || R.most > (*bounds.stress_ratio)[1]))
     outside = fmt::format("R is {:.3g} to {:.3g}, and the law is stated for {:.3g} to {:.3g}",
-                          least_R, most_R, (*bounds.stress_ratio)[0], (*bounds.stress_ratio)[1]);
+                          R.least, R.most, (*bounds.stress_ratio)[0], (*bounds.stress_ratio)[1]);
   if ((bounds.from && ends.min.delta_K < *bounds.from) ||
       (bounds.to && ends.max.delta_K > *bounds.to)) {
     if (!outside.empty()) outside += "; ";
@@ -75,14 +70,16 @@ std::string beyond_bounds(const CrackGrowth& crack, const GrowthBounds& bounds) 
 }
 
 /// Where the cycles of a crack leave the curves of a table; empty: nowhere.
-std::string beyond_table(const CrackGrowth& crack, const Tabulated& law) {
-  const auto [least_R, most_R] = ratios_of(crack);
+std::string beyond_table(const CrackGrowth& crack, const RatioRange& R, const Tabulated& law) {
   std::string outside;
-  if (least_R < law.curve.front().stress_ratio || most_R > law.curve.back().stress_ratio)
+  if (R.least < law.curve.front().stress_ratio || R.most > law.curve.back().stress_ratio)
     outside = fmt::format(
         "R is {:.3g} to {:.3g}, and the table has curves for {:.3g} to {:.3g}; outside of them the "
-        "nearest curve holds",
-        least_R, most_R, law.curve.front().stress_ratio, law.curve.back().stress_ratio);
+        "nearest curve holds{}",
+        R.least, R.most, law.curve.front().stress_ratio, law.curve.back().stress_ratio,
+        R.most > law.curve.back().stress_ratio
+            ? ", which is on the unsafe side for cycles of a larger R"
+            : "");
   const TableOfRates table = law.prepared();
   const auto beyond = std::ranges::find_if(crack.series, [&](const GrowthPoint& point) {
     return point.delta_K > table.last(point.ratio) * (1 + 1e-12);
@@ -99,8 +96,8 @@ std::string beyond_table(const CrackGrowth& crack, const Tabulated& law) {
 }
 
 /// Notes on the ranges for which the constants of a crack are stated.
-void note_range(GrowthReport& report, const CrackGrowth& crack, const RateLaw* law,
-                const std::optional<GrowthBounds>& bounds) {
+void note_range(GrowthReport& report, const CrackGrowth& crack, const RatioRange& R,
+                const RateLaw* law, const std::optional<GrowthBounds>& bounds) {
   if (crack.series.empty() || !crack.grows) return;
   const auto add = [&](const std::string& outside, std::string_view equation) {
     if (!outside.empty())
@@ -113,16 +110,18 @@ void note_range(GrowthReport& report, const CrackGrowth& crack, const RateLaw* l
            .next_step = "Use constants that are stated for these cycles, or compare with another "
                         "law by --law."});
   };
-  if (bounds) add(beyond_bounds(crack, *bounds), "GR-2");
+  if (bounds) add(beyond_bounds(crack, R, *bounds), "GR-2");
   if (law != nullptr)
     if (const auto* const table = std::get_if<Tabulated>(law))
-      add(beyond_table(crack, *table), "GR-36");
+      add(beyond_table(crack, R, *table), "GR-36");
 }
 
 /// Notes on what the constants of the cracks are stated for.
-void note_validity(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
+void note_validity(GrowthReport& report, const GearSet& gear, const RateChoice& choice,
+                   std::span<const RatioRange> ratios) {
   std::vector<std::string> told;
-  for (const CrackGrowth& crack : report.cracks) {
+  for (std::size_t k = 0; k < report.cracks.size(); ++k) {
+    const CrackGrowth& crack = report.cracks[k];
     std::optional<GrowthBounds> bounds;
     const RateLaw* law = nullptr;
     std::string of = choice.law;
@@ -135,7 +134,7 @@ void note_validity(GrowthReport& report, const GearSet& gear, const RateChoice& 
       bounds = material.growth_bounds;
       if (!material.growth.empty()) law = &material.growth.front();
     }
-    note_range(report, crack, law, bounds);
+    note_range(report, crack, ratios[k], law, bounds);
     if (std::ranges::find(told, of) != told.end()) continue;
     told.push_back(of);
     if (const auto unstated = unstated_temperature(
@@ -178,13 +177,13 @@ void note_turn_table(std::vector<Note>& notes, const GrowingCrack& crack) {
         "point",
         held.empty() ? "" : ", and ");
   if (!held.empty())
-    notes.push_back(
-        {.code = "growth.turn_table_held",
-         .text = fmt::format("the table {} {}", shown(table.file), held),
-         .path = of.path,
-         .equation = "GR-30",
-         .severity = Severity::care,
-         .next_step = "Give the table more sizes, and aspect ratios for a surface crack."});
+    notes.push_back({.code = "growth.turn_table_held",
+                     .text = fmt::format("the table {} {}", shown(table.file), held),
+                     .path = of.path,
+                     .equation = "GR-30",
+                     .severity = Severity::care,
+                     .next_step = table.sizes.size() == 1 ? "Give the table more sizes."
+                                                          : "Give the table aspect ratios."});
 }
 
 }  // namespace
@@ -392,8 +391,9 @@ void cite_models(GrowthReport& report, const GrowingCrack& crack, const Interact
     use({"GR-34", "GR-35"});
 }
 
-void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice) {
-  note_validity(report, gear, choice);
+void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice,
+              std::span<const RatioRange> ratios) {
+  note_validity(report, gear, choice, ratios);
   for (const CrackGrowth& crack : report.cracks) {
     constexpr double kTurns = 5 * units::deg;
     if (crack.kink_angle && std::abs(*crack.kink_angle) > kTurns)
@@ -418,6 +418,16 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
                ? fmt::format(" at {:.4g} mm", governing->events.back().size / units::mm)
                : std::string();
   };
+  // Cracks whose stress is known in part cannot be told either, unless they end the life.
+  std::set<std::string> unknown;
+  for (const Note& note : report.notes)
+    if (note.severity == Severity::cannot_tell && of(note.path) != nullptr)
+      unknown.insert(note.path);
+  const std::size_t all = drive_cracks(gear).size();
+  const std::size_t untold = all - report.cracks.size() + unknown.size();
+  const std::string but = untold == 0
+                              ? std::string()
+                              : fmt::format(", but {} of {} cracks cannot be told", untold, all);
   switch (report.end) {
     case DriveEnd::breaks:
       report.sentence = fmt::format("{} breaks the part {}{}.", report.governing,
@@ -434,15 +444,13 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
           margins += fmt::format("{}{} grows from {:.4g} times the loads",
                                  margins.empty() ? "; " : ", ", crack.path, *crack.factor_to_grow);
       const std::string when = report.time > 0 ? " any more after " + hours(report.time) : "";
-      const std::size_t all = drive_cracks(gear).size();
-      const std::size_t left_out = all - report.cracks.size();
       report.sentence =
-          left_out == 0
+          untold == 0
               ? fmt::format("No crack grows{}, so the cracks do not end the life{}.", when, margins)
               : fmt::format(
                     "No crack that can be computed grows{}, but {} of {} cracks cannot be "
                     "told{}.",
-                    when, left_out, all, margins);
+                    when, untold, all, margins);
       break;
     }
     case DriveEnd::severed:
@@ -450,13 +458,13 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
                                     report.governing, after(report.time), size_at_end());
       break;
     case DriveEnd::until:
-      report.sentence = fmt::format("No crack ends the life within {}.", hours(report.time));
+      report.sentence = fmt::format("No crack ends the life within {}{}.", hours(report.time), but);
       break;
     case DriveEnd::too_slow:
       report.sentence = fmt::format(
           "No crack ends the life within {}, the longest duty that is "
-          "computed.",
-          hours(report.time));
+          "computed{}.",
+          hours(report.time), but);
       break;
     case DriveEnd::range:
       report.sentence =

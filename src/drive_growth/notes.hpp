@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,7 +57,20 @@ void cite(GrowthReport& report, std::span<const std::string_view> tags);
 /// Adds the tags of a crack's law, mixed modes, turn and interaction.
 void cite_models(GrowthReport& report, const GrowingCrack& crack, const Interaction& interaction);
 
+/// Least and greatest stress ratio of the cycles by which a crack grows [-].
+struct RatioRange {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  void take(double ratio) {
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+};
+
 /// Adds sentence and notes.
-void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice);
+/// @param ratios  of each crack of the report
+void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice,
+              std::span<const RatioRange> ratios);
 
 }  // namespace strainwave

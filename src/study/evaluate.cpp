@@ -203,7 +203,8 @@ void add_life(StiffnessResult& result, const GearSet& gear) {
       if (!hours || hours->value > *growth.life) hours = result.life->cracks;
     }
   } catch (const Error&) {
-    // A crack without a law has no life that can be told; `strainwave grow` says what to give.
+    // A crack whose growth cannot be computed has no life that can be told; `strainwave grow` says
+    // why.
   }
   if (hours && hours->value > known_until) hours.reset();
 }

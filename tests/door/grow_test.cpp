@@ -100,7 +100,7 @@ TEST(Grow, InputCheckpointOfSomethingElse) {
   EXPECT_TRUE(refused(R"({"mixed_mode": "richard"})", "growing_shaft"));
   EXPECT_EQ(*checkpoint.text(), full);  // a refused checkpoint stays as it is
   // Another version, and a file of something else.
-  checkpoint.begin("strainwave-growth/1 0.0.1" + full.substr(full.rfind(' ', full.find('\n'))));
+  checkpoint.begin("strainwave-growth/2 0.0.1" + full.substr(full.rfind(' ', full.find('\n'))));
   EXPECT_TRUE(refused("{}", "growing_shaft"));
   checkpoint.begin("a shopping list\n");
   EXPECT_NE(refusal_of_grow("{}", &checkpoint).find("is not a checkpoint"), std::string::npos);

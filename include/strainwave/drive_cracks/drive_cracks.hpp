@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -89,6 +90,10 @@ struct DriveCrack {
   /// `range_end`, where no section is left.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
 
+  /// Largest half length of a surface crack at a depth, both [m]; empty: no such limit.
+  std::function<double(double depth)> longest;
+  /// half length of a surface crack at which its solution ends [m]
+  double length_end = std::numeric_limits<double>::infinity();
   double range_begin = 0.0;  ///< smallest size at which K over a turn is known [m]
   double range_end = 0.0;    ///< largest size at which the solutions are valid [m]
   std::string range_text;    ///< description of that size

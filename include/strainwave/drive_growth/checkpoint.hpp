@@ -13,6 +13,7 @@ namespace strainwave {
 /// One accepted step of a path.
 struct PathStep {
   int pass = 0;               ///< 0: the path; 1: the one with half steps
+  int leg = 0;                ///< number of cracks that have gone through their wall
   std::vector<double> state;  ///< after the step
   double next_length = 0.0;   ///< of the step that follows
   int tried = 0;              ///< steps so far, with those that were refused
@@ -32,8 +33,9 @@ class GrowthCheckpoint {
   /// @throws InputError  if a line cannot be read; a last line without its end is left out
   GrowthCheckpoint(std::string_view lines, std::function<void(const std::string&)> append);
 
-  /// The next step that the stopped run stored for this pass; absent if all its steps are taken.
-  [[nodiscard]] std::optional<PathStep> next(int pass);
+  /// The next step that the stopped run stored for this leg of a pass; absent if all its steps are
+  /// taken.
+  [[nodiscard]] std::optional<PathStep> next(int pass, int leg);
   /// Stores a step that was computed now.
   void add(const PathStep& step) const;
 

@@ -113,7 +113,7 @@ Interaction interaction_of(const GrowOptions& o) {
   return interaction;
 }
 
-constexpr std::string_view kCheckpointFormat = "strainwave-growth/1";
+constexpr std::string_view kCheckpointFormat = "strainwave-growth/2";
 
 /// First line of a checkpoint: the program and all that the result depends on.
 std::string checkpoint_head(const Request& request, const GrowOptions& o) {
