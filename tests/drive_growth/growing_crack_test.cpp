@@ -43,7 +43,7 @@ TEST(TipCycle, IdentityOrder) {
   EXPECT_EQ(one.ratio, other.ratio);
 }
 
-TEST(TipCycle, ContinuityOfTheLeastFactor) {  // GR-22
+TEST(TipCycle, LimitContinuityOfTheLeastFactor) {  // GR-22
   // The least factor where K_max becomes 0 from above and from below, in each rule.
   for (const MixedMode rule : {MixedMode::energy, MixedMode::tanaka, MixedMode::richard,
                                MixedMode::largest_tangential_stress})

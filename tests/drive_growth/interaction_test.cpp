@@ -214,7 +214,7 @@ TEST(Interaction, LimitTheOpeningOfAnOverload) {  // GR-32
       crack.rate_of(large, kSize) + 200 * crack.rate_of(small, kSize) * left * left * left, 1e-12);
 }
 
-TEST(Interaction, ContinuityOfAPressedCycle) {  // GR-22, GR-32
+TEST(Interaction, LimitContinuityOfAPressedCycle) {  // GR-22, GR-32
   // A pressed cycle behind an overload lowers the opening, however little of it opens the crack,
   // and also if nothing does.
   GearSet gear = test::growing_shaft();

@@ -373,7 +373,7 @@ TEST(TurnTableGrowth, BehaviourSmallerWavesOfAPeakAreRare) {  // GR-27, GR-31
   test::expect_relative(crack.growth(loads, 3e-3), sum, 1e-14);
 }
 
-TEST(TurnTableGrowth, ContinuityPeakOfAboutOneWave) {  // GR-27
+TEST(TurnTableGrowth, LimitContinuityPeakOfAboutOneWave) {  // GR-27
   // A peak that lasts a little longer than one wave brings a small part of a further wave.  It
   // comes as often as before.  Tolerance: the growth in that part.
   for (const double ripple : {0.0, 2e-3}) {
@@ -384,7 +384,7 @@ TEST(TurnTableGrowth, ContinuityPeakOfAboutOneWave) {  // GR-27
   }
 }
 
-TEST(TurnTableGrowth, ContinuityABlockThatPressesTheCrack) {  // GR-22, GR-32
+TEST(TurnTableGrowth, LimitContinuityABlockThatPressesTheCrack) {  // GR-22, GR-32
   // One block opens the crack widely, one presses it, and the third one is held by the first.  The
   // pressed block lowers the opening, whether its K ends a little above or below zero.
   const auto grown = [](double most) {
