@@ -48,6 +48,33 @@ RateLaw law_of_crack(const GearSet& gear, const DriveCrack& crack, const RateCho
   return law;
 }
 
+/// Which of the phases and points of a cycle counts: the one with the fastest growth; without
+/// growth the one with the widest range.
+class WorstPoint {
+ public:
+  void take(const TipCycle& at, double rate, double least) {
+    if (at.largest > load_.largest.largest) load_.largest = at;
+    if (rate < fastest_) return;
+    if (rate == 0) load_.least = std::min(load_.least.value_or(least), least);
+    if (rate == fastest_ && at.full_range() <= load_.cycle.full_range()) return;
+    fastest_ = rate;
+    load_.cycle = at;
+    if (rate > 0) load_.least = least;
+  }
+  [[nodiscard]] TipLoad load(const LoadCycle& of) const {
+    TipLoad load = load_;
+    load.count = of.count;
+    load.step = of.step;
+    load.rare = of.rare;
+    load.further = of.further;
+    return load;
+  }
+
+ private:
+  TipLoad load_;
+  double fastest_ = 0.0;
+};
+
 /// A crack of the bearing at each torque of the duty, because K is not proportional to the torque.
 CracksAtTorques race_at_torques(const GearSet& gear, const DriveCrack& crack,
                                 const DutyHistory& history) {
@@ -74,6 +101,19 @@ TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to, double po
   for (std::size_t mode = 0; mode < range.size(); ++mode)
     range[mode] = std::abs(from[mode] - to[mode]);
   return {.largest = largest, .ratio = 1 - equivalent(range) / largest};  // (GR-22)
+}
+
+double least_factor(MixedMode rule, const TipCycle& cycle, std::span<const Modes> one,
+                    std::span<const Modes> other, double poissons_ratio) {
+  if (cycle.largest > 0) return cycle.ratio * cycle.largest;
+  double pressed = 0.0;
+  for (const std::span<const Modes> moments : {one, other})
+    for (const Modes& K : moments)
+      pressed = std::max(
+          pressed,
+          equivalent_factor(rule, as_factors({std::abs(K[0]), std::abs(K[1]), std::abs(K[2])}),
+                            poissons_ratio));
+  return -pressed;
 }
 
 GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
@@ -135,25 +175,19 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
       LoadState to = cycle.to;
       const bool one_phase = !from.turns() && !to.turns();
       const bool alone = one_phase && points.second - points.first == 1;
-      // Of the phases and points, the fastest growth counts; a cycle without growth by its range.
-      TipCycle worst;
-      double fastest = 0.0;
+      WorstPoint worst;
       for (int phase = 0; phase < (one_phase ? 1 : 2); ++phase) {
         for (std::size_t i = points.first; i < points.second; ++i) {
-          const TipCycle at =
-              tip_cycle(mixed_mode_, K.at(i, from, factor), K.at(i, to, factor), poissons_ratio_);
-          const double rate = alone ? 0.0 : rate_of(at, size.size);
-          if (rate < fastest) continue;
-          if (rate == fastest && at.full_range() <= worst.full_range()) continue;
-          fastest = rate;
-          worst = at;
+          const std::array<Modes, 2> ends = {K.at(i, from, factor), K.at(i, to, factor)};
+          const TipCycle at = tip_cycle(mixed_mode_, ends[0], ends[1], poissons_ratio_);
+          worst.take(at, alone ? 0.0 : rate_of(at, size.size),
+                     least_factor(mixed_mode_, at, ends, {}, poissons_ratio_));
         }
         std::swap(from.assembly, to.assembly);
         from.bending_moment = -from.bending_moment;
         to.bending_moment = -to.bending_moment;
       }
-      at_tip.push_back(
-          {.cycle = worst, .count = cycle.count, .step = cycle.step, .rare = cycle.rare});
+      at_tip.push_back(worst.load(cycle));
     }
   }
   return result;
@@ -162,7 +196,7 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
 void GrowingCrack::add_turn(std::vector<TipLoad>& to, const CrackFactors& K,
                             std::pair<std::size_t, std::size_t> points, const LoadCycle& cycle,
                             const CrackSize& size, double factor) const {
-  TipCycle worst;
+  WorstPoint worst;
   std::vector<CycleWithinTurn> within;
   double fastest = -1.0;
   for (std::size_t i = points.first; i < points.second; ++i) {
@@ -181,15 +215,16 @@ void GrowingCrack::add_turn(std::vector<TipLoad>& to, const CrackFactors& K,
     const std::vector<Modes> other =
         same ? std::vector<Modes>() : K.over_turn(i, cycle.to.torque * factor);
     const TipCycle at = cycle_of_turns(mixed_mode_, one, same ? one : other, poissons_ratio_);
-    const double rate = rate_of(at, size.size);
-    if (rate < fastest || (rate == fastest && at.full_range() <= worst.full_range())) continue;
-    fastest = rate;
-    worst = at;
+    worst.take(at, rate_of(at, size.size),
+               least_factor(mixed_mode_, at, one, other, poissons_ratio_));
   }
-  if (!cycle.within_wave)
-    to.push_back({.cycle = worst, .count = cycle.count, .step = cycle.step, .rare = cycle.rare});
+  if (!cycle.within_wave) to.push_back(worst.load(cycle));
   for (const CycleWithinTurn& of : within)
-    to.push_back({.cycle = of.cycle, .count = cycle.count * of.count, .step = cycle.step});
+    to.push_back({.cycle = of.cycle,
+                  .count = cycle.count * of.count,
+                  .step = cycle.step,
+                  .rare = cycle.rare,
+                  .further = cycle.further});
 }
 
 double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
@@ -206,6 +241,8 @@ double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
 }
 
 double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) const {
+  if (law_.toughness() && governing(loads).largest >= *law_.toughness())
+    return std::numeric_limits<double>::infinity();
   double sum = 0.0;
   for (const TipLoad& load : loads)  // (GR-23)
     sum += load.count * rate_of(load.cycle, crack_size);
@@ -223,7 +260,7 @@ double GrowingCrack::yield_strength() const {
 TipCycle GrowingCrack::governing(std::span<const TipLoad> loads) {
   TipCycle largest;
   for (const TipLoad& load : loads)
-    if (load.cycle.largest > largest.largest) largest = load.cycle;
+    if (load.governing().largest > largest.largest) largest = load.governing();
   return largest;
 }
 
@@ -265,8 +302,8 @@ Modes GrowingCrack::worst_factors(const CrackSize& size) const {
 bool GrowingCrack::breaks(const CrackSize& size, double factor) const {
   for (const std::vector<TipLoad>& at_tip : loads(size, factor))
     for (const TipLoad& load : at_tip) {
-      const TipCycle reached =
-          load.cycle.ratio < 1 ? load.cycle : TipCycle{.largest = load.cycle.largest};
+      const TipCycle& of = load.governing();
+      const TipCycle reached = of.ratio < 1 ? of : TipCycle{.largest = of.largest};
       if (growth_rate(law_, reached, size.size, limits_).state == TipState::breaks) return true;
     }
   return false;

@@ -40,8 +40,7 @@ class TipBehindOverload {
   /// Applies equal cycles.
   void apply(const TipLoad& load, double count) {
     const double own_zone = zone_.size(load.cycle.largest);
-    const double least =
-        load.cycle.largest > 0 ? load.cycle.largest * load.cycle.ratio : load.cycle.largest;
+    const double least = load.least_of_cycle();
     double left = count;
     while (left > 0) {
       const bool governs = size_ + moved_ + own_zone >= zone_end();
@@ -138,10 +137,11 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
   if (std::isinf(crack.rate_of(GrowingCrack::governing(loads), crack_size)))
     return std::numeric_limits<double>::infinity();
   if (interaction.rule == InteractionRule::none) return crack.growth(loads, crack_size);
-  // (GR-27): peaks that come less than once in a repetition, and the repetitions between them.
+  // (GR-27): peaks that come less than once in a repetition, and the repetitions between them.  The
+  // further cycles of a peak have counts of their own.
   double rarest = 1.0;
   for (const TipLoad& load : loads)
-    if (load.rare) rarest = std::min(rarest, load.count);
+    if (load.rare && !load.further) rarest = std::min(rarest, load.count);
   const double repetitions = 1 / rarest;
   TipBehindOverload tip(crack, crack_size, interaction, share);
   const auto repeat = [&] {

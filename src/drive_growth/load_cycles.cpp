@@ -231,16 +231,18 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
                             .step = number[b],
                             .rare = false});
   // ... and those within a wave (GR-31).
-  const auto add_within = [&](const DutyStep& step, double count, std::size_t number_of_step) {
+  const auto add_within = [&](const DutyStep& step, double count, std::size_t number_of_step,
+                              bool of_peak) {
     if (crack.turn_table && count > 0)
       duty.cycle.push_back({.from = state_of(crack, step, 1),
                             .to = state_of(crack, step, -1),
                             .count = count,
                             .step = number_of_step,
-                            .rare = false,
+                            .rare = of_peak,
+                            .further = of_peak,
                             .within_wave = true});
   };
-  for (std::size_t b = 0; b < steps.size(); ++b) add_within(steps[b], turned[b], number[b]);
+  for (std::size_t b = 0; b < steps.size(); ++b) add_within(steps[b], turned[b], number[b], false);
   std::ranges::stable_sort(duty.cycle, {}, &LoadCycle::step);
   // Momentary peaks follow at the end of the repetition.
   for (const DutyMomentaryPeak& peak : history.peaks) {
@@ -261,8 +263,9 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
                             .to = state_of(crack, peak.step, -1),
                             .count = peak.per_repetition * more,
                             .step = step,
-                            .rare = true});
-    add_within(peak.step, peak.per_repetition * turned_in(peak.step), step);
+                            .rare = true,
+                            .further = true});
+    add_within(peak.step, peak.per_repetition * turned_in(peak.step), step, true);
     duty.peaks += peak.per_repetition;
   }
   return duty;

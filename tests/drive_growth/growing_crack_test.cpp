@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "strainwave/drive_growth/crack_sizes.hpp"
@@ -39,6 +41,87 @@ TEST(TipCycle, IdentityOrder) {
   const TipCycle other = tip_cycle(MixedMode::energy, b, a, 0.3);
   EXPECT_EQ(one.largest, other.largest);
   EXPECT_EQ(one.ratio, other.ratio);
+}
+
+TEST(TipCycle, LimitContinuityOfTheLeastFactor) {  // GR-22
+  // The least factor where K_max becomes 0 from above and from below, in each rule.
+  for (const MixedMode rule : {MixedMode::energy, MixedMode::tanaka, MixedMode::richard,
+                               MixedMode::largest_tangential_stress})
+    for (const double most : {1e-3, 0.0, -1e-3, -3e6}) {
+      const Modes ends[] = {{most, 0, 0}, {-7e6, 0, 0}};
+      const TipCycle cycle = tip_cycle(rule, ends[0], ends[1], 0.3);
+      test::expect_relative(least_factor(rule, cycle, ends, {}, 0.3), -7e6, 1e-9);
+      test::expect_relative(
+          least_factor(rule, cycle, std::span(ends).first(1), std::span(ends).last(1), 0.3), -7e6,
+          1e-9);
+    }
+}
+
+TEST(GrowingCrackStates, CrosscheckLargestKOfAllStates) {  // GR-12, GR-22
+  // Each torque meets the moment of bending in either sense.  The largest K of these states, at the
+  // deepest point and at the surface, is the one that breaks the shaft, also if another phase grows
+  // faster.
+  GearSet gear = read_gear_set(R"(
+format = "strainwave-drive/1"
+[material.steel]
+youngs_modulus = "208 GPa"
+poissons_ratio = 0.3
+[[material.steel.growth]]
+kind = "paris"
+coefficient = "6.9e-12 m"
+exponent = 3
+[drive]
+ratio = 100
+pitch_diameter = "160 mm"
+radial_displacement = "0.8 mm"
+[load]
+torque = "3000 N*m"
+[output_shaft]
+material = "steel"
+outer_diameter = "60 mm"
+length = "150 mm"
+[[output_shaft.crack]]
+kind = "surface"
+depth = "1 mm"
+half_length = "1.5 mm"
+[duty]
+[[duty.block]]
+duration = "60 s"
+output_speed = "14 rpm"
+torque = "3000 N*m"
+bending_moment = "4000 N*m"
+[[duty.block]]
+duration = "0.05 s"
+output_speed = "14 rpm"
+torque = "12000 N*m"
+bending_moment = "4000 N*m"
+)",
+                               "shaft.toml");
+  const DriveCrack made = drive_cracks(gear).front();
+  const auto front = made.front(made.size, Faces::open);
+  const auto bent = made.bending(made.size);
+  double largest = 0.0;
+  for (const std::size_t point : {std::size_t{0}, front.size() - 1})
+    for (const double torque : {3000.0, 12000.0})
+      for (const double moment : {-4000.0, 4000.0}) {
+        const FrontIntensity& of = front[point];
+        const Modes K = {of.load.I[kTorsion] * torque + bent[point][0] * moment,
+                         of.load.II[kTorsion] * torque + bent[point][1] * moment,
+                         of.load.III[kTorsion] * torque + bent[point][2] * moment};
+        largest = std::max(largest, equivalent_factor(MixedMode::energy,
+                                                      {.I = K[0], .II = K[1], .III = K[2]}, 0.3));
+      }
+  const auto crack_with = [&](double toughness) {
+    gear.material.at("steel").fracture_toughness = toughness;
+    return GrowingCrack(gear, drive_cracks(gear).front(), duty_history(gear), {});
+  };
+  const GrowingCrack crack = crack_with(0.999 * largest);
+  double governing = 0.0;
+  for (const auto& loads : crack.loads(made.size))
+    governing = std::max(governing, GrowingCrack::governing(loads).largest);
+  test::expect_relative(governing, largest, 1e-12);
+  EXPECT_TRUE(crack.breaks(made.size));
+  EXPECT_FALSE(crack_with(1.001 * largest).breaks(made.size));
 }
 
 GearSet size25() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml"); }

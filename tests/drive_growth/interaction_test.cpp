@@ -156,6 +156,32 @@ TEST(Interaction, BehaviourWithoutRuleAndAtFracture) {
             0.0);
 }
 
+TEST(Interaction, BehaviourFractureBesideTheFastestPoint) {  // GR-12
+  // The toughness of the law counts at every point, the rate at the fastest one.
+  const GrowingCrack crack = stainless_crack();
+  const std::vector<TipLoad> loads = {
+      {.cycle = {.largest = 20e6}, .count = 7, .largest = {.largest = 90e6, .ratio = 0.9}}};
+  EXPECT_TRUE(std::isinf(crack.growth(loads, kSize)));
+  for (const InteractionRule rule : {InteractionRule::none, InteractionRule::wheeler,
+                                     InteractionRule::willenborg, InteractionRule::closure})
+    EXPECT_TRUE(std::isinf(growth_with_interaction(crack, loads, kSize, rule_of(rule), 0.01)));
+}
+
+TEST(Interaction, IdentityIntervalOfAPeakWithFurtherWaves) {  // GR-27
+  // Further waves of a peak in ten parts are the same waves; their counts tell nothing about the
+  // interval.
+  const GrowingCrack crack = stainless_crack();
+  const Interaction wheeler = rule_of(InteractionRule::wheeler);
+  std::vector<TipLoad> loads = {
+      {.cycle = {.largest = 20e6}, .count = 50},
+      {.cycle = {.largest = 35e6}, .count = 1.0 / 300, .rare = true},
+      {.cycle = {.largest = 30e6}, .count = 1.0 / 300, .rare = true, .further = true}};
+  const double given = growth_with_interaction(crack, loads, kSize, wheeler, 0.002);
+  loads.back().count /= 10;
+  for (int i = 0; i < 9; ++i) loads.push_back(loads.back());
+  test::expect_relative(growth_with_interaction(crack, loads, kSize, wheeler, 0.002), given, 1e-5);
+}
+
 TEST(Interaction, LimitTheOpeningOfAnOverload) {  // GR-32
   // 200 cycles behind one of the overload, whose zone is long against their growth.  Paris with m
   // 3: the rate falls by the cube of the share of the range that is left; a huge overload stops the
@@ -186,6 +212,31 @@ TEST(Interaction, LimitTheOpeningOfAnOverload) {  // GR-32
   test::expect_relative(
       growth_with_interaction(crack, loads, kSize, interaction, 0.01),
       crack.rate_of(large, kSize) + 200 * crack.rate_of(small, kSize) * left * left * left, 1e-12);
+}
+
+TEST(Interaction, LimitContinuityOfAPressedCycle) {  // GR-22, GR-32
+  // A pressed cycle behind an overload lowers the opening, however little of it opens the crack,
+  // and also if nothing does.
+  GearSet gear = test::growing_shaft();
+  const GrowingCrack crack = test::only_crack(gear);
+  Interaction interaction = rule_of(InteractionRule::closure);
+  interaction.closure = {.constraint = 2, .stress_level = 0.3};
+  const auto grown = [&](const TipLoad& pressed) {
+    const std::vector<TipLoad> loads = {{.cycle = {.largest = 30e6}, .count = 1},
+                                        pressed,
+                                        {.cycle = {.largest = 15e6}, .count = 200}};
+    return growth_with_interaction(crack, loads, kSize, interaction, 0.01);
+  };
+  const auto between = [&](double most, double least) {
+    const std::vector<Modes> ends = {{most, 0, 0}, {least, 0, 0}};
+    const TipCycle cycle = tip_cycle(MixedMode::energy, ends[0], ends[1], 0.3);
+    return TipLoad{
+        .cycle = cycle, .count = 1, .least = least_factor(MixedMode::energy, cycle, ends, {}, 0.3)};
+  };
+  const double closed = grown(between(0, -30e6));
+  EXPECT_GT(closed, 1.2 * grown(between(0, 0)));
+  for (const double most : {1e3, 1.0, -1.0, -1e3, -10e6})
+    test::expect_relative(grown(between(most, -30e6)), closed, 1e-9);
 }
 
 TEST(Interaction, InputTheOpeningIsGivenOnce) {  // GR-32

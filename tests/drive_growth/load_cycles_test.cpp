@@ -320,6 +320,8 @@ TEST(LoadCycles, BehaviourMomentaryPeaks) {  // GR-21
   EXPECT_EQ(rare[1].to.torque, -9000);
   EXPECT_EQ(rare[1].from.assembly, 1);
   EXPECT_EQ(rare[1].to.assembly, -1);
+  EXPECT_FALSE(rare[0].further);
+  EXPECT_TRUE(rare[1].further);
   test::expect_relative(rare[1].count, 0.1 * 19.2, 1e-12);
   test::expect_relative(duty.peaks, 0.1, 1e-12);
   EXPECT_EQ(rare[0].step, 3U);

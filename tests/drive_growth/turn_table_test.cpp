@@ -13,6 +13,7 @@
 
 #include "growth_support.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/drive_growth/interaction.hpp"
 #include "strainwave/drive_growth/turn_cycles.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
@@ -326,6 +327,132 @@ TEST(TurnTableGrowth, BehaviourNotesAndEnds) {  // GR-30
   const GrowthReport of_one = grow_cracks(single, test::until_size(kWallCrack, 6e-3));
   EXPECT_EQ(count(of_one, "growth.turn_table_held"), 1);
   test::expect_relative(of_one.repetitions, repetitions_to(gear, 6e-3), 1e-9);
+}
+
+/// A crack whose K over a wave has a mean value, a wave and, with it, 72 smaller waves.
+GearSet rippled(double ripple, double peak_duration) {
+  GearSet gear = with_invented(
+      {.sizes = {2e-3, 8e-3}, .torques = {-9000, 9000}, .stations = {0}, .angles = 144},
+      [=](double T, double theta) {
+        const double wave = std::cos(2 * theta) + ripple * std::cos(144 * theta);
+        return Modes{T / 9000 * (200e6 + 100e6 * wave), 0, 0};
+      });
+  gear.material.at("steel").yield_strength = 900e6;
+  gear.duty->block.resize(1);
+  gear.duty->block[0].torque = 4000;
+  gear.duty->peak = {
+      {.torque = 9000, .output_speed = 2 * pi, .duration = peak_duration, .interval = 1200}};
+  return gear;
+}
+
+double grown_by_wheeler(const GearSet& gear) {
+  const GrowingCrack crack = test::only_crack(gear);
+  const Interaction wheeler{.rule = InteractionRule::wheeler, .zone_factor = 2.0};
+  return growth_with_interaction(crack, crack.loads({.size = 3e-3})[0], 3e-3, wheeler, 0.01);
+}
+
+TEST(TurnTableGrowth, BehaviourSmallerWavesOfAPeakAreRare) {  // GR-27, GR-31
+  // The smaller cycles within the waves of a momentary peak come when the peak comes, not in each
+  // repetition: they are no overload of the others.
+  constexpr double kTenWaves = 10 / 202.0;
+  const GearSet gear = rippled(0.01, kTenWaves);
+  const GrowingCrack crack = test::only_crack(gear);
+  const std::vector<TipLoad> loads = crack.loads({.size = 3e-3})[0];
+  int smaller = 0;
+  for (const TipLoad& load : loads) {
+    EXPECT_EQ(load.rare, load.step == 1) << load.cycle.largest;
+    if (load.rare && load.cycle.full_range() < 0.1 * load.cycle.largest) ++smaller;
+  }
+  EXPECT_GT(smaller, 0);
+  // Smaller waves of a five-hundredth change nothing.
+  test::expect_relative(grown_by_wheeler(rippled(2e-3, kTenWaves)),
+                        grown_by_wheeler(rippled(0.0, kTenWaves)), 0.01);
+  // The growth without interaction is the sum, whatever comes rarely.
+  double sum = 0.0;
+  for (const TipLoad& load : loads) sum += load.count * crack.rate_of(load.cycle, 3e-3);
+  test::expect_relative(crack.growth(loads, 3e-3), sum, 1e-14);
+}
+
+TEST(TurnTableGrowth, LimitContinuityPeakOfAboutOneWave) {  // GR-27
+  // A peak that lasts a little longer than one wave brings a small part of a further wave.  It
+  // comes as often as before.  Tolerance: the growth in that part.
+  for (const double ripple : {0.0, 2e-3}) {
+    const double one_wave = grown_by_wheeler(rippled(ripple, 0.999 / 202));
+    test::expect_relative(grown_by_wheeler(rippled(ripple, 1.001 / 202)), one_wave, 1e-3);
+    // Ten waves are still followed by the same number of repetitions.
+    EXPECT_LT(std::abs(grown_by_wheeler(rippled(ripple, 10 / 202.0)) / one_wave - 1), 0.1);
+  }
+}
+
+TEST(TurnTableGrowth, LimitContinuityABlockThatPressesTheCrack) {  // GR-22, GR-32
+  // One block opens the crack widely, one presses it, and the third one is held by the first.  The
+  // pressed block lowers the opening, whether its K ends a little above or below zero.
+  const auto grown = [](double most) {
+    GearSet gear = with_invented(
+        {.sizes = {2e-3, 8e-3}, .torques = {-6000, 3000, 6000}, .stations = {0}, .angles = 24},
+        [=](double T, double theta) {
+          const double share = T / 6000;
+          const double wave = 1 + std::cos(2 * theta);
+          return T < 0 ? Modes{most - 150e6 * wave, 0, 0} : Modes{150e6 * share * wave, 0, 0};
+        });
+    gear.material.at("steel").yield_strength = 900e6;
+    for (DutyBlock& block : gear.duty->block) block.output_speed = 2 * pi;
+    gear.duty->block[0].duration = 0.1;
+    gear.duty->block[1] = gear.duty->block[0];
+    gear.duty->block[1].torque = -6000;
+    gear.duty->block[2].torque = 3000;
+    const GrowingCrack crack = test::only_crack(gear);
+    const auto loads = crack.loads({.size = 3e-3})[0];
+    bool pressed = false;
+    for (const TipLoad& load : loads)
+      if (!(load.cycle.largest > 0)) {
+        pressed = true;
+        test::expect_relative(load.least_of_cycle(), (most - 300e6) * std::sqrt(pi * 3e-3), 1e-9);
+      }
+    EXPECT_EQ(pressed, most <= 0);
+    const Interaction closure{.rule = InteractionRule::closure,
+                              .zone_factor = 2.0,
+                              .closure = NewmanClosure{.constraint = 2, .stress_level = 0.3}};
+    return growth_with_interaction(crack, loads, 3e-3, closure, 0.01);
+  };
+  const double above = grown(+1e3);
+  test::expect_relative(grown(-1e3), above, 1e-4);
+  test::expect_relative(grown(0), above, 1e-4);
+}
+
+/// A front whose one end carries a wave, and whose other end a K that stands still [Pa].
+GearSet wave_beside_rest(double rest) {
+  GearSet gear = through_wall();
+  test::give_turn_table<WallThroughCrack>(
+      gear, test::turn_table_of(
+                {.sizes = {2e-3, 8e-3}, .torques = {-6000, 6000}, .stations = {-1, 1}},
+                "half_length", [=](double a, double, double, std::size_t station, double theta) {
+                  const double stress = station == 0 ? 50e6 + 45e6 * std::cos(2 * theta) : rest;
+                  return Modes{stress * std::sqrt(pi * a), 0, 0};
+                }));
+  gear.duty->block.resize(1);
+  return gear;
+}
+
+TEST(TurnTableGrowth, BehaviourLargestKBesideTheFastestPoint) {  // GR-12, GR-31
+  // The rate is that of the wave, but the part breaks where K is largest.
+  GearSet gear = wave_beside_rest(300e6);
+  const double K = 300e6 * std::sqrt(pi * 2e-3);
+  const GrowingCrack crack = test::only_crack(gear);
+  const auto loads = crack.loads({.size = 2e-3})[0];
+  test::expect_relative(GrowingCrack::governing(loads).largest, K, 1e-12);
+  test::expect_relative(crack.widest(loads).full_range(), 90e6 * std::sqrt(pi * 2e-3), 1e-12);
+  const GearSet other = wave_beside_rest(10e6);
+  const GrowingCrack alone = test::only_crack(other);
+  test::expect_relative(crack.growth(loads, 2e-3),
+                        alone.growth(alone.loads({.size = 2e-3})[0], 2e-3), 1e-14);
+  const GrowthReport report = grow_cracks(gear, test::until_size(kWallCrack, 4e-3));
+  test::expect_relative(report.cracks[0].series.front().K_max, K, 1e-12);
+  // Fracture where K at rest reaches the toughness: a/2 mm = 1.2^2.
+  gear.material.at("steel").fracture_toughness = 1.2 * K;
+  const GrowthReport broken = grow_cracks(gear);
+  EXPECT_EQ(broken.end, DriveEnd::breaks);
+  test::expect_relative(broken.cracks[0].series.back().size, 2.88e-3, 1e-6);
 }
 
 TEST(TurnTableGrowth, BehaviourArrestWithinTheTable) {  // GR-12

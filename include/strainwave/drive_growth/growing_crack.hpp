@@ -32,12 +32,39 @@ struct RateChoice {
 [[nodiscard]] TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to,
                                  double poissons_ratio);
 
+/// The least factor of a cycle, with its sign [Pa*m^0.5] (GR-22).
+///
+/// K_min = R K_max of a cycle that opens the crack.  A cycle that does not has no R: its least
+/// factor is the equivalent of the sizes of K in its most pressed state, as a negative number.
+/// Either is the same where K_max becomes 0.
+///
+/// @param cycle   of the moments
+/// @param one     K at the moments of the cycle
+/// @param other   further moments of the cycle, or none
+[[nodiscard]] double least_factor(MixedMode rule, const TipCycle& cycle, std::span<const Modes> one,
+                                  std::span<const Modes> other, double poissons_ratio);
+
 /// A cycle of the duty at one tip of a crack of a given size.
 struct TipLoad {
-  TipCycle cycle;
+  TipCycle cycle;        ///< of the phase and the point with the fastest growth
   double count = 0.0;    ///< in one repetition [-]
   std::size_t step = 0;  ///< as LoadCycle::step
   bool rare = false;     ///< as LoadCycle::rare
+  bool further = false;  ///< as LoadCycle::further
+  /// The cycle of the phase and the point with the largest K_max, if it is not `cycle`
+  TipCycle largest = {};
+  /// The least factor of `cycle`, with its sign; the least one of all phases and points if the tip
+  /// stands still [Pa*m^0.5].  Absent: R K_max
+  std::optional<double> least = {};
+
+  /// The cycle whose K_max the toughness must bear.
+  [[nodiscard]] const TipCycle& governing() const {
+    return largest.largest > cycle.largest ? largest : cycle;
+  }
+  /// The least factor of the cycle, with its sign [Pa*m^0.5].
+  [[nodiscard]] double least_of_cycle() const {
+    return least.value_or(cycle.largest > 0 ? cycle.ratio * cycle.largest : cycle.largest);
+  }
 };
 
 /// The ends of a crack that grow.
@@ -75,7 +102,7 @@ class GrowingCrack {
   /// Yield strength of the material [Pa].
   /// @throws InputError  if the file does not give it
   [[nodiscard]] double yield_strength() const;
-  /// The cycle with the largest K_max.
+  /// The cycle with the largest K_max of all phases and points.
   [[nodiscard]] static TipCycle governing(std::span<const TipLoad> loads);
   /// The cycle with the largest range.
   [[nodiscard]] TipCycle widest(std::span<const TipLoad> loads) const;
@@ -83,7 +110,7 @@ class GrowingCrack {
   [[nodiscard]] std::optional<double> threshold(const TipCycle& cycle, double crack_size) const;
   /// K at the worst point of the first tip in the state of the duty's largest K_max.
   [[nodiscard]] Modes worst_factors(const CrackSize& size) const;
-  /// Whether K_max reaches the toughness of law or material.
+  /// Whether K_max of any phase and point reaches the toughness of law or material.
   [[nodiscard]] bool breaks(const CrackSize& size, double factor = 1.0) const;
 
   /// Largest factor on the loads of the duty at which K is known: up to the end of the table of K

@@ -21,6 +21,9 @@ struct LoadCycle {
   double count = 0.0;    ///< in one repetition of the duty [-]; > 0
   std::size_t step = 0;  ///< step of the duty in which the cycle has its peak
   bool rare = false;     ///< whether the cycle is one of a momentary peak
+  /// Whether the cycle comes with a peak beside the one that joins the peak with the duty, so its
+  /// count does not tell how often the peak comes
+  bool further = false;
   /// Whether the entry stands for the smaller cycles within each of `count` waves; only of a crack
   /// with a table of K over a turn
   bool within_wave = false;
