@@ -174,5 +174,56 @@ TEST(ShaftSurfaceCrack, InputReferenceStress) {  // FA-15
   refused(bad);
 }
 
+TEST(ShaftSurfaceCrack, CrosscheckPlasticSectionBySums) {  // FA-15
+  // Finer than the grid: the axial force by strips of the tension side and of the far side that
+  // balances its moment, the torque by sums in polar coordinates.
+  struct Case {
+    double inner, depth;
+  };
+  for (const Case& c : {Case{0.0, 0.1}, Case{0.0, 0.6}, Case{0.5, 0.2}, Case{0.8, 0.1}}) {
+    const OneSidedSection section{
+        .outer_radius = 1.0, .inner_radius = c.inner, .depth = c.depth, .chord_depth = c.depth};
+    constexpr int kStrips = 400000;
+    const double step = (2 - c.depth) / kStrips;
+    const auto width_at = [&](int i) {
+      const double x = -1 + (i + 0.5) * step;
+      return std::pair{
+          x, 2 * (std::sqrt(1 - x * x) - std::sqrt(std::max(c.inner * c.inner - x * x, 0.0)))};
+    };
+    double area = 0.0;
+    double moment = 0.0;
+    for (int i = 0; i < kStrips; ++i) {
+      const auto [x, width] = width_at(i);
+      area += width * step;
+      moment += x * width * step;
+    }
+    for (int i = 0; moment < 0; ++i) {
+      const auto [x, width] = width_at(i);
+      area -= 2 * width * step;
+      moment -= 2 * x * width * step;
+    }
+    test::expect_relative(1 / one_sided_reference_stress(section, 1.0, 0.0), area, 3e-5);
+    constexpr int kRays = 1500;
+    const double roof = 1 - c.inner - c.depth;
+    double volume = roof * pi * c.inner * c.inner;
+    const double dr = (1 - c.inner) / kRays;
+    for (int j = 0; j < kRays; ++j)
+      for (int i = 0; i < kRays; ++i) {
+        const double cosine = std::cos((j + 0.5) * pi / kRays);
+        const double r = c.inner + (i + 0.5) * dr;
+        const double height = std::min({1 - r, 1 - c.depth - r * cosine, roof + r - c.inner});
+        volume += 2 * std::max(height, 0.0) * r * dr * pi / kRays;
+      }
+    test::expect_relative(std::sqrt(3.0) / one_sided_reference_stress(section, 0.0, 1.0),
+                          2 * volume, 2e-6);
+  }
+  // Under a long shallow crack the ring of the same depth carries more than what a chord leaves.
+  const OneSidedSection flat{
+      .outer_radius = 1.0, .inner_radius = 0.0, .depth = 0.01, .chord_depth = 0.5};
+  const NetRing ring{.outer_radius = 0.99, .inner_radius = 0.0};
+  test::expect_relative(one_sided_reference_stress(flat, 1.0, 0.0),
+                        ring_reference_stress(ring, 1.0, 0.0), 1e-12);
+}
+
 }  // namespace
 }  // namespace strainwave

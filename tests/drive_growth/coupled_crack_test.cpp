@@ -313,6 +313,9 @@ TEST(CoupledCrack, BehaviourNotesOfTheToothRoot) {
   const std::string outside = text_of(grow_shortly(with_root(82, 0.1e-3, 0.4e-3)));
   EXPECT_NE(outside.find("outside its range: 1.5 <= K_t <= 20, rho <= t/2"), std::string::npos)
       << outside;
+  // A root that concentrates little counts too: K_t = 1.08.
+  const std::string little = text_of(grow_shortly(with_root(82, 0.1e-3, 0.55e-3)));
+  EXPECT_NE(little.find("K_t = 1.0"), std::string::npos) << little;
   // A round root concentrates nothing, so nothing is estimated and nothing unknown.
   const GrowthReport round = grow_shortly(with_root(82, 0.1e-3, 0.7e-3));
   EXPECT_FALSE(has(round, "growth.tooth_root"));
@@ -389,6 +392,23 @@ TEST(CoupledCrack, BehaviourVibrationIsNotApplied) {
   gear.duty->resonance = DutyResonance{.frequency_ratio = 0.5, .damping_ratio = 0.02};
   EXPECT_TRUE(has(grow_shortly(gear), "growth.not_amplified"));
   EXPECT_EQ(first_point(gear).K_max, K);
+}
+
+TEST(CoupledCrack, BehaviourEndOfTheRange) {
+  // A crack that nothing breaks ends at 0.9 of its ring.
+  for (const Ring ring : kRings) {
+    GearSet gear = with_ring_crack(ring, 150, 0.85 * thickness_of(usual(ring, 82), ring));
+    for (auto& [name, material] : gear.material) {
+      material.growth = {Paris{.coefficient = 6.9e-12, .exponent = 3}};
+      material.growth_bounds.reset();
+      material.fracture_toughness.reset();
+      material.yield_strength.reset();
+    }
+    const GrowthReport report = grow_cracks(gear);
+    EXPECT_EQ(report.end, DriveEnd::range) << report.sentence;
+    test::expect_relative(report.cracks.at(0).series.back().size, 0.9 * thickness_of(gear, ring),
+                          1e-9);
+  }
 }
 
 }  // namespace

@@ -257,5 +257,27 @@ TEST(Interaction, InputTheOpeningIsGivenOnce) {  // GR-32
   EXPECT_EQ(refused(), "no error");
 }
 
+TEST(Interaction, LimitAPressedCycleBehindARarePeak) {  // GR-27, GR-32
+  // A peak once in 300 repetitions, whose zone is long against the growth between two of it.  The
+  // pressed cycle is the last one of a repetition, so it lowers the opening behind the first
+  // repetition after the peak.
+  GearSet gear = test::growing_shaft();
+  const GrowingCrack crack = test::only_crack(gear);
+  Interaction interaction = rule_of(InteractionRule::closure);
+  interaction.closure = {.constraint = 2, .stress_level = 0.3};
+  const double f = interaction.closure->at_zero();
+  const TipCycle small{.largest = 15e6, .ratio = 0};
+  const TipCycle peak{.largest = 30e6, .ratio = 0};
+  const std::vector<TipLoad> loads = {{.cycle = small, .count = 20},
+                                      {.cycle = {.largest = 1e6, .ratio = -30}, .count = 1},
+                                      {.cycle = peak, .count = 1.0 / 300, .rare = true}};
+  const double first = std::pow((1 - 2 * f) / (1 - f), 3);
+  const double then = std::pow((1 - 2 * interaction.closure->opening(-1)) / (1 - f), 3);
+  test::expect_relative(
+      growth_with_interaction(crack, loads, kSize, interaction, 0.01),
+      (crack.rate_of(peak, kSize) + 20 * crack.rate_of(small, kSize) * (first + 299 * then)) / 300,
+      1e-9);
+}
+
 }  // namespace
 }  // namespace strainwave

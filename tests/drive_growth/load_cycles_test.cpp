@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "growth_support.hpp"
+#include "strainwave/drive_growth/crack_factors.hpp"
 #include "support/expect.hpp"
 #include "support/random_drive.hpp"
 
@@ -415,6 +416,40 @@ TEST(LoadCycles, IdentityPieces) {  // GR-23
     std::rotate(turned.duty->block.begin(), turned.duty->block.begin() + 1,
                 turned.duty->block.end());
     test::expect_relative(grown(turned), given, 1e-11);
+  }
+}
+
+TEST(LoadCycles, ReferenceTorquesOfADuty) {
+  // Each torque of steps and peaks once, in order; beyond 33 as many evenly spaced ones.
+  DutyHistory history;
+  for (const double torque : {3.0, -2.0, 3.0, 2.0}) history.steps.push_back({.torque = torque});
+  history.peaks = {{.step = {.torque = -5}, .per_repetition = 0.1}};
+  EXPECT_EQ(torques_of(history, false), (std::vector<double>{-5, -2, 2, 3}));
+  EXPECT_EQ(torques_of(history, true), (std::vector<double>{2, 3, 5}));
+  for (int i = 0; i < 40; ++i) history.steps.push_back({.torque = 59.0 - i * i / 39.0});
+  const std::vector<double> even = torques_of(history, false);
+  ASSERT_EQ(even.size(), 33U);
+  for (std::size_t i = 0; i < even.size(); ++i)
+    test::expect_relative(even[i], -5 + 2.0 * static_cast<double>(i), 1e-14);
+}
+
+TEST(LoadCycles, IdentityFactorOnTheLoads) {
+  // A factor multiplies force, torque and moment, and leaves what the assembly imposes.
+  const GearSet wall = inclined_crack().gear;
+  const GearSet shaft = test::unbreakable_shaft();
+  for (const GearSet& gear : {wall, shaft}) {
+    const DriveCrack crack = drive_cracks(gear).front();
+    const CracksAtTorques none;  // the factors keep a reference to it
+    const CrackFactors factors(crack, none, crack.size);
+    for (const LoadState& load :
+         {LoadState{.axial_force = 4e4}, LoadState{.torque = 300},
+          LoadState{.torque = -200, .axial_force = 1e4, .bending_moment = 50}}) {
+      const Modes one = factors.at(0, load);
+      const Modes thrice = factors.at(0, load, 3.0);
+      for (std::size_t mode = 0; mode < 3; ++mode) EXPECT_DOUBLE_EQ(thrice[mode], 3 * one[mode]);
+    }
+    const LoadState assembled{.assembly = 1};
+    EXPECT_EQ(factors.at(0, assembled, 3.0), factors.at(0, assembled));
   }
 }
 

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "growth_support.hpp"
@@ -242,6 +244,13 @@ TEST(TurnTableGrowth, ReferenceCyclesOfATurn) {  // GR-31, GR-13
   test::expect_relative(within[0].cycle.largest, 3e6, 1e-14);
   test::expect_relative(within[0].cycle.full_range(), 1e6, 1e-13);
   test::expect_relative(within[0].count, 1.0, 1e-14);
+  // K_max of a cycle between two loads may come under either of them.
+  const std::vector<Modes> lower = {{1e6, 0, 0}, {2e6, 0, 0}};
+  test::expect_relative(cycle_of_turns(MixedMode::energy, lower, turn, 0.3).largest, 4e6, 1e-14);
+  test::expect_relative(cycle_of_turns(MixedMode::energy, turn, lower, 0.3).largest, 4e6, 1e-14);
+  // A smaller cycle that stays closed is none.
+  const std::vector<Modes> closed = {{4e6, 0, 0}, {-3e6, 0, 0}, {-1e6, 0, 0}, {-2e6, 0, 0}};
+  EXPECT_TRUE(cycles_within_turn(MixedMode::energy, closed, 1, 0.3).empty());
   // The same twice in a turn of two waves.
   std::vector<Modes> twice = turn;
   twice.insert(twice.end(), turn.begin(), turn.end());
@@ -552,6 +561,83 @@ TEST(TurnTableGrowth, InputTorqueBeyondTheTable) {  // GR-30
   gear.duty->block[1].torque = 1000;
   gear.duty->peak = {{.torque = -7000, .output_speed = 1.0, .duration = 0.1, .interval = 3600}};
   EXPECT_THROW((void)grow_cracks(gear), InputError);
+}
+
+TEST(TurnTableGrowth, ReferenceMissedBetweenUnevenAngles) {  // GR-31
+  // Parabolas through the samples beside the two extremes, at uneven angles: 10 - 50 (x - 0.04)^2
+  // round the end of a turn of 2 rad, and 1 + 20 (x - 1.03)^2.  They go 0.08 and 0.018 beyond their
+  // samples 9.92 and 1.018.
+  const auto top = [](double x) { return 10 - 50 * (x - 0.04) * (x - 0.04); };
+  const auto bottom = [](double x) { return 1 + 20 * (x - 1.03) * (x - 1.03); };
+  const std::vector<double> angles = {0, 0.2, 0.5, 0.9, 1.0, 1.3, 1.6, 1.9, 2.0};
+  const std::vector<double> K = {top(0),      top(0.2),    5, bottom(0.9),
+                                 bottom(1.0), bottom(1.3), 6, top(-0.1)};
+  std::vector<Modes> turn;
+  for (const double at : K) turn.push_back({at * 1e6, 0, 0});
+  test::expect_relative(missed_between_angles(MixedMode::energy, turn, angles, 0.3),
+                        (0.08 + 0.018) / (9.92 - 1.018), 1e-12);
+}
+
+/// The torques that cycles between steps join, of a table with a mean and an amplitude of K_I at
+/// -3000, 1000 and 6000 N*m, and K_III at 6000 N*m that has no mean.
+std::vector<std::pair<double, double>> joined_torques(const std::array<double, 3>& mean,
+                                                      const std::array<double, 3>& amplitude) {
+  const test::TurnGrid grid{.sizes = {2e-3, 8e-3}, .torques = {-3000, 1000, 6000}, .stations = {0}};
+  const GearSet gear = with_invented(grid, [&](double T, double theta) {
+    const std::size_t i = T < 0 ? 0 : T < 2000 ? 1 : 2;
+    const double wave = std::cos(2 * theta);
+    return Modes{1e6 * (mean[i] + amplitude[i] * wave), 0, i == 2 ? 30e6 * wave : 0.0};
+  });
+  std::vector<std::pair<double, double>> joined;
+  for (const LoadCycle& cycle :
+       crack_duty(gear, drive_cracks(gear).front(), duty_history(gear)).cycle)
+    if (cycle.from.torque != cycle.to.torque)
+      joined.emplace_back(cycle.from.torque, cycle.to.torque);
+  std::ranges::sort(joined);
+  return joined;
+}
+
+TEST(TurnTableGrowth, ReferenceStepsThatACycleJoins) {  // GR-21, GR-30
+  // Steps of 6000, 1000 and -3000 N*m, counted along the difference of their means by hand.  Peaks
+  // 11, 11.5 and 1 with valleys 9, 4.5 and -1: from 11.5 to -1, and from 11 to 4.5 on the way.
+  using Joined = std::vector<std::pair<double, double>>;
+  EXPECT_EQ(joined_torques({0, 8, 10}, {1, 3.5, 1}), (Joined{{1000, -3000}, {6000, 1000}}));
+  // Peaks 11, 10 and 1 with valleys 9, -2 and -1: from 11 to -2, and from 10 to -1 within it.  A
+  // smaller wave of the middle step joins none: from 11 to -1.
+  EXPECT_EQ(joined_torques({0, 4, 10}, {1, 6, 1}), (Joined{{1000, -3000}, {6000, 1000}}));
+  EXPECT_EQ(joined_torques({0, 4, 10}, {1, 4, 1}), (Joined{{6000, -3000}}));
+}
+
+TEST(TurnTableGrowth, BehaviourCyclesWithinAWaveAreNoWaves) {  // GR-31
+  // Each step and each peak has its cycles within a wave, as often as its waves: 12 turns of 202
+  // waves in the steps, and 20.2 waves of a peak that comes once in ten repetitions.  They do not
+  // count as cycles of the duty.  A step at rest has none.
+  GearSet gear = with_invented(plain_grid(), invented);
+  const double waves = 12 * 202.0;
+  gear.duty->block.push_back({.duration = 4, .output_speed = 0.0, .torque = 500});
+  gear.duty->peak = {{.torque = -4000,
+                      .output_speed = 2 * pi,
+                      .duration = 0.1,
+                      .interval = 10 * duty_history(gear).duration}};
+  const CrackDuty duty = crack_duty(gear, drive_cracks(gear).front(), duty_history(gear));
+  double of_steps = 0.0;
+  double of_peak = 0.0;
+  double others = 0.0;
+  for (const LoadCycle& cycle : duty.cycle) {
+    EXPECT_GT(cycle.count, 0.0);
+    (!cycle.within_wave ? others : cycle.from.torque == -4000 ? of_peak : of_steps) += cycle.count;
+  }
+  test::expect_relative(of_steps, waves, 1e-12);
+  test::expect_relative(of_peak, 0.1 * 20.2, 1e-12);
+  test::expect_relative(duty.cycles(), others, 1e-14);
+  // The cycles of the steps are in their order, whatever they are.
+  EXPECT_TRUE(std::ranges::is_sorted(duty.cycle, {}, &LoadCycle::step));
+  // A peak beyond the table is refused at the field of the crack.
+  gear.duty->peak[0].torque = -7000;
+  EXPECT_NE(test::broken_rule([&] {
+              return crack_duty(gear, drive_cracks(gear).front(), duty_history(gear));
+            }).find("but the duty has -7000 N*m"),
+            std::string::npos);
 }
 
 }  // namespace

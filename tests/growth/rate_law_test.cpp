@@ -355,5 +355,15 @@ TEST(RateLaw, InputEachRuleBrokenOnce) {
   EXPECT_EQ(thick(6e7, 1e9, 1e-3, 1, -1), "thickness_B");
 }
 
+TEST(RateLaw, LimitNasgroAtItsThreshold) {  // GR-8
+  // The rate is 0 at the threshold itself, also if p = 0 lets it jump there.
+  Nasgro law = stainless();
+  law.threshold_exponent = 0;
+  const PreparedNasgro prepared(law);
+  const double threshold = prepared.threshold(0, 1e-3);
+  EXPECT_EQ(prepared.rate({.largest = threshold, .ratio = 0}, 1e-3), 0.0);
+  EXPECT_GT(prepared.rate({.largest = threshold * (1 + 1e-12), .ratio = 0}, 1e-3), 1e-12);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -119,6 +119,11 @@ TEST(Tabulated, LimitThresholdIsTheFirstPoint) {  // GR-36, GR-12
     EXPECT_GT(above.per_cycle, 7.9e-11);
   }
   EXPECT_EQ(table_rate(table, 5e6, 0.0), 0.0);  // the point itself
+  // ... also between two curves, which begin at the same range here.
+  Tabulated same = table;
+  same.curve[1].delta_K[0] = 5e6;
+  EXPECT_EQ(TableOfRates(same.curve).rate({.largest = 10e6, .ratio = 0.5}), 0.0);
+  EXPECT_GT(TableOfRates(same.curve).rate({.largest = 10.001e6, .ratio = 0.5}), 8e-11);
 }
 
 TEST(Tabulated, LimitBeyondTheLastPointItsLineGoesOn) {  // GR-36

@@ -63,6 +63,8 @@ TEST(TurnTable, LimitBeyondTheSizes) {  // GR-30
   const TurnTable table = made_up_table_of_turn();
   const double at_end = TurnFactors(table, 10e-3, 1.0).at(0, 50)[3][0];
   test::expect_relative(TurnFactors(table, 40e-3, 1.0).at(0, 50)[3][0], 2 * at_end, 1e-12);
+  const double at_begin = TurnFactors(table, 1e-3, 1.0).at(0, 50)[3][0];
+  test::expect_relative(TurnFactors(table, 0.25e-3, 1.0).at(0, 50)[3][0], at_begin / 2, 1e-12);
   test::TurnGrid one = turn_grid();
   one.sizes = {2e-3};
   const TurnTable single = test::turn_table_of(
@@ -93,6 +95,13 @@ TEST(TurnTable, BehaviourLoadsAndWaves) {
   const TurnTable table = made_up_table_of_turn();
   EXPECT_TRUE(table.covers(-100));
   EXPECT_FALSE(table.covers(-101));
+  // Rounding carries no torque beyond the table, and K stays that of the end.
+  for (const double end : {-100.0, 300.0}) {
+    EXPECT_TRUE(table.covers(end * (1 + 1e-10)));
+    EXPECT_FALSE(table.covers(end * (1 + 1e-8)));
+    EXPECT_EQ(TurnFactors(table, 2e-3, 1.0).at(0, end * (1 + 1e-10)),
+              TurnFactors(table, 2e-3, 1.0).at(0, end));
+  }
   EXPECT_THROW((void)TurnFactors(table, 2e-3, 1.0).at(0, 301), InputError);
   EXPECT_EQ(turn_load_range(table, 150), (std::array<double, 2>{0.0, 2.0}));
   EXPECT_EQ(turn_load_range(table, -50), (std::array<double, 2>{0.0, 2.0}));
@@ -101,6 +110,17 @@ TEST(TurnTable, BehaviourLoadsAndWaves) {
   for (double& angle : whole.angles) angle *= 2;
   EXPECT_EQ(waves_of(whole, 2), 2);
   EXPECT_EQ(waves_of(whole, 1), 1);
+  EXPECT_EQ(waves_of(whole, 3), 3);
+  // A table of one torque, above 0.
+  test::TurnGrid single = turn_grid();
+  single.torques = {50};
+  const TurnTable one = test::turn_table_of(
+      single, "half_length", [](double a, double, double T, std::size_t s, double theta) {
+        return made_up_turn(a, T, s, theta);
+      });
+  test::expect_relative(TurnFactors(one, 2e-3, 1.0).at(1, 50)[5][0],
+                        made_up_turn(2e-3, 50, 1, one.angles[5])[0], 1e-12);
+  EXPECT_EQ(turn_load_range(one, 200), (std::array<double, 2>{0.25, 0.25}));
 }
 
 TEST(TurnTable, InputRulesBrokenOnce) {
@@ -112,6 +132,20 @@ TEST(TurnTable, InputRulesBrokenOnce) {
     return gear;
   };
   EXPECT_NO_THROW(check(gear_of()));
+  // A whole turn in place of a wave, and one size for cracks of all sizes.
+  GearSet other = gear_of();
+  TurnTable whole = made_up_table_of_turn();
+  for (double& angle : whole.angles) angle *= 2;
+  test::give_turn_table<WallThroughCrack>(other, whole);
+  EXPECT_NO_THROW(check(other));
+  test::TurnGrid one = turn_grid();
+  one.sizes = {2e-3};
+  test::give_turn_table<WallThroughCrack>(
+      other, test::turn_table_of(one, "half_length",
+                                 [](double a, double, double T, std::size_t s, double theta) {
+                                   return made_up_turn(a, T, s, theta);
+                                 }));
+  EXPECT_NO_THROW(check(other));
   const auto refused = [&](const std::function<void(GearSet&, TurnTable&)>& change,
                            const std::string& words) {
     GearSet gear = gear_of();
@@ -136,6 +170,8 @@ TEST(TurnTable, InputRulesBrokenOnce) {
       },
       "has a column aspect_ratio, which a crack of kind \"through\" does not have");
   refused([](GearSet&, TurnTable& table) { table.stations.back() = 2; },
+          "must have stations from -1 to 1 only");
+  refused([](GearSet&, TurnTable& table) { table.stations.front() = -1.1; },
           "must have stations from -1 to 1 only");
   refused([](GearSet&, TurnTable& table) { table.angles.back() += 0.01; },
           "but must run over a wave of 180 deg or a turn of 360 deg");
@@ -179,6 +215,8 @@ TEST(TurnTable, InputSurfaceCracks) {
   give();
   EXPECT_NO_THROW(check(gear));
   grid.stations = {0, 0.9};
+  refused("must have the stations 0, at the surface, and 1, at the deepest point");
+  grid.stations = {0.1, 1};
   refused("must have the stations 0, at the surface, and 1, at the deepest point");
   grid.stations = {0, 1};
   grid.aspect_ratios = {0.1, 0.4};

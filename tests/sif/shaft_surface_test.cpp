@@ -57,6 +57,9 @@ TEST(ShaftSurface, IdentityAspectRatioOfTheArc) {
   // The straight front, and a longer one.
   EXPECT_EQ(front_aspect_ratio(0.4, std::acos(0.6), 1.0), kNearlyStraight);
   EXPECT_EQ(front_aspect_ratio(0.4, 2.0, 1.0), kNearlyStraight);
+  // A front that is a millionth from straight.
+  EXPECT_EQ(front_aspect_ratio(0.4, 2 * std::asin(std::sqrt(0.2 * (1 - 1e-6))), 1.0),
+            kNearlyStraight);
 }
 
 // The solutions of the library for the same cracks, which have their own code for K.
@@ -265,6 +268,18 @@ TEST(ShaftSurface, ReferenceTurningMoment) {
     EXPECT_LT(ours / row.value, a > 0.7 ? 1.25 : 1.06) << row.place;
   }
   EXPECT_EQ(seen, 15);
+}
+
+TEST(ShaftSurface, IdentityTurningMomentAtTheSurface) {  // GR-34
+  // Both parts of (GR-34) at the end of the front, which lies r sin(c/r) beside the middle.
+  for (const double a : {0.1, 0.4, 0.8})
+    for (const double c : {1.01 * a, 1.15 * a}) {
+      const ShaftSurfaceSolid crack = unit_solid(a, c);
+      const OneSidedFactors factor = one_sided_factors(a / 2, crack.aspect_ratio(), 1.0);
+      const double expected = std::hypot(factor.bending, 2.0 / 3 * factor.tension * std::sin(c)) *
+                              4 / pi * std::sqrt(pi * a);
+      test::expect_relative(crack.turning_bending(a, 0.0), expected, 1e-9);
+    }
 }
 
 }  // namespace
