@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/drive_growth/grow_cracks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
@@ -54,6 +56,14 @@ class Growing {
         history_(duty_history(gear)),
         first_stiffness_(stiffness_at(gear)) {
     take_cracks();
+    const double factor = amplification(start(0.0));
+    for (const GrowingCrack& crack : cracks_)
+      if (factor > crack.largest_factor())
+        throw InputError(
+            "duty.resonance",
+            fmt::format("multiplies the loads of {} by {:.4g}, beyond the torques of {}; "
+                        "compute K up to these loads, or leave out duty.resonance",
+                        crack.crack().path, factor, crack.crack().turn_table->file));
   }
 
   [[nodiscard]] const GearSet& gear() const { return gear_; }

@@ -389,6 +389,10 @@ void cite_models(GrowthReport& report, const GrowingCrack& crack, const Interact
   if (crack.crack().turn_table) use({"GR-30", "GR-31"});
   if (crack.crack().kind == "surface" && crack.crack().turning == TurningLoad::bending)
     use({"GR-34", "GR-35"});
+  if (std::ranges::any_of(crack.duty().cycle, [](const LoadCycle& cycle) {
+        return cycle.from.bending_moment != 0 || cycle.to.bending_moment != 0;
+      }))
+    use({"GR-40"});
 }
 
 void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice,

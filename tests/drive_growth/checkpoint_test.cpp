@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "growth_support.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "support/expect.hpp"
@@ -52,6 +53,36 @@ TEST(Checkpoint, IdentityOfARunStoppedAnywhere) {
   EXPECT_GT(stops, 5U);
 }
 
+TEST(Checkpoint, IdentityOfARunThatGoesThroughTheWall) {
+  // A step behind the wall belongs to another set of cracks.
+  GearSet gear = test::cracked_wall(R"(
+kind = "surface"
+depth = "1.2 mm"
+half_length = "3 mm"
+angle = "45 deg"
+)");
+  const auto run = [&](const std::string& from, std::string& lines) {
+    lines = from;
+    GrowthCheckpoint checkpoint(from, [&](const std::string& line) { lines += line; });
+    return grow_cracks(gear, {}, {}, &checkpoint);
+  };
+  std::string whole;
+  const GrowthReport expected = run("", whole);
+  ASSERT_EQ(expected.cracks[0].events.front().event, CrackEvent::through_wall);
+  ASSERT_GT(expected.time, 1.01 * expected.cracks[0].events.front().time);
+  std::size_t stops = 0;
+  for (std::size_t end = whole.find('\n'); end != std::string::npos;
+       end = whole.find('\n', end + 1)) {
+    if (++stops % 7 != 0 && end + 1 != whole.size()) continue;
+    std::string lines;
+    const GrowthReport resumed = run(whole.substr(0, end + 1), lines);
+    EXPECT_EQ(lines, whole) << "cut behind line " << stops;
+    EXPECT_EQ(resumed.time, expected.time) << "cut behind line " << stops;
+    EXPECT_EQ(resumed.step_error, expected.step_error) << "cut behind line " << stops;
+  }
+  EXPECT_GT(stops, 50U);
+}
+
 TEST(Checkpoint, InputLinesThatCannotBeRead) {
   const auto message = [](const std::string& lines) {
     return test::broken_rule([&] { return GrowthCheckpoint(lines, {}); });
@@ -59,12 +90,14 @@ TEST(Checkpoint, InputLinesThatCannotBeRead) {
   EXPECT_EQ(message(""), "no error");
   EXPECT_EQ(message("0p+0 1p+0 1p+0 1p+0"), "no error");  // without its end: left out
   EXPECT_NE(
-      message("0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\nx 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n")
+      message(
+          "0p+0 0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\nx 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n")
           .find("step 2"),
       std::string::npos);
   EXPECT_NE(message("0p+0 1p+0\n").find("step 1"), std::string::npos);
   const auto other_drive = [] {
-    GrowthCheckpoint checkpoint("0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n", {});
+    GrowthCheckpoint checkpoint("0p+0 0p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0 1p+0\n",
+                                {});
     return grow_cracks(drive_to_resume(), {}, {}, &checkpoint);
   };
   EXPECT_NE(test::broken_rule(other_drive).find("another drive"), std::string::npos);

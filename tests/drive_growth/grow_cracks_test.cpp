@@ -277,6 +277,106 @@ TEST(GrowCracks, BehaviourInteractionSlows) {  // GR-27
   test::expect_relative(slowed.repetitions, repetitions, 5e-3);
 }
 
+TEST(GrowCracks, ReferenceAssessmentOfABentShaft) {  // GR-40
+  // By hand, for the solid shaft of 60 mm with an annular crack of 2 mm: W = 4/3 (28 mm)^3, and a
+  // moment far above the plastic one of the net section collapses it at once.
+  GearSet gear = shaft();
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 2 * units::mm;
+  Material& steel = gear.material.at("steel");
+  steel.fracture_toughness = 1e12;
+  steel.yield_strength = 900e6;
+  steel.ultimate_strength = 1000e6;
+  const double modulus = 4.0 / 3 * std::pow(28e-3, 3);
+  const double twisting =
+      2 * std::numbers::pi / 3 * std::pow(28e-3, 3);  // fully plastic, times tau
+  const double torque = 3000.0;
+  GrowthOptions options;
+  options.stop.time = 1.0;
+  for (const double moment : {2000.0, 15000.0}) {
+    gear.duty->block = {{.duration = 60, .output_speed = 1.0, .torque = torque}};
+    gear.duty->block[0].bending_moment = moment;
+    gear.duty->peak.clear();
+    const GrowthReport report = grow_cracks(gear, options);
+    const double stress = std::hypot(moment / modulus, std::sqrt(3.0) * torque / twisting);
+    // The line ends at L_r = (900 + 1000)/1800, if K is far below the toughness.
+    ASSERT_TRUE(report.stiffness.front().reserve);
+    test::expect_relative(*report.stiffness.front().reserve, 950e6 / stress, 1e-6);
+  }
+  gear.duty->block[0].bending_moment = 40000.0;  // above 900 MPa W = 26.3 kN*m
+  const GrowthReport collapsed = grow_cracks(gear, options);
+  EXPECT_EQ(collapsed.end, DriveEnd::assessment);
+  EXPECT_EQ(collapsed.time, 0.0);
+}
+
+TEST(GrowCracks, BehaviourEachSenseOfTheDutyIsAssessed) {
+  // The crack opens under T < 0, whose largest torque is below that of T > 0.
+  GearSet gear = test::cracked_wall(R"(
+kind = "through"
+half_length = "3 mm"
+angle = "-45 deg"
+)");
+  Material& steel = gear.material.at("steel");
+  steel.fracture_toughness = 60e6;
+  steel.yield_strength = 900e6;
+  steel.ultimate_strength = 1000e6;
+  const auto reserve = [&](double forward, double back) {
+    gear.duty->block = {{.duration = 4, .output_speed = 6.0, .torque = forward},
+                        {.duration = 4, .output_speed = -6.0, .torque = back}};
+    GrowthOptions options;
+    options.stop.time = 1.0;
+    return grow_cracks(gear, options).stiffness.front().reserve.value();
+  };
+  // Either sense is assessed with the largest torque, so the order of the senses plays no part.
+  test::expect_relative(reserve(6000, -5900), reserve(5900, -6000), 1e-12);
+  EXPECT_LT(reserve(6000, -5900), reserve(3000, -2900));
+}
+
+TEST(GrowCracks, BehaviourALongCrackOfAShaftEndsItsRange) {
+  // Hollow: half of the circumference, 94.2 mm, ends the solution; nothing is thrown on the way.
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/bent_shaft.toml");
+  gear.output_shaft->inner_diameter = 40 * units::mm;
+  auto& crack = std::get<ShaftSurfaceCrack>(gear.output_shaft->crack[0]);
+  crack.depth = 3 * units::mm;
+  crack.half_length = 93.9 * units::mm;
+  Material& steel = gear.material.at("steel");
+  steel.fracture_toughness.reset();
+  steel.yield_strength.reset();
+  steel.ultimate_strength.reset();
+  const GrowthReport hollow = grow_cracks(gear);
+  EXPECT_EQ(hollow.end, DriveEnd::range);
+  EXPECT_LT(hollow.cracks[0].series.back().half_length, std::numbers::pi * 30 * units::mm);
+  // Solid: a front that would be hollow toward its mouth counts as straight, and a note says so.
+  gear.output_shaft->inner_diameter = 0;
+  crack.depth = 10 * units::mm;
+  crack.half_length = 60 * units::mm;
+  const GrowthReport solid = grow_cracks(gear);
+  EXPECT_TRUE(has(solid, "crack.surface_range"));
+  test::expect_relative(solid.cracks[0].series.front().half_length,
+                        30e-3 * std::acos(1 - 10.0 / 30), 1e-9);
+  EXPECT_EQ(solid.end, DriveEnd::range);
+}
+
+TEST(GrowCracks, BehaviourACrackWithUnknownStressIsCountedAsOneThatCannotBeTold) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/resting_size25.toml");
+  RimAxialCrack rim;
+  rim.depth = 0.02 * units::mm;
+  gear.flexspline->crack.emplace_back(rim);
+  gear.flexspline->tooth_root.reset();
+  const GrowthReport report = grow_cracks(gear);
+  EXPECT_EQ(report.end, DriveEnd::arrested);
+  EXPECT_NE(report.sentence.find("1 of 3 cracks cannot be told"), std::string::npos)
+      << report.sentence;
+  GrowthOptions options;
+  options.stop.time = 3600.0;
+  GearSet growing = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml");
+  growing.flexspline->crack.emplace_back(rim);
+  growing.flexspline->tooth_root.reset();
+  const GrowthReport until = grow_cracks(growing, options);
+  EXPECT_EQ(until.end, DriveEnd::until);
+  EXPECT_NE(until.sentence.find("1 of 3 cracks cannot be told"), std::string::npos)
+      << until.sentence;
+}
+
 TEST(GrowCracks, BehaviourEachModelIsCitedOnce) {
   struct Case {
     std::string example;
@@ -350,6 +450,18 @@ TEST(GrowCracks, InputEachRuleBrokenOnce) {
   gear.material.at("steel").yield_strength.reset();
   gear.material.at("steel").ultimate_strength.reset();
   EXPECT_NE(message(gear, options).find("yield_strength"), std::string::npos);
+  // A crack that may go through the wall, where its law needs the yield strength.
+  gear = test::cracked_wall(R"(
+kind = "surface"
+depth = "0.4 mm"
+half_length = "0.7 mm"
+)");
+  options = {};
+  options.rate.law = "15-5PH H900";
+  EXPECT_NE(message(gear, options).find("material.steel.yield_strength"), std::string::npos);
+  EXPECT_NE(
+      message(gear, test::until_size("flexspline.crack[0]", 2 * units::mm)).find("0.8 of the wall"),
+      std::string::npos);
 }
 
 TEST(GrowCracks, BehaviourNotes) {

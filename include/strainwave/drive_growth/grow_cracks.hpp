@@ -103,7 +103,8 @@ struct GrowthPoint {
     field({"cycles", "1", "cycles of this crack"}, &GrowthPoint::cycles);
     field({"size", "m", "depth, or half length of a through crack"}, &GrowthPoint::size);
     field({"half_length", "m", "half length on the surface"}, &GrowthPoint::half_length);
-    field({"K_max", "Pa*m^0.5", "largest K of a repetition of the duty"}, &GrowthPoint::K_max);
+    field({"K_max", "Pa*m^0.5", "largest K of a repetition of the duty, at any point of the tip"},
+          &GrowthPoint::K_max);
     field({"delta_K", "Pa*m^0.5", "widest range of K, with its pressed part"},
           &GrowthPoint::delta_K);
     field({"ratio", "1", "R of the widest cycle"}, &GrowthPoint::ratio);
