@@ -645,6 +645,10 @@ void take_turn_table(DriveCrack& crack, std::shared_ptr<const TurnTable> table) 
   }
   crack.assembly = true;
   crack.turning = TurningLoad::wave;
+  crack.notes.push_back(
+      {"K of the load alone is that of the closed form, because the table contains "
+       "the wave",
+       "GR-30"});
   use(crack, {"GR-30"});
   crack.notes.push_back(
       {fmt::format("K over the turn of the wave generator is that of the table {}",

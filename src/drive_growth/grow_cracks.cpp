@@ -33,6 +33,7 @@ constexpr double kSevered = 0.01;    // share of the stiffness below which a dri
 constexpr double kFirstJump = 1e-9;  // of a path, over a place where a rate jumps
 constexpr double kLongestJump = 1e-3;
 constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
+constexpr double kNoTorque = 1e-9;     // of the torque of the file, where none acts [-]
 constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
 
 using State = std::vector<double>;  // ln of the size of each tip, then repetitions
@@ -224,9 +225,10 @@ class Growing {
     const bool axial =
         std::ranges::any_of(steps, [](const DutyStep& step) { return step.axial_force != 0; });
     for (const DutyStep& step : steps) {
-      if (step.torque != 0) {
-        gear.load.torque = step.torque * factor;
-        if (axial) gear.load.axial_force = step.axial_force * factor;
+      if (axial) gear.load.axial_force = step.axial_force * factor;
+      if (step.torque != 0 || step.axial_force != 0) {
+        // The assessment asks for a torque; a step without one takes a negligible torque.
+        gear.load.torque = step.torque != 0 ? step.torque * factor : kNoTorque * gear_.load.torque;
         for (const CrackStrength& crack : crack_strength(gear))
           take(crack.path, crack.breaks(),
                ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
@@ -237,7 +239,7 @@ class Growing {
         if (crack.turning != TurningLoad::bending) continue;
         const auto reserve = bent_reserve(gear, crack, size_of(state, k),
                                           {.torque = step.torque * factor,
-                                           .axial_force = step.axial_force * factor,
+                                           .axial_force = gear.load.axial_force,
                                            .bending_moment = step.bending_moment * factor});
         take(crack.path, reserve && *reserve < 1, reserve);
       }
@@ -758,11 +760,13 @@ class Path {
     }
   }
 
-  /// Takes the notes on the solutions of the growing cracks at their present sizes, each once.
+  /// Takes the notes on the solutions of the growing cracks at their present sizes, each once.  A
+  /// table of K needs none of them, and growth counts all faces as open (GR-22).
   void take_notes(const std::vector<Note>& notes) {
     for (const Note& note : notes) {
       const bool grows = std::ranges::any_of(growing_.cracks(), [&](const GrowingCrack& crack) {
-        return crack.crack().path == note.path;
+        return crack.crack().path == note.path && !crack.crack().turn_table &&
+               note.code != "crack.closed";
       });
       const bool told = std::ranges::any_of(report_.notes, [&](const Note& other) {
         return other.code == note.code && other.path == note.path;

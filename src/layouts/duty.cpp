@@ -210,18 +210,19 @@ std::vector<std::string> duty_sentences(const DriveDuty& duty) {
   const DisplayUnit torque = display_unit({}, "N*m");
   const DisplayUnit speed =
       display_unit({}, "rad/s", DisplayUnit{.text = "rpm", .in_si = units::rpm});
-  return {fmt::format(
-              "One repetition of the duty takes {} and has {}; the output makes {} turns and the "
-              "input {}, in both senses together. The {} does not turn.",
-              number_and_unit(duty.duration, second),
-              counted(static_cast<std::size_t>(duty.steps), "step"),
-              shown_number(duty.output_turns, 6), shown_number(duty.input_turns, 6),
-              duty.fixed == FixedMember::circular_spline ? "circular spline" : "flexspline"),
-          fmt::format("Average torque {}, average speed of the output {}, of the input {}, by the "
-                      "makers' rules.",
-                      number_and_unit(duty.average_torque, torque),
-                      number_and_unit(duty.average_output_speed, speed),
-                      number_and_unit(duty.average_input_speed, speed))};
+  return {
+      fmt::format(
+          "One repetition of the duty takes {} and has {}; the output makes {} turns and the "
+          "input {}, in both senses together. The {} does not turn.",
+          number_and_unit(duty.duration, second),
+          counted(static_cast<std::size_t>(duty.steps), "step"), shown_number(duty.output_turns, 6),
+          shown_number(duty.input_turns, 6),
+          duty.fixed == FixedMember::circular_spline ? "circular spline" : "flexspline"),
+      fmt::format("By the makers' rules, the average torque is {}, and the average speed is {} at "
+                  "the output and {} at the input.",
+                  number_and_unit(duty.average_torque, torque),
+                  number_and_unit(duty.average_output_speed, speed),
+                  number_and_unit(duty.average_input_speed, speed))};
 }
 
 std::string duty_text(const DutyReport& report, const GearSet& gear) {

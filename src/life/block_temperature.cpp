@@ -35,7 +35,7 @@ std::optional<UnstatedTemperature> unstated_temperature(
                                shown_quantity((*stated)[1], "K", 5))
                  : fmt::format("but {} state no temperature", constants);
   if (count > 1)
-    text += fmt::format("; so it is for {} other block{}", count - 1, count == 2 ? "" : "s");
+    text += fmt::format("; the same holds for {} other block{}", count - 1, count == 2 ? "" : "s");
   return UnstatedTemperature{.path = fmt::format("duty.block[{}].temperature", farthest),
                              .text = text};
 }

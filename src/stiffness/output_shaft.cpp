@@ -52,11 +52,27 @@ class ShaftCracks : public CrackAdder {
   template <class Solution>
   void add_annular(CrackReport report, const AnnularCrack& crack,
                    const LoadedCrack<Solution>& loaded, const ShaftAccuracy& accuracy);
+  /// The compliance by the closed form, which is the same under both senses of torque.
+  template <class Solution>
+  void take_closed_form(CrackReport& report, const LoadedCrack<Solution>& loaded,
+                        const ShaftAccuracy& accuracy);
   /// Adds one surface crack by the closed form.
   template <class Solution>
   void add_surface(CrackReport report, const LoadedCrack<Solution>& loaded,
                    const ShaftAccuracy& accuracy);
 };
+
+template <class Solution>
+void ShaftCracks::take_closed_form(CrackReport& report, const LoadedCrack<Solution>& loaded,
+                                   const ShaftAccuracy& accuracy) {
+  const auto added = closed_form(loaded, options.quadrature).positive;
+  demand_convergence(member, report, added.relative_error, added.converged);
+  rest_on(member, report.path, accuracy.torsion);
+  if (gear.load.axial_force != 0) rest_on(member, report.path, accuracy.tension);
+  report.positive.at_output = {model.at_output(added.matrix), kComplianceUnit, accuracy.torsion};
+  report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
+  report.negative = report.positive;
+}
 
 template <class Solution>
 void ShaftCracks::add_annular(CrackReport report, const AnnularCrack& crack,
@@ -65,13 +81,7 @@ void ShaftCracks::add_annular(CrackReport report, const AnnularCrack& crack,
   if (loaded.table) {
     take_from_table(report, member, gear, crack, *loaded.table);
   } else {
-    const auto added = closed_form(loaded, options.quadrature).positive;
-    demand_convergence(member, report, added.relative_error, added.converged);
-    rest_on(member, report.path, accuracy.torsion);
-    if (P != 0) rest_on(member, report.path, accuracy.tension);
-    report.positive.at_output = {model.at_output(added.matrix), kComplianceUnit, accuracy.torsion};
-    report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
-    report.negative = report.positive;
+    take_closed_form(report, loaded, accuracy);
   }
   report_intensities(report, loaded.with_faces(loaded.faces.positive), {P, gear.load.torque},
                      {accuracy.K_I, 0.0, accuracy.K_III});
@@ -178,15 +188,9 @@ void ShaftCracks::add_surface(CrackReport report, const LoadedCrack<Solution>& l
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
   note_load_and_ends(report, loaded.faces);
   use({"FR-22"});
-  const auto added = closed_form(loaded, options.quadrature).positive;
-  demand_convergence(member, report, added.relative_error, added.converged);
-  const double P = gear.load.axial_force;
-  rest_on(member, report.path, accuracy.torsion);
-  if (P != 0) rest_on(member, report.path, accuracy.tension);
-  report.positive.at_output = {model.at_output(added.matrix), kComplianceUnit, accuracy.torsion};
-  report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
-  report.negative = report.positive;
-  report_intensities(report, loaded.with_faces(loaded.faces.positive), {P, gear.load.torque},
+  take_closed_form(report, loaded, accuracy);
+  report_intensities(report, loaded.with_faces(loaded.faces.positive),
+                     {gear.load.axial_force, gear.load.torque},
                      {accuracy.K_I, accuracy.K_III, accuracy.K_III});
   member.cracks.push_back(std::move(report));
 }

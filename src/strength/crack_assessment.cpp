@@ -47,14 +47,19 @@ CrackStrength beyond_turn_table(CrackStrength report, const TurnTable& table, do
   return report;
 }
 
-/// Notes on where the table of K over a turn ends an answer.
-void note_ends_of_table(CrackStrength& report, const TurnTable& table, double torque) {
+/// Notes that a table of K over a turn lacks the other sense of torque.
+void note_one_sense(CrackStrength& report, const TurnTable& table, double torque) {
   if (!table.covers(-torque))
     report.notes.push_back(
         {fmt::format("the table {} has no torque of the other sense, so the other "
                      "sense is not assessed",
                      shown(table.file)),
          "GR-30"});
+}
+
+/// Notes on where the table of K over a turn ends an answer.
+void note_ends_of_table(CrackStrength& report, const TurnTable& table, double torque) {
+  note_one_sense(report, table, torque);
   if (!table.covers(0))
     report.notes.push_back(
         {fmt::format("the table {} does not have torque 0, so all of its K counts "
@@ -88,37 +93,46 @@ CrackStrength rim_with_table(const GearSet& gear, const DriveCrack& crack, Crack
   report.toughness = material.fracture_toughness;
   report.equations = {"FA-13", "FR-1", "FR-20", "GR-30"};
   report.notes = {kResidual};
-  StrengthState state{
-      .sense = gear.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative,
-      .with_assembly = true,
-      .unknown = "the stress of the rim's net section is not known",
-      .next_step = "Compare K with the toughness, and assess the net section by finite elements."};
   const TurnFactors factors(table, report.size, 1.0);
-  for (std::size_t i = 0; i < factors.stations(); ++i)
-    for (const Modes& K : factors.at(i, gear.load.torque))
-      state.K = std::max(state.K,
-                         std::sqrt(steel.plane_strain_modulus() *
-                                   energy_release_rate(std::max(K[0], 0.0), K[1], K[2],
-                                                       {steel.plane_strain_modulus(), steel.G})));
-  report.sentence = "cannot tell: " + state.unknown;
-  const std::string shown_K = shown_quantity(state.K, "Pa*m^0.5", 3);
-  if (material.fracture_toughness) {
-    state.utilisation = state.K / *material.fracture_toughness;
-    report.sentence += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
-    if (*state.utilisation >= 1) {
+  // The drive may reverse, so the worst K under either sense that the table covers counts.
+  for (const double torque : {gear.load.torque, -gear.load.torque}) {
+    if (!table.covers(torque)) continue;
+    StrengthState& state = report.states.emplace_back(StrengthState{
+        .sense = torque > 0 ? TorqueSense::positive : TorqueSense::negative,
+        .with_assembly = true,
+        .unknown = "the stress of the rim's net section is not known",
+        .next_step =
+            "Compare K with the toughness, and assess the net section by finite elements."});
+    for (std::size_t i = 0; i < factors.stations(); ++i)
+      for (const Modes& K : factors.at(i, torque))
+        state.K = std::max(state.K,
+                           std::sqrt(steel.plane_strain_modulus() *
+                                     energy_release_rate(std::max(K[0], 0.0), K[1], K[2],
+                                                         {steel.plane_strain_modulus(), steel.G})));
+    if (material.fracture_toughness) state.utilisation = state.K / *material.fracture_toughness;
+    if (state.utilisation && *state.utilisation >= 1) {
       state.verdict = StrengthVerdict::fractures;
       state.unknown.clear();
       state.next_step.clear();
-      report.sentence = fmt::format(
-          "fractures at this load together with the assembly's bending: K = {} reaches K_Ic",
-          shown_K);
     }
-  } else {
-    report.sentence += "; K = " + shown_K;
   }
+  note_one_sense(report, table, gear.load.torque);
+  report.governing = static_cast<std::size_t>(
+      std::ranges::max_element(report.states, {}, &StrengthState::K) - report.states.begin());
+  const StrengthState& state = report.states[report.governing];
+  const char* const sense = report.governing == 0 ? "" : " under the other sense of the torque";
+  report.sentence = "cannot tell: the stress of the rim's net section is not known";
+  const std::string shown_K = shown_quantity(state.K, "Pa*m^0.5", 3);
+  if (state.verdict == StrengthVerdict::fractures)
+    report.sentence = fmt::format(
+        "fractures at this load{} together with the assembly's bending: K = {} reaches K_Ic", sense,
+        shown_K);
+  else if (state.utilisation)
+    report.sentence += fmt::format("; K/K_Ic = {:.3g}{}", *state.utilisation, sense);
+  else
+    report.sentence += "; K = " + shown_K + sense;
   report.verdict = state.verdict;
   report.next_step = state.next_step;
-  report.states = {std::move(state)};
   return report;
 }
 

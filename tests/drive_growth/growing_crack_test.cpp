@@ -61,42 +61,11 @@ TEST(GrowingCrackStates, CrosscheckLargestKOfAllStates) {  // GR-12, GR-22
   // Each torque meets the moment of bending in either sense.  The largest K of these states, at the
   // deepest point and at the surface, is the one that breaks the shaft, also if another phase grows
   // faster.
-  GearSet gear = read_gear_set(R"(
-format = "strainwave-drive/1"
-[material.steel]
-youngs_modulus = "208 GPa"
-poissons_ratio = 0.3
-[[material.steel.growth]]
-kind = "paris"
-coefficient = "6.9e-12 m"
-exponent = 3
-[drive]
-ratio = 100
-pitch_diameter = "160 mm"
-radial_displacement = "0.8 mm"
-[load]
-torque = "3000 N*m"
-[output_shaft]
-material = "steel"
-outer_diameter = "60 mm"
-length = "150 mm"
-[[output_shaft.crack]]
-kind = "surface"
-depth = "1 mm"
-half_length = "1.5 mm"
-[duty]
-[[duty.block]]
-duration = "60 s"
-output_speed = "14 rpm"
-torque = "3000 N*m"
-bending_moment = "4000 N*m"
-[[duty.block]]
-duration = "0.05 s"
-output_speed = "14 rpm"
-torque = "12000 N*m"
-bending_moment = "4000 N*m"
-)",
-                               "shaft.toml");
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/bent_shaft.toml");
+  const DutyBlock low{.duration = 60, .output_speed = 1.5, .torque = 3000, .bending_moment = 4000};
+  const DutyBlock high{
+      .duration = 0.05, .output_speed = 1.5, .torque = 12000, .bending_moment = 4000};
+  gear.duty->block = {low, high};
   const DriveCrack made = drive_cracks(gear).front();
   const auto front = made.front(made.size, Faces::open);
   const auto bent = made.bending(made.size);

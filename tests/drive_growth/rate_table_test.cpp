@@ -171,7 +171,7 @@ TEST(RateTable, BehaviourTemperatureOfABlock) {
   EXPECT_EQ(note->path, "duty.block[1].temperature");
   EXPECT_EQ(note->text,
             "the block is at 393 K, but the constants of crack growth, material steel of the file, "
-            "state no temperature; so it is for 1 other block");
+            "state no temperature; the same holds for 1 other block");
   GrowthBounds bounds;
   bounds.temperature = {290, 310};
   gear.material.at("steel").growth_bounds = bounds;

@@ -231,46 +231,43 @@ TEST(SecondRoad, ReferenceShaftAtRest) {  // GR-12, GR-22
   EXPECT_EQ(grow_cracks(gear, test::until_size(kShaftCrack, 4e-3)).end, DriveEnd::until);
 }
 
+/// The shaft with a crack of 1 mm under torques from 0 to `low` twice and to `high` once, 15-5PH.
+struct OverloadedShaft {
+  GearSet gear = test::growing_shaft();
+  GrowthOptions options;
+};
+OverloadedShaft overloaded_shaft(double low, double high, double until, InteractionRule rule) {
+  OverloadedShaft made;
+  Material& steel = made.gear.material.at("steel");
+  steel.fracture_toughness.reset();
+  steel.ultimate_strength.reset();
+  std::get<AnnularCrack>(made.gear.output_shaft->crack[0]).depth = 1e-3;
+  const auto block = [](double torque) {
+    return DutyBlock{.duration = 1, .output_speed = 1.0, .torque = torque};
+  };
+  made.gear.duty->block = {block(0), block(low), block(0), block(low), block(0), block(high)};
+  made.options = test::until_size(kShaftCrack, until);
+  made.options.rate = {.mixed_mode = MixedMode::richard, .law = "15-5PH H900"};
+  made.options.interaction = {.rule = rule, .zone_factor = 2.0};
+  return made;
+}
+
 TEST(SecondRoad, ReferenceWillenborgCycleByCycle) {  // GR-19, GR-27
   // Torque 0 to 3000 twice and 0 to 6000 N*m once, 15-5PH, 1 to 1.01 mm; the script's loop changes
   // the size after each cycle, the path holds it over a repetition.
-  GearSet gear = test::growing_shaft();
-  Material& steel = gear.material.at("steel");
-  steel.fracture_toughness.reset();
-  steel.ultimate_strength.reset();
-  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 1e-3;
-  const DutyBlock rest{.duration = 1, .output_speed = 1.0, .torque = 0};
-  DutyBlock low = rest;
-  low.torque = 3000;
-  DutyBlock high = rest;
-  high.torque = 6000;
-  gear.duty->block = {rest, low, rest, low, rest, high};
-  GrowthOptions options = test::until_size(kShaftCrack, 1.01e-3);
-  options.rate = {.mixed_mode = MixedMode::richard, .law = "15-5PH H900"};
-  options.interaction = {.rule = InteractionRule::willenborg, .zone_factor = 2.0};
-  const GrowthReport report = grow_cracks(gear, options);
+  const OverloadedShaft shaft = overloaded_shaft(3000, 6000, 1.01e-3, InteractionRule::willenborg);
+  const GrowthReport report = grow_cracks(shaft.gear, shaft.options);
   EXPECT_EQ(report.end, DriveEnd::until);
   test::expect_relative(report.repetitions, rows_of("shaft.willenborg").at(1.01e-3).value, 2e-3);
 }
 
 TEST(SecondRoad, ReferenceHeldOpeningCycleByCycle) {  // GR-32, GR-27
   // Torque 0 to 7000 twice and 0 to 10 000 N*m once, 15-5PH, 1 to 1.05 mm, as above.
-  GearSet gear = test::growing_shaft();
-  Material& steel = gear.material.at("steel");
-  steel.fracture_toughness.reset();
-  steel.ultimate_strength.reset();
-  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 1e-3;
-  const DutyBlock rest{.duration = 1, .output_speed = 1.0, .torque = 0};
-  DutyBlock low = rest;
-  low.torque = 7000;
-  DutyBlock high = rest;
-  high.torque = 10000;
-  gear.duty->block = {rest, low, rest, low, rest, high};
-  GrowthOptions options = test::until_size(kShaftCrack, 1.05e-3);
-  options.rate = {.mixed_mode = MixedMode::richard, .law = "15-5PH H900"};
-  const double unslowed = grow_cracks(gear, options).repetitions;
-  options.interaction = {.rule = InteractionRule::closure, .zone_factor = 2.0};
-  const GrowthReport report = grow_cracks(gear, options);
+  const OverloadedShaft shaft = overloaded_shaft(7000, 10000, 1.05e-3, InteractionRule::closure);
+  GrowthOptions alone = shaft.options;
+  alone.interaction.rule = InteractionRule::none;
+  const double unslowed = grow_cracks(shaft.gear, alone).repetitions;
+  const GrowthReport report = grow_cracks(shaft.gear, shaft.options);
   EXPECT_EQ(report.end, DriveEnd::until);
   test::expect_relative(report.repetitions, rows_of("shaft.closure").at(1.05e-3).value, 2e-3);
   EXPECT_GT(report.repetitions, 1.1 * unslowed);

@@ -464,6 +464,64 @@ TEST(TurnTableGrowth, BehaviourLargestKBesideTheFastestPoint) {  // GR-12, GR-31
   test::expect_relative(broken.cracks[0].series.back().size, 2.88e-3, 1e-6);
 }
 
+TEST(TurnTableGrowth, BehaviourEachSenseOfTheDutyIsAssessed) {  // GR-30, GR-40
+  // K is large under T < 0, whose torque is the smaller one, and the table does not reach the
+  // reverse of the larger one.
+  GearSet gear = through_wall();
+  test::give_turn_table<WallThroughCrack>(
+      gear, test::turn_table_of(
+                {.sizes = {1e-3, 8e-3}, .torques = {-5900, 0, 6000}, .stations = {-1, 0, 1}},
+                "half_length", [](double a, double, double T, std::size_t, double) {
+                  const double stress = T < 0 ? -T * 50e3 : T * 1e3;
+                  return Modes{stress * std::sqrt(pi * a), 0, 0};
+                }));
+  Material& steel = gear.material.at("steel");
+  steel.yield_strength = 250e6;
+  steel.ultimate_strength = 300e6;
+  const double K = 5900 * 50e3 * std::sqrt(pi * drive_cracks(gear).front().size.size);
+  steel.fracture_toughness = 1.02 * K;  // K_max alone does not break the part
+  gear.duty->block.resize(1);
+  DutyBlock back = gear.duty->block[0];
+  back.torque = -5900;
+  back.output_speed = -*back.output_speed;
+  gear.duty->block[0].torque = 6000;
+  GrowthOptions options;
+  options.stop.time = 1.0;
+  EXPECT_EQ(grow_cracks(gear, options).end, DriveEnd::arrested);  // K stands still
+  gear.duty->block.push_back(back);
+  const GrowthReport both = grow_cracks(gear, options);
+  EXPECT_EQ(both.end, DriveEnd::assessment) << both.sentence;
+  EXPECT_EQ(both.time, 0.0);
+}
+
+TEST(TurnTableGrowth, BehaviourVibrationBeyondTheTable) {  // GR-28, GR-30
+  // The example's table ends at 1.5 times the largest torque of the duty.
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/turn_table.toml");
+  const auto end_at = [&](double ratio) {
+    gear.duty->resonance = {.frequency_ratio = ratio, .damping_ratio = 0.01};
+    return grow_cracks(gear);
+  };
+  // 1/(1 - 0.6^2) = 1.56 from the beginning.
+  const std::string message = test::broken_rule([&] { return end_at(0.6); });
+  EXPECT_NE(message.find("duty.resonance"), std::string::npos) << message;
+  EXPECT_NE(message.find("turn_through.csv"), std::string::npos) << message;
+  // Near 1.5 the softer drive comes closer to resonance on its way, and the table ends there.
+  const GrowthReport beyond = end_at(0.5772);
+  EXPECT_EQ(beyond.end, DriveEnd::range) << beyond.sentence;
+  EXPECT_LT(beyond.cracks[0].series.back().size, 7.9e-3);
+  EXPECT_EQ(end_at(0.2).end, DriveEnd::range);  // by the largest size of the table
+}
+
+TEST(TurnTableGrowth, BehaviourAReserveThatEndsInTheTableIsNotKnown) {  // GR-30
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/turn_table.toml");
+  EXPECT_FALSE(grow_cracks(gear).stiffness.front().reserve);
+  GearSet brittle = gear;
+  brittle.material.at("steel").fracture_toughness = 11e6;
+  const GrowthReport report = grow_cracks(brittle);
+  ASSERT_TRUE(report.stiffness.front().reserve);
+  EXPECT_LT(*report.stiffness.front().reserve, 1.5);
+}
+
 TEST(TurnTableGrowth, BehaviourArrestWithinTheTable) {  // GR-12
   // The factor that starts the crack is known up to the end of the table only.
   GearSet gear = with_invented(plain_grid(), invented);

@@ -96,10 +96,10 @@ TEST(ShaftSurfaceStiffness, BehaviourNotesOutsideTheRange) {  // SB-7, SB-10, FR
   other.material.at(other.output_shaft->material).poissons_ratio = 0.4;
   other.material.at(other.output_shaft->material).shear_modulus.reset();
   EXPECT_TRUE(has_surface_note(other, "crack.poissons_ratio"));
-  GearSet stub = surface_in_shaft(0.0, 4 * mm, 6 * mm);
-  EXPECT_FALSE(has_surface_note(stub, "crack.short_shaft"));
-  stub.output_shaft->length = 100 * mm;
-  EXPECT_TRUE(has_surface_note(stub, "crack.short_shaft"));
+  GearSet short_shaft = surface_in_shaft(0.0, 4 * mm, 6 * mm);
+  EXPECT_FALSE(has_surface_note(short_shaft, "crack.short_shaft"));
+  short_shaft.output_shaft->length = 100 * mm;
+  EXPECT_TRUE(has_surface_note(short_shaft, "crack.short_shaft"));
 }
 
 TEST(ShaftSurfaceStiffness, BehaviourNothingLeft) {  // SB-10
