@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
+
+/// @file
+/// Angles of the three parts of a strain wave gear, with sign.
+
+namespace strainwave {
+
+/// A part of a strain wave gear that turns or stands.
+enum class DrivePart { wave_generator, flexspline, circular_spline };
+template <>
+struct EnumNames<DrivePart> {
+  static constexpr std::array<std::string_view, 3> names = {"wave_generator", "flexspline",
+                                                            "circular_spline"};
+};
+
+/// The part that stands and the part that is driven; the third part is the output.
+struct Arrangement {
+  DrivePart fixed = DrivePart::circular_spline;
+  DrivePart input = DrivePart::wave_generator;
+
+  /// @throws InputError  if one part is both fixed and the input
+  [[nodiscard]] DrivePart output() const;
+};
+
+/// Turns of the three parts, each with its sign [-].
+struct PartTurns {
+  double wave_generator = 0.0;
+  double flexspline = 0.0;
+  double circular_spline = 0.0;
+
+  [[nodiscard]] double of(DrivePart part) const;
+};
+
+/// Turns of the parts in one turn of the input, without elastic twist (DY-1) [-].
+/// @param ratio  i, turns of the wave generator in one turn of the flexspline, without sign, while
+///               the circular spline stands [-]; > 0
+/// @throws InputError  if the ratio is out of range, or one part is both fixed and the input
+[[nodiscard]] PartTurns part_turns(const Arrangement& arrangement, double ratio);
+
+/// Turns of the input in one turn of the output, with sign (DY-1) [-].
+[[nodiscard]] double signed_ratio(const Arrangement& arrangement, double ratio);
+
+/// Number of times in one turn of the input that a load passes a fixed point of the material of
+/// each part (DY-2) [-]; the orders of the lines that a crack there adds to a spectrum.
+struct LoadOrders {
+  double flexspline = 0.0;       ///< the wave, at flexspline, teeth and outer ring of the bearing
+  double circular_spline = 0.0;  ///< the wave, at the circular spline
+  double inner_ring = 0.0;       ///< balls, at the inner ring
+  double outer_ring = 0.0;       ///< balls, at the outer ring
+  double cage = 0.0;             ///< turns of the cage against the wave generator
+  double output = 0.0;           ///< turns of the output
+};
+
+/// The bearing of the wave generator.
+struct BallSet {
+  int balls = 0;                ///< Z [-]; >= 1
+  double diameter_ratio = 0.0;  ///< ball over pitch diameter, d/D [-]; in (0, 1)
+};
+
+/// Implements theory manual eq. (DY-2).  The outer ring turns with the flexspline, and the balls
+/// roll.
+/// @param wave_number  U, number of lobes [-]; >= 1
+/// @throws InputError  if an argument is out of range
+[[nodiscard]] LoadOrders load_orders(const Arrangement& arrangement, double ratio, int wave_number,
+                                     const BallSet& bearing);
+
+}  // namespace strainwave

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/dynamics/kinematics.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+
+DrivePart Arrangement::output() const {
+  if (fixed == input)
+    throw InputError("input", fmt::format("must not be the fixed part; {} is both fixed and the "
+                                          "input",
+                                          enum_name(fixed)));
+  for (const DrivePart part :
+       {DrivePart::wave_generator, DrivePart::flexspline, DrivePart::circular_spline})
+    if (part != fixed && part != input) return part;
+  return DrivePart::flexspline;  // not reached: of three parts one is left
+}
+
+double PartTurns::of(DrivePart part) const {
+  switch (part) {
+    case DrivePart::wave_generator:
+      return wave_generator;
+    case DrivePart::flexspline:
+      return flexspline;
+    case DrivePart::circular_spline:
+      break;
+  }
+  return circular_spline;
+}
+
+PartTurns part_turns(const Arrangement& arrangement, double ratio) {
+  require(ratio > 0 && std::isfinite(ratio), "ratio", ratio, "1", "> 0");
+  // (DY-1): w = (i + 1) c - i f; the coefficient of each part with all parts on one side.
+  const auto weight = [&](DrivePart part) {
+    return part == DrivePart::wave_generator ? 1.0
+           : part == DrivePart::flexspline   ? ratio
+                                             : -(ratio + 1);
+  };
+  const DrivePart output = arrangement.output();
+  const double turned = -weight(arrangement.input) / weight(output);
+  const auto of = [&](DrivePart part) {
+    return part == arrangement.input ? 1.0 : part == output ? turned : 0.0;
+  };
+  return {.wave_generator = of(DrivePart::wave_generator),
+          .flexspline = of(DrivePart::flexspline),
+          .circular_spline = of(DrivePart::circular_spline)};
+}
+
+double signed_ratio(const Arrangement& arrangement, double ratio) {
+  return 1 / part_turns(arrangement, ratio).of(arrangement.output());
+}
+
+LoadOrders load_orders(const Arrangement& arrangement, double ratio, int wave_number,
+                       const BallSet& bearing) {
+  require(wave_number >= 1, "wave_number", wave_number, "1", ">= 1");
+  require(bearing.balls >= 1, "balls", bearing.balls, "1", ">= 1");
+  require(bearing.diameter_ratio > 0 && bearing.diameter_ratio < 1, "diameter_ratio",
+          bearing.diameter_ratio, "1", "between 0 and 1");
+  const PartTurns turns = part_turns(arrangement, ratio);
+  const double past_flexspline = turns.wave_generator - turns.flexspline;
+  // (DY-2): a ball rolls on the inner ring of the wave generator and on the outer ring.
+  const double cage = past_flexspline * (1 + bearing.diameter_ratio) / 2;
+  return {.flexspline = wave_number * std::abs(past_flexspline),
+          .circular_spline = wave_number * std::abs(turns.wave_generator - turns.circular_spline),
+          .inner_ring = bearing.balls * std::abs(cage),
+          .outer_ring = bearing.balls * std::abs(past_flexspline - cage),
+          .cage = std::abs(cage),
+          .output = std::abs(turns.of(arrangement.output()))};
+}
+
+}  // namespace strainwave

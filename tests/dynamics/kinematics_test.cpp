@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/dynamics/kinematics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "strainwave/core/error.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using enum DrivePart;
+
+TEST(Kinematics, ReferenceRatiosOfAllArrangements) {
+  // Textbook ratios of a strain wave gear with i = 100; no tolerance but rounding.
+  struct Case {
+    Arrangement arrangement;
+    double ratio;
+  };
+  for (const Case& one :
+       {Case{{circular_spline, wave_generator}, -100.0}, Case{{flexspline, wave_generator}, 101.0},
+        Case{{wave_generator, flexspline}, 101.0 / 100},
+        Case{{wave_generator, circular_spline}, 100.0 / 101},
+        Case{{circular_spline, flexspline}, -1.0 / 100},
+        Case{{flexspline, circular_spline}, 1.0 / 101}})
+    EXPECT_DOUBLE_EQ(signed_ratio(one.arrangement, 100), one.ratio);
+}
+
+TEST(Kinematics, IdentityTeethThatMeshDoNotSlip) {
+  // Teeth that pass the lobe: those of the flexspline relative to the wave, and those of the
+  // circular spline, are the same number.
+  for (const double teeth : {60.0, 200.0, 320.0})
+    for (const DrivePart fixed : {wave_generator, flexspline, circular_spline})
+      for (const DrivePart input : {wave_generator, flexspline, circular_spline}) {
+        if (input == fixed) continue;
+        const PartTurns turns = part_turns({fixed, input}, teeth / 2);
+        EXPECT_NEAR(teeth * (turns.flexspline - turns.wave_generator),
+                    (teeth + 2) * (turns.circular_spline - turns.wave_generator), 1e-9);
+        EXPECT_EQ(turns.of(fixed), 0.0);
+        EXPECT_EQ(turns.of(input), 1.0);
+      }
+}
+
+TEST(Kinematics, ReferenceOrdersOfABearing) {
+  // Kinematics of a bearing whose outer ring turns by -1/i: 14 balls, d/D = 0.08, i = 100.
+  const LoadOrders orders = load_orders({}, 100, 2, {.balls = 14, .diameter_ratio = 0.08});
+  test::expect_relative(orders.inner_ring, 7.6356, 1e-12);
+  test::expect_relative(orders.outer_ring, 6.5044, 1e-12);
+  test::expect_relative(orders.flexspline, 2.02, 1e-15);
+  EXPECT_DOUBLE_EQ(orders.circular_spline, 2.0);
+  test::expect_relative(orders.output, 0.01, 1e-15);
+  // With the flexspline fixed, the wave passes its material twice, and the circular spline less.
+  const LoadOrders other =
+      load_orders({flexspline, wave_generator}, 100, 2, {.balls = 14, .diameter_ratio = 0.08});
+  EXPECT_DOUBLE_EQ(other.flexspline, 2.0);
+  test::expect_relative(other.circular_spline, 2 * (1 - 1.0 / 101), 1e-15);
+  test::expect_relative(other.inner_ring + other.outer_ring, 14.0, 1e-15);
+}
+
+TEST(Kinematics, InputEachRuleBrokenOnce) {
+  const auto message = [](const Arrangement& arrangement, double ratio = 100, int waves = 2,
+                          const BallSet& bearing = {14, 0.08}) {
+    return test::broken_rule([&] { return load_orders(arrangement, ratio, waves, bearing); });
+  };
+  EXPECT_EQ(message({}), "no error");
+  EXPECT_NE(message({flexspline, flexspline}).find("both fixed and the input"), std::string::npos);
+  EXPECT_NE(message({}, 0).find("ratio"), std::string::npos);
+  EXPECT_NE(message({}, 100, 0).find("wave_number"), std::string::npos);
+  EXPECT_NE(message({}, 100, 2, {0, 0.1}).find("balls"), std::string::npos);
+  EXPECT_NE(message({}, 100, 2, {14, 1}).find("diameter_ratio"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
