@@ -47,11 +47,11 @@ TEST(TorsionalChain, ReferenceTwoInertias) {
     ASSERT_EQ(modes.size(), 2U);
     EXPECT_EQ(modes[0].frequency, 0.0);
     EXPECT_TRUE(modes[0].energy_share.empty());
-    test::expect_relative(modes[1].frequency, one.free, 1e-7);
+    test::expect_relative(modes[1].frequency, one.free, 4e-7);
     const std::array<std::size_t, 1> motor = {0};
     const auto locked = chain_modes(chain, motor);
     ASSERT_EQ(locked.size(), 1U);
-    test::expect_relative(locked[0].frequency, one.locked, 1e-7);
+    test::expect_relative(locked[0].frequency, one.locked, 4e-7);
     EXPECT_EQ(locked[0].shape[0], 0.0);
   }
   // zeta = c omega/(2 K), with the printed digits.
