@@ -14,7 +14,7 @@ namespace {
 using enum DrivePart;
 
 TEST(Kinematics, ReferenceRatiosOfAllArrangements) {
-  // Textbook ratios of a strain wave gear with i = 100; no tolerance but rounding.
+  // (DY-1): Textbook ratios of a strain wave gear with i = 100; no tolerance but rounding.
   struct Case {
     Arrangement arrangement;
     double ratio;
@@ -29,8 +29,8 @@ TEST(Kinematics, ReferenceRatiosOfAllArrangements) {
 }
 
 TEST(Kinematics, IdentityTeethThatMeshDoNotSlip) {
-  // Teeth that pass the lobe: those of the flexspline relative to the wave, and those of the
-  // circular spline, are the same number.
+  // (DY-1): Teeth that pass the lobe: those of the flexspline relative to the wave, and those of
+  // the circular spline, are the same number.
   for (const double teeth : {60.0, 200.0, 320.0})
     for (const DrivePart fixed : {wave_generator, flexspline, circular_spline})
       for (const DrivePart input : {wave_generator, flexspline, circular_spline}) {
@@ -44,7 +44,7 @@ TEST(Kinematics, IdentityTeethThatMeshDoNotSlip) {
 }
 
 TEST(Kinematics, ReferenceOrdersOfABearing) {
-  // Kinematics of a bearing whose outer ring turns by -1/i: 14 balls, d/D = 0.08, i = 100.
+  // (DY-2): Kinematics of a bearing whose outer ring turns by -1/i: 14 balls, d/D = 0.08, i = 100.
   const LoadOrders orders = load_orders({}, 100, 2, {.balls = 14, .diameter_ratio = 0.08});
   test::expect_relative(orders.inner_ring, 7.6356, 1e-12);
   test::expect_relative(orders.outer_ring, 6.5044, 1e-12);

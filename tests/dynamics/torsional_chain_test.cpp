@@ -35,8 +35,8 @@ TorsionalChain four_inertias() {
 }
 
 TEST(TorsionalChain, ReferenceTwoInertias) {
-  // Closed form: f_r = sqrt(K (1/J_L + 1/(i^2 J_m)))/2 pi, f_a = sqrt(K/J_L)/2 pi; ten digits
-  // given.
+  // (DY-3, DY-5): Closed form: f_r = sqrt(K (1/J_L + 1/(i^2 J_m)))/2 pi, f_a = sqrt(K/J_L)/2 pi;
+  // ten digits given.
   struct Case {
     double load, free, locked;
   };
@@ -60,14 +60,14 @@ TEST(TorsionalChain, ReferenceTwoInertias) {
 }
 
 TEST(TorsionalChain, ReferenceCriticalSpeeds) {
-  // The wave of order 2 meets f at 30 f rpm, for the frequency of the boundary condition.
+  // (DY-8): The wave of order 2 meets f at 30 f rpm, for the frequency of the boundary condition.
   const double rpm = 2 * pi / 60;
   test::expect_relative(critical_speed(35.58812717, 2) / rpm, 1067.6438, 1e-7);
   test::expect_relative(critical_speed(50.32921210, 2) / rpm, 1509.8764, 1e-7);
 }
 
 TEST(TorsionalChain, ReferenceFourInertias) {
-  // Eigenvalues and energies of an independent program, all digits given.
+  // (DY-3): Eigenvalues and energies of an independent program, all digits given.
   const TorsionalChain chain = four_inertias();
   const auto modes = chain_modes(chain);
   ASSERT_EQ(modes.size(), 4U);
@@ -101,7 +101,7 @@ TEST(TorsionalChain, ReferencePublishedDrives) {
 }
 
 TEST(TorsionalChain, CrosscheckShareIsTheDerivativeOfTheFrequency) {
-  // Central difference of ln f by ln lambda with step 1e-5: truncation below 1e-9.
+  // (DY-4): Central difference of ln f by ln lambda with step 1e-5: truncation below 1e-9.
   for (std::size_t s = 0; s < 3; ++s) {
     TorsionalChain more = four_inertias();
     TorsionalChain less = more;
@@ -140,7 +140,7 @@ TEST(TorsionalChain, IdentityShapesAreOrthogonalAndSharesSumToOne) {
 }
 
 TEST(TorsionalChain, ReferenceResponseOfTwoInertias) {
-  // Closed form of the response to a torque on the motor, ten digits given.
+  // (DY-6): Closed form of the response to a torque on the motor, ten digits given.
   const TorsionalChain chain = two_inertias(1e-4, 1, 5e4, -0.01, 10);
   struct Case {
     double frequency, motor, load;
@@ -157,7 +157,7 @@ TEST(TorsionalChain, ReferenceResponseOfTwoInertias) {
 }
 
 TEST(TorsionalChain, ReferenceResponseToAKinematicError) {
-  // Motor of given speed: theta_L/theta_k = (c s + K)/(J_L s^2 + c s + K), in closed form.
+  // (DY-7): Motor of given speed: theta_L/theta_k = (c s + K)/(J_L s^2 + c s + K), in closed form.
   const TorsionalChain chain = two_inertias(1e-4, 1, 5e4, 0.01, 10);
   const std::array<std::size_t, 1> motor = {0};
   for (const double frequency : {1.0, 20.0, 40.0, 300.0}) {
