@@ -313,10 +313,13 @@ class Section {
     if (details_.empty()) return y;
     constexpr double kGap = 4;
     const auto per_row = static_cast<std::size_t>((kPaperWidth + kGap) / (kDetailWidth + kGap));
-    for (std::size_t i = 0; i < details_.size(); ++i)
+    for (std::size_t i = 0; i < details_.size(); ++i) {
+      const std::size_t row = i / per_row;
+      const std::size_t column = i % per_row;
       draw_detail(sheet_, details_[i],
-                  {static_cast<double>(i % per_row) * (kDetailWidth + kGap) + 2,
-                   y + static_cast<double>(i / per_row) * (kDetailHeight + kGap)});
+                  {static_cast<double>(column) * (kDetailWidth + kGap) + 2,
+                   y + static_cast<double>(row) * (kDetailHeight + kGap)});
+    }
     const std::size_t rows = (details_.size() - 1) / per_row + 1;
     return y + static_cast<double>(rows) * (kDetailHeight + kGap) + 2;
   }
@@ -364,7 +367,7 @@ class Section {
     return y + kLine * static_cast<double>(half) + 1;
   }
 
-  std::string description() const {
+  [[nodiscard]] std::string description() const {
     std::string text = fmt::format("Scale {}. Parts: ", scale_text(sheet_.scale()));
     for (std::size_t i = 0; i < parts_.size(); ++i)
       text +=
