@@ -9,19 +9,16 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "text_lines.hpp"
 
 namespace strainwave {
 namespace {
-
-constexpr std::size_t kPiece = std::size_t{1} << 18;
-constexpr std::size_t kMaxLine = std::size_t{1} << 20;
 
 bool is_blank_character(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -43,70 +40,6 @@ char separator_in(std::string_view line) {
     if (line.find(separator) != std::string_view::npos) return separator;
   return ',';
 }
-
-/// Lines of a text that comes in pieces.
-class Lines {
- public:
-  explicit Lines(TextPieces pieces) : pieces_(std::move(pieces)), buffer_(kPiece) {}
-
-  /// The next line without its end; absent at the end of the text.  It is valid until the next
-  /// call.
-  std::optional<std::string_view> next() {
-    for (std::size_t searched = begin_;;) {
-      const void* const found = std::memchr(buffer_.data() + searched, '\n', end_ - searched);
-      if (found != nullptr) {
-        const auto at = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data());
-        return take(at, at + 1);
-      }
-      if (ended_) {
-        if (begin_ == end_) return std::nullopt;
-        return take(end_, end_);
-      }
-      searched = end_ - begin_;
-      refill();
-    }
-  }
-
-  [[nodiscard]] std::size_t line() const { return line_; }
-  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  [[nodiscard]] bool too_long() const { return too_long_; }
-
- private:
-  std::string_view take(std::size_t end, std::size_t next) {
-    const std::string_view line(buffer_.data() + begin_, end - begin_);
-    begin_ = next;
-    ++line_;
-    return line;
-  }
-
-  /// Moves the rest to the front and reads behind it.
-  void refill() {
-    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
-    end_ -= begin_;
-    begin_ = 0;
-    if (end_ == buffer_.size()) {
-      if (buffer_.size() >= kMaxLine) {
-        too_long_ = true;  // the caller refuses what the line begins with
-        ended_ = true;
-        return;
-      }
-      buffer_.resize(2 * buffer_.size());
-    }
-    const std::size_t size = pieces_(std::span(buffer_).subspan(end_));
-    ended_ = size == 0;
-    end_ += size;
-    bytes_ += size;
-  }
-
-  TextPieces pieces_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
-  bool ended_ = false;
-  bool too_long_ = false;
-  std::size_t line_ = 0;
-  std::uint64_t bytes_ = 0;
-};
 
 /// Reads a number at the beginning of a cell; returns its end, or null if there is none.
 const char* number_at_front(const char* from, const char* to, double& value) {
@@ -131,7 +64,7 @@ std::optional<double> number_of_cell(std::string_view cell, bool decimal_comma) 
 }  // namespace
 
 struct HistoryFile::Contents {
-  Lines lines;
+  TextLines lines;
   std::string name;
   char separator = ',';
   std::vector<HistoryColumn> columns = {};
@@ -278,7 +211,7 @@ struct HistoryFile::Contents {
 };
 
 HistoryFile::HistoryFile(TextPieces pieces, std::string name)
-    : contents_(new Contents{.lines = Lines(std::move(pieces)), .name = std::move(name)}) {
+    : contents_(new Contents{.lines = TextLines(std::move(pieces)), .name = std::move(name)}) {
   contents_->read_names();
 }
 HistoryFile::~HistoryFile() = default;
