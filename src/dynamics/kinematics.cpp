@@ -20,6 +20,12 @@ DrivePart Arrangement::output() const {
   return DrivePart::flexspline;  // not reached: of three parts one is left
 }
 
+Arrangement arrangement_of(FixedMember fixed) {
+  return {.fixed = fixed == FixedMember::circular_spline ? DrivePart::circular_spline
+                                                         : DrivePart::flexspline,
+          .input = DrivePart::wave_generator};
+}
+
 double PartTurns::of(DrivePart part) const {
   switch (part) {
     case DrivePart::wave_generator:
@@ -54,22 +60,25 @@ double signed_ratio(const Arrangement& arrangement, double ratio) {
   return 1 / part_turns(arrangement, ratio).of(arrangement.output());
 }
 
-LoadOrders load_orders(const Arrangement& arrangement, double ratio, int wave_number,
-                       const BallSet& bearing) {
+WaveOrders wave_orders(const Arrangement& arrangement, double ratio, int wave_number) {
   require(wave_number >= 1, "wave_number", wave_number, "1", ">= 1");
+  const PartTurns turns = part_turns(arrangement, ratio);
+  // (DY-2)
+  return {.flexspline = wave_number * std::abs(turns.wave_generator - turns.flexspline),
+          .circular_spline = wave_number * std::abs(turns.wave_generator - turns.circular_spline)};
+}
+
+BallOrders ball_orders(const Arrangement& arrangement, double ratio, const BallSet& bearing) {
   require(bearing.balls >= 1, "balls", bearing.balls, "1", ">= 1");
   require(bearing.diameter_ratio > 0 && bearing.diameter_ratio < 1, "diameter_ratio",
           bearing.diameter_ratio, "1", "between 0 and 1");
   const PartTurns turns = part_turns(arrangement, ratio);
-  const double past_flexspline = turns.wave_generator - turns.flexspline;
+  const double rings = std::abs(turns.wave_generator - turns.flexspline);
   // (DY-2): a ball rolls on the inner ring of the wave generator and on the outer ring.
-  const double cage = past_flexspline * (1 + bearing.diameter_ratio) / 2;
-  return {.flexspline = wave_number * std::abs(past_flexspline),
-          .circular_spline = wave_number * std::abs(turns.wave_generator - turns.circular_spline),
-          .inner_ring = bearing.balls * std::abs(cage),
-          .outer_ring = bearing.balls * std::abs(past_flexspline - cage),
-          .cage = std::abs(cage),
-          .output = std::abs(turns.of(arrangement.output()))};
+  const double cage = rings * (1 + bearing.diameter_ratio) / 2;
+  return {.inner_ring = bearing.balls * cage,
+          .outer_ring = bearing.balls * (rings - cage),
+          .cage = cage};
 }
 
 }  // namespace strainwave

@@ -41,6 +41,8 @@ void check(const TorsionalChain& chain, std::span<const std::size_t> held) {
             "N*m*s/rad", ">= 0");
     if (of.twist_of.size() != chain.inertias.size())
       throw InputError(of.name + ".twist_of", "must have one number for each inertia");
+    for (const double factor : of.twist_of)
+      require(std::isfinite(factor), of.name + ".twist_of", factor, "1", "a finite number");
   }
   for (const std::size_t at : held)
     if (at >= chain.inertias.size())

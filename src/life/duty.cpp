@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
 
 namespace strainwave {
 namespace {
@@ -21,16 +22,10 @@ double speed_of(const Moving& of, double ratio, FixedMember fixed) {
   }
   require(std::isfinite(*of.input_speed), "input_speed", *of.input_speed, "rad/s",
           "a finite number");
-  const double sense = fixed == FixedMember::circular_spline ? -1 : 1;
-  return sense * *of.input_speed / input_turns(ratio, fixed);
+  return *of.input_speed / signed_ratio(arrangement_of(fixed), ratio);
 }
 
 }  // namespace
-
-double input_turns(double ratio, FixedMember fixed) {
-  require(ratio > 0 && std::isfinite(ratio), "ratio", ratio, "1", "> 0");
-  return fixed == FixedMember::circular_spline ? ratio : ratio + 1;
-}
 
 double output_speed(const DutyBlock& of, double ratio, FixedMember fixed) {
   return speed_of(of, ratio, fixed);
@@ -58,7 +53,7 @@ DutyAverage duty_average(std::span<const DutyStep> steps, double ratio, FixedMem
   const double speed = turned / time;
   return {.torque = std::cbrt(cubes / turned),  // (LI-1)
           .output_speed = speed,
-          .input_speed = input_turns(ratio, fixed) * speed};
+          .input_speed = std::abs(signed_ratio(arrangement_of(fixed), ratio)) * speed};
 }
 
 double allowed_momentary_peaks(double input_speed, double duration) {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/growth/rainflow.hpp"
 
 namespace strainwave {
@@ -26,8 +28,7 @@ DutyStep step_of(const DutyBlock& block, double ratio, FixedMember fixed) {
 std::vector<DutyStep> steps_of(const DutyRecord& record, double ratio, FixedMember fixed) {
   std::vector<DutyStep> steps;
   steps.reserve(record.rows.size());
-  const double sense = fixed == FixedMember::circular_spline ? -1 : 1;
-  const double factor = record.of_input ? sense / input_turns(ratio, fixed) : 1.0;
+  const double factor = record.of_input ? 1 / signed_ratio(arrangement_of(fixed), ratio) : 1.0;
   for (std::size_t i = 0; i < record.rows.size(); ++i) {
     const DutyRow& row = record.rows[i];
     const bool last = i + 1 == record.rows.size();
@@ -43,7 +44,8 @@ void sum_up(DutyHistory& history) {
   history.average = duty_average(history.steps, history.ratio, history.fixed);
   for (const DutyStep& step : history.steps) history.duration += step.duration;
   history.output_turns = history.average.output_speed * history.duration / kTurn;
-  history.input_turns = input_turns(history.ratio, history.fixed) * history.output_turns;
+  history.input_turns =
+      std::abs(signed_ratio(arrangement_of(history.fixed), history.ratio)) * history.output_turns;
 }
 
 }  // namespace
@@ -77,25 +79,26 @@ DutyHistory duty_history(const GearSet& gear) {
 }
 
 std::optional<double> cycles_per_output_turn(const GearSet& gear, DutyPlace place) {
-  const FixedMember fixed = gear.duty ? gear.duty->fixed : FixedMember::circular_spline;
+  const Arrangement arrangement =
+      arrangement_of(gear.duty ? gear.duty->fixed : FixedMember::circular_spline);
   const double i = gear.drive.ratio;
-  const double waves = gear.drive.wave_number;
-  const bool spline_fixed = fixed == FixedMember::circular_spline;
-  // Turns of the wave generator against the flexspline, per turn of the output.
-  const double against = input_turns(i, fixed) * (spline_fixed ? 1 + 1 / i : 1);
-  switch (place) {
+  const double input_turns = std::abs(signed_ratio(arrangement, i));
+  switch (place) {  // (LI-21)
     case DutyPlace::flexspline:
     case DutyPlace::outer_ring:
-      return waves * against;  // (LI-21)
+      return input_turns * wave_orders(arrangement, i, gear.drive.wave_number).flexspline;
     case DutyPlace::circular_spline:
-      return waves * i;
+      return input_turns * wave_orders(arrangement, i, gear.drive.wave_number).circular_spline;
     case DutyPlace::inner_ring: {
       if (!gear.wave_generator || !gear.wave_generator->bearing ||
           !gear.wave_generator->bearing->ball_count)
         return std::nullopt;
       const Bearing& bearing = *gear.wave_generator->bearing;
       const double pitch = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
-      return *bearing.ball_count / 2.0 * (1 + bearing.ball_diameter / pitch) * against;
+      return input_turns * ball_orders(arrangement, i,
+                                       {.balls = *bearing.ball_count,
+                                        .diameter_ratio = bearing.ball_diameter / pitch})
+                               .inner_ring;
     }
     case DutyPlace::output_shaft:
       return 1.0;

@@ -15,6 +15,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/life/block_temperature.hpp"
 #include "strainwave/life/duty.hpp"
 #include "strainwave/life/flank_wear.hpp"
@@ -89,12 +90,13 @@ LifeCase life_case(const GearSet& gear) {
     throw InputError("duty",
                      "must be given for the life; give [[duty.block]] with duration, "
                      "torque and output_speed");
+  const Arrangement arrangement = arrangement_of(gear.duty->fixed);
+  const PartTurns turns = part_turns(arrangement, gear.drive.ratio);
   LifeCase of{.gear = gear,
               .history = duty_history(gear),
               .limits = makers_limits(gear),
-              .input_turns = input_turns(gear.drive.ratio, gear.duty->fixed),
-              .ring_turns =
-                  gear.duty->fixed == FixedMember::circular_spline ? 1 + 1 / gear.drive.ratio : 1.0,
+              .input_turns = std::abs(signed_ratio(arrangement, gear.drive.ratio)),
+              .ring_turns = std::abs(turns.wave_generator - turns.flexspline),
               .class_width = 0.0,
               .levels = {}};
   std::map<double, TorqueLevel> levels;

@@ -45,31 +45,37 @@ TEST(Kinematics, IdentityTeethThatMeshDoNotSlip) {
 
 TEST(Kinematics, ReferenceOrdersOfABearing) {
   // (DY-2): Kinematics of a bearing whose outer ring turns by -1/i: 14 balls, d/D = 0.08, i = 100.
-  const LoadOrders orders = load_orders({}, 100, 2, {.balls = 14, .diameter_ratio = 0.08});
-  test::expect_relative(orders.inner_ring, 7.6356, 1e-12);
-  test::expect_relative(orders.outer_ring, 6.5044, 1e-12);
-  test::expect_relative(orders.flexspline, 2.02, 1e-15);
-  EXPECT_DOUBLE_EQ(orders.circular_spline, 2.0);
-  test::expect_relative(orders.output, 0.01, 1e-15);
+  const BallSet bearing{.balls = 14, .diameter_ratio = 0.08};
+  const BallOrders balls = ball_orders({}, 100, bearing);
+  test::expect_relative(balls.inner_ring, 7.6356, 1e-12);
+  test::expect_relative(balls.outer_ring, 6.5044, 1e-12);
+  test::expect_relative(balls.cage, 0.54 * 1.01, 1e-12);
+  const WaveOrders waves = wave_orders({}, 100, 2);
+  test::expect_relative(waves.flexspline, 2.02, 1e-15);
+  EXPECT_DOUBLE_EQ(waves.circular_spline, 2.0);
   // With the flexspline fixed, the wave passes its material twice, and the circular spline less.
-  const LoadOrders other =
-      load_orders({flexspline, wave_generator}, 100, 2, {.balls = 14, .diameter_ratio = 0.08});
-  EXPECT_DOUBLE_EQ(other.flexspline, 2.0);
-  test::expect_relative(other.circular_spline, 2 * (1 - 1.0 / 101), 1e-15);
-  test::expect_relative(other.inner_ring + other.outer_ring, 14.0, 1e-15);
+  const Arrangement other{flexspline, wave_generator};
+  EXPECT_DOUBLE_EQ(wave_orders(other, 100, 2).flexspline, 2.0);
+  test::expect_relative(wave_orders(other, 100, 2).circular_spline, 2 * (1 - 1.0 / 101), 1e-15);
+  test::expect_relative(
+      ball_orders(other, 100, bearing).inner_ring + ball_orders(other, 100, bearing).outer_ring,
+      14.0, 1e-15);
 }
 
 TEST(Kinematics, InputEachRuleBrokenOnce) {
-  const auto message = [](const Arrangement& arrangement, double ratio = 100, int waves = 2,
-                          const BallSet& bearing = {14, 0.08}) {
-    return test::broken_rule([&] { return load_orders(arrangement, ratio, waves, bearing); });
+  const auto waves = [](const Arrangement& arrangement, double ratio = 100, int number = 2) {
+    return test::broken_rule([&] { return wave_orders(arrangement, ratio, number); });
   };
-  EXPECT_EQ(message({}), "no error");
-  EXPECT_NE(message({flexspline, flexspline}).find("both fixed and the input"), std::string::npos);
-  EXPECT_NE(message({}, 0).find("ratio"), std::string::npos);
-  EXPECT_NE(message({}, 100, 0).find("wave_number"), std::string::npos);
-  EXPECT_NE(message({}, 100, 2, {0, 0.1}).find("balls"), std::string::npos);
-  EXPECT_NE(message({}, 100, 2, {14, 1}).find("diameter_ratio"), std::string::npos);
+  EXPECT_EQ(waves({}), "no error");
+  EXPECT_NE(waves({flexspline, flexspline}).find("both fixed and the input"), std::string::npos);
+  EXPECT_NE(waves({}, 0).find("ratio"), std::string::npos);
+  EXPECT_NE(waves({}, 100, 0).find("wave_number"), std::string::npos);
+  const auto balls = [](const BallSet& bearing) {
+    return test::broken_rule([&] { return ball_orders({}, 100, bearing); });
+  };
+  EXPECT_NE(balls({0, 0.1}).find("balls"), std::string::npos);
+  EXPECT_NE(balls({14, 1}).find("diameter_ratio"), std::string::npos);
+  EXPECT_NE(balls({14, 0}).find("diameter_ratio"), std::string::npos);
 }
 
 }  // namespace

@@ -214,6 +214,9 @@ TEST(TorsionalChain, InputEachRuleBrokenOnce) {
   chain = good;
   chain.springs[2].twist_of.pop_back();
   EXPECT_NE(message(chain).find("one number for each inertia"), std::string::npos);
+  chain = good;
+  chain.springs[2].twist_of[1] = std::nan("");
+  EXPECT_NE(message(chain).find("a finite number"), std::string::npos);
   const std::array<std::size_t, 1> none = {7};
   EXPECT_NE(message(good, none).find("held"), std::string::npos);
   const std::array<std::size_t, 4> all = {0, 1, 2, 3};

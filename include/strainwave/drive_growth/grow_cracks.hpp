@@ -246,9 +246,8 @@ struct GrowthReport {
 /// the sizes, by Dormand and Prince's pair of orders 5 and 4.  So the last cycles before a fracture
 /// and the first ones of a tiny crack take equal steps.  Ends are found by bisection of the step.
 ///
-/// @param gear  has passed `check`, with a duty; a crack whose K is not known is named in a note
-/// and
-///              keeps its size
+/// @param gear  has passed `check`, with a duty; a crack whose K is not known keeps its
+///              size, and a note names it
 /// @param checkpoint   steps of a run before, and the place for further ones; null: none
 /// @throws InputError  if the duty or the law of a crack is missing
 /// @throws Stopped     if the caller requests a stop

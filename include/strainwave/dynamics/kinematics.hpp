@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/model/input/duty.hpp"
 
 /// @file
 /// Angles of the three parts of a strain wave gear, with sign.
@@ -28,6 +29,9 @@ struct Arrangement {
   [[nodiscard]] DrivePart output() const;
 };
 
+/// The arrangement of a duty, whose input is the wave generator.
+[[nodiscard]] Arrangement arrangement_of(FixedMember fixed);
+
 /// Turns of the three parts, each with its sign [-].
 struct PartTurns {
   double wave_generator = 0.0;
@@ -46,16 +50,17 @@ struct PartTurns {
 /// Turns of the input in one turn of the output, with sign (DY-1) [-].
 [[nodiscard]] double signed_ratio(const Arrangement& arrangement, double ratio);
 
-/// Number of times in one turn of the input that a load passes a fixed point of the material of
-/// each part (DY-2) [-]; the orders of the lines that a crack there adds to a spectrum.
-struct LoadOrders {
-  double flexspline = 0.0;       ///< the wave, at flexspline, teeth and outer ring of the bearing
-  double circular_spline = 0.0;  ///< the wave, at the circular spline
-  double inner_ring = 0.0;       ///< balls, at the inner ring
-  double outer_ring = 0.0;       ///< balls, at the outer ring
-  double cage = 0.0;             ///< turns of the cage against the wave generator
-  double output = 0.0;           ///< turns of the output
+/// Number of times in one turn of the input that the wave passes a fixed point of the material of a
+/// part (DY-2) [-]; the orders of the lines that a crack there adds to a spectrum.
+struct WaveOrders {
+  double flexspline = 0.0;       ///< at flexspline, teeth and outer ring of the bearing
+  double circular_spline = 0.0;  ///< at the circular spline
 };
+
+/// Implements theory manual eq. (DY-2).
+/// @param wave_number  U, number of lobes [-]; >= 1
+/// @throws InputError  if an argument is out of range
+[[nodiscard]] WaveOrders wave_orders(const Arrangement& arrangement, double ratio, int wave_number);
 
 /// The bearing of the wave generator.
 struct BallSet {
@@ -63,11 +68,17 @@ struct BallSet {
   double diameter_ratio = 0.0;  ///< ball over pitch diameter, d/D [-]; in (0, 1)
 };
 
+/// Number of times in one turn of the input that balls pass a fixed point of each ring (DY-2) [-].
+struct BallOrders {
+  double inner_ring = 0.0;
+  double outer_ring = 0.0;
+  double cage = 0.0;  ///< turns of the cage against the wave generator
+};
+
 /// Implements theory manual eq. (DY-2).  The outer ring turns with the flexspline, and the balls
 /// roll.
-/// @param wave_number  U, number of lobes [-]; >= 1
 /// @throws InputError  if an argument is out of range
-[[nodiscard]] LoadOrders load_orders(const Arrangement& arrangement, double ratio, int wave_number,
+[[nodiscard]] BallOrders ball_orders(const Arrangement& arrangement, double ratio,
                                      const BallSet& bearing);
 
 }  // namespace strainwave

@@ -35,7 +35,7 @@ struct TorsionalChain {
 
 /// A mode of the chain without damping.
 struct ChainMode {
-  double frequency = 0.0;      ///< f [Hz]; 0: the chain turns as a whole
+  double frequency = 0.0;      ///< f [Hz]; 0: a free turn, f below 1e-6 of the highest
   double damping_ratio = 0.0;  ///< zeta, of first order in the damping (DY-5) [-]
   /// angle of each inertia, so that the sum of J theta^2 is 1 [(kg*m^2)^-0.5]; 0 if it is held
   std::vector<double> shape;

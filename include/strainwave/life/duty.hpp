@@ -7,9 +7,6 @@
 
 namespace strainwave {
 
-/// Turns of the wave generator per turn of the output [-]; without sign.
-/// @param ratio  i_h, that of the fixed circular spline [-]; > 0
-[[nodiscard]] double input_turns(double ratio, FixedMember fixed);
 
 /// Speed of the output of a block or a peak, with sign [rad/s].
 /// @throws InputError  if not exactly one of its two speeds is given
