@@ -2,6 +2,7 @@
 #include "strainwave/sif/kassir_sih.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "strainwave/core/elliptic.hpp"
 
@@ -31,6 +32,26 @@ Real BasicKassirSih<Real>::factor_III(double phi) const {
   const double s = std::sin(phi);
   const double c = std::cos(phi);
   return (1 - nu_) * s / (B_ * sqrt(sqrt(s * s + rho_ * rho_ * c * c)));  // (FR-10)
+}
+
+template <class Real>
+typename BasicKassirSih<Real>::FrontMeans BasicKassirSih<Real>::root_mean_squares(
+    const QuadratureOptions& options) const {
+  using std::sqrt;
+  FrontMeans means;
+  const auto root_mean_square = [&](const auto& factor) -> Real {
+    const auto square = [&](double phi) -> Real {
+      const Real F = factor(phi);
+      return F * F;
+    };
+    // Use 31 points, because a slender front bends sharply at the surface.
+    const auto integral = integrate<31>(square, 0.0, std::numbers::pi / 2, options);
+    means.converged = means.converged && integral.converged;
+    return sqrt(integral.value * (2 / std::numbers::pi));
+  };
+  means.II = root_mean_square([this](double phi) { return factor_II(phi); });
+  means.III = root_mean_square([this](double phi) { return factor_III(phi); });
+  return means;
 }
 
 template class BasicKassirSih<double>;

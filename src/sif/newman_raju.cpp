@@ -14,15 +14,53 @@ BasicNewmanRaju<Real>::BasicNewmanRaju(const Real& aspect_ratio) : rho_(aspect_r
 }
 
 template <class Real>
+Real BasicNewmanRaju<Real>::angle_square(double sine) const {
+  using std::sqrt;
+  const double s2 = sine * sine;
+  return sqrt(rho_ * rho_ * (1 - s2) + s2);
+}
+
+template <class Real>
+Real BasicNewmanRaju<Real>::depth_factor(const Real& alpha2) const {
+  return M1_ + alpha2 * (M2_ + alpha2 * M3_);
+}
+
+template <class Real>
 Real BasicNewmanRaju<Real>::factor(const Real& depth_ratio, double phi) const {
   using std::sqrt;
   const Real alpha2 = depth_ratio * depth_ratio;
   const double s = std::sin(phi);
-  const double s2 = s * s;
-  const Real M = M1_ + alpha2 * (M2_ + alpha2 * M3_);
-  const Real g = 1 + (0.1 + 0.35 * alpha2) * (1 - s) * (1 - s);
-  const Real f_phi = sqrt(sqrt(rho_ * rho_ * (1 - s2) + s2));
-  return M * g * f_phi / root_Q_;  // (FR-4)
+  const Real g = 1 + surface_excess(alpha2) * (1 - s) * (1 - s);
+  return depth_factor(alpha2) * g * sqrt(angle_square(s)) / root_Q_;  // (FR-4)
+}
+
+template <class Real>
+typename BasicNewmanRaju<Real>::FrontMeans BasicNewmanRaju<Real>::front_means(
+    const QuadratureOptions& options) const {
+  FrontMeans means;
+  for (std::size_t n = 0; n < means.mean.size(); ++n) {
+    const auto integrand = [&](double phi) -> Real {
+      const double s = std::sin(phi);
+      double power = 1.0;
+      for (std::size_t i = 0; i < n; ++i) power *= (1 - s) * (1 - s);
+      return angle_square(s) * power;
+    };
+    // Use 31 points, because a slender front bends sharply at the surface.
+    const auto integral = integrate<31>(integrand, 0.0, std::numbers::pi / 2, options);
+    means.mean[n] = integral.value * (2 / std::numbers::pi);
+    means.converged = means.converged && integral.converged;
+  }
+  return means;
+}
+
+template <class Real>
+Real BasicNewmanRaju<Real>::root_mean_square(const Real& depth_ratio,
+                                             const FrontMeans& means) const {
+  using std::sqrt;
+  const Real alpha2 = depth_ratio * depth_ratio;
+  const Real excess = surface_excess(alpha2);
+  const Real square = means.mean[0] + excess * (2 * means.mean[1] + excess * means.mean[2]);
+  return depth_factor(alpha2) * sqrt(square) / root_Q_;  // (FR-4)
 }
 
 template <class Real>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <type_traits>
+#include <tuple>
 
 #include "shell_tables.hpp"
 #include "strainwave/core/lagrange.hpp"
@@ -15,74 +15,98 @@ namespace {
 
 using std::numbers::pi;
 
+/// Columns of the table: mean and linear part of K_I (N, B) or K_II (T, C) by normal (N) or shear
+/// (T).
 enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
+constexpr std::size_t kColumns = 8;
+constexpr std::size_t kLambdas = std::tuple_size_v<BasicShellFactorsAtAngle<double>::Table>;
+constexpr std::size_t kAngles = 7;
 
 /// The variable that the tables use instead of lambda.
 double mapped(double lambda) { return lambda / (lambda + 3); }
 
-/// All columns of the table, and their derivatives with respect to lambda and the angle.
-struct TableColumns {
-  std::array<double, 8> value{};
-  std::array<double, 8> by_lambda{};
-  std::array<double, 8> by_angle{};
+using Columns = std::array<double, kColumns>;
 
-  [[nodiscard]] double at(Column c, double, double) const { return value[c]; }
-  [[nodiscard]] DualReal at(Column c, const DualReal& lambda, const DualReal& angle) const {
-    return chain(lambda, value[c], by_lambda[c]) + chain(angle, 0.0, by_angle[c]);
-  }
-};
-
-/// @tparam slopes  false: without derivatives
-template <bool slopes>
-TableColumns table_columns(double lambda, double angle) {
-  static const LagrangeBasis<12> lambda_basis(lobatto_nodes<12>(0.0, mapped(kShellTableEnd)));
-  static const LagrangeBasis<7> angle_basis(lobatto_nodes<7>(1.0, -1.0));
-  const auto over_lambda = lambda_basis.at(mapped(lambda));
-  const auto over_angle = angle_basis.at(std::cos(2 * angle));
-  const double mapped_slope = 3 / ((lambda + 3) * (lambda + 3));
-  const double cosine_slope = -2 * std::sin(2 * angle);
-  TableColumns result;
-  for (std::size_t c = 0; c < 8; ++c)
-    for (std::size_t j = 0; j < 7; ++j) {
-      double value = 0.0;
-      double slope = 0.0;
-      for (std::size_t i = 0; i < 12; ++i) {
-        value += over_lambda.value[i] * kShellTable[c][j][i];
-        if constexpr (slopes) slope += over_lambda.slope[i] * kShellTable[c][j][i];
-      }
-      result.value[c] += over_angle.value[j] * value;
-      if constexpr (!slopes) continue;
-      result.by_lambda[c] += over_angle.value[j] * slope * mapped_slope;
-      result.by_angle[c] += over_angle.slope[j] * value * cosine_slope;
-    }
-  return result;
+template <std::size_t N>
+Columns weighted_sum(const std::array<Columns, N>& rows, const std::array<double, N>& weights) {
+  Columns sum{};
+  for (std::size_t n = 0; n < N; ++n)
+    for (std::size_t c = 0; c < kColumns; ++c) sum[c] += weights[n] * rows[n][c];
+  return sum;
 }
 
-template <class Real>
-BasicShellFactors<Real> interpolated(const Real& lambda, const Real& angle) {
-  using std::sin;
-  const TableColumns table =
-      table_columns<!std::is_same_v<Real, double>>(value_of(lambda), value_of(angle));
-  const auto value = [&](Column column) { return table.at(column, lambda, angle); };
-  const Real l2 = lambda * lambda;
-  // 90 degrees cannot be represented exactly in radians, so treat a rounding error as zero.
-  Real sin_2beta = sin(2 * angle);
-  if (std::abs(value_of(sin_2beta)) < 1e-15) sin_2beta -= value_of(sin_2beta);
-  // The bending in the table is positive if the inner face opens more.
-  return {
-      .opening_by_normal = {.mean = 1 + l2 * value(kNN), .linear = -value(kBN)},  // (SU-2)
-      .sliding_by_normal = {.mean = sin_2beta * l2 * value(kTN),
-                            .linear = sin_2beta * l2 * value(kCN)},
-      .opening_by_shear = {.mean = sin_2beta * l2 * value(kNT), .linear = -sin_2beta * value(kBT)},
-      .sliding_by_shear = {.mean = 1 + l2 * value(kTT), .linear = l2 * value(kCT)}};
+/// The table at one node of lambda: all nodes of the angle, all columns.
+using TableOfLambda = std::array<Columns, kAngles>;
+
+/// The table in the order in which it is summed, with the columns as neighbours.
+const std::array<TableOfLambda, kLambdas>& tables_of_lambdas() {
+  static const std::array<TableOfLambda, kLambdas> tables = [] {
+    std::array<TableOfLambda, kLambdas> made{};
+    for (std::size_t i = 0; i < kLambdas; ++i)
+      for (std::size_t j = 0; j < kAngles; ++j)
+        for (std::size_t c = 0; c < kColumns; ++c) made[i][j][c] = kShellTable[c][j][i];
+    return made;
+  }();
+  return tables;
+}
+
+BasicShellFactorsAtAngle<double>::Table over_angle(const std::array<double, kAngles>& weights) {
+  BasicShellFactorsAtAngle<double>::Table table{};
+  for (std::size_t i = 0; i < kLambdas; ++i)
+    table[i] = weighted_sum(tables_of_lambdas()[i], weights);
+  return table;
 }
 
 }  // namespace
 
-ShellFactors shell_factors(double lambda, double angle) { return interpolated(lambda, angle); }
+template <class Real>
+BasicShellFactorsAtAngle<Real>::BasicShellFactorsAtAngle(const Real& angle) : angle_(angle) {
+  using std::sin;
+  static const LagrangeBasis<kAngles> basis(lobatto_nodes<kAngles>(1.0, -1.0));
+  const double twice = 2 * value_of(angle);
+  value_ = over_angle(basis.values(std::cos(twice)));
+  if constexpr (is_dual<Real>) {
+    by_angle_ = over_angle(basis.at(std::cos(twice)).slope);
+    const double cosine_slope = -2 * std::sin(twice);
+    for (auto& row : by_angle_)
+      for (double& entry : row) entry *= cosine_slope;
+  }
+  // 90 degrees cannot be represented exactly in radians, so treat a rounding error as zero.
+  sin_2beta_ = sin(2 * angle);
+  if (std::abs(value_of(sin_2beta_)) < 1e-15) sin_2beta_ -= value_of(sin_2beta_);
+}
 
-BasicShellFactors<DualReal> shell_factors(const DualReal& lambda, const DualReal& angle) {
-  return interpolated(lambda, angle);
+template <class Real>
+BasicShellFactors<Real> BasicShellFactorsAtAngle<Real>::at(const Real& lambda) const {
+  static const LagrangeBasis<kLambdas> basis(lobatto_nodes<kLambdas>(0.0, mapped(kShellTableEnd)));
+  const double l = value_of(lambda);
+  const std::array<double, kLambdas> over_lambda = basis.values(mapped(l));
+  std::array<Real, kColumns> value{};
+  const Columns values = weighted_sum(value_, over_lambda);
+  if constexpr (is_dual<Real>) {
+    const Columns by_mapped = weighted_sum(value_, basis.at(mapped(l)).slope);
+    const Columns by_angle = weighted_sum(by_angle_, over_lambda);
+    for (std::size_t c = 0; c < kColumns; ++c)
+      value[c] = chain(lambda, values[c], by_mapped[c] * 3 / ((l + 3) * (l + 3))) +
+                 chain(angle_, 0.0, by_angle[c]);
+  } else {
+    value = values;
+  }
+  const Real l2 = lambda * lambda;
+  // The bending in the table is positive if the inner face opens more.
+  return {.opening_by_normal = {.mean = 1 + l2 * value[kNN], .linear = -value[kBN]},  // (SU-2)
+          .sliding_by_normal = {.mean = sin_2beta_ * l2 * value[kTN],
+                                .linear = sin_2beta_ * l2 * value[kCN]},
+          .opening_by_shear = {.mean = sin_2beta_ * l2 * value[kNT],
+                               .linear = -sin_2beta_ * value[kBT]},
+          .sliding_by_shear = {.mean = 1 + l2 * value[kTT], .linear = l2 * value[kCT]}};
+}
+
+template class BasicShellFactorsAtAngle<double>;
+template class BasicShellFactorsAtAngle<DualReal>;
+
+ShellFactors shell_factors(double lambda, double angle) {
+  return BasicShellFactorsAtAngle<double>(angle).at(lambda);
 }
 
 double shell_parameter(double half_length, double mean_radius, double thickness,

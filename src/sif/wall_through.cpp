@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "strainwave/sif/tube/shell_factors.hpp"
-
 namespace strainwave::sif {
 
 namespace {
@@ -35,15 +33,6 @@ BasicShellFactors<Real> flat_sheet() {
           .sliding_by_normal = {},
           .opening_by_shear = {},
           .sliding_by_shear = {.mean = 1.0, .linear = 0.0}};
-}
-
-/// Factors from the table; beyond its end, its last value.
-template <class Real>
-BasicShellFactors<Real> shell_of(const BasicThroughCrackInTube<Real>& crack, const Real& a) {
-  using std::sqrt;
-  const Real lambda = sqrt(crack.shell_parameter_squared(a));
-  return shell_factors(value_of(lambda) < kShellTableEnd ? lambda : Real(kShellTableEnd),
-                       crack.angle);
 }
 
 template <class Real>
@@ -99,20 +88,32 @@ Real BasicThroughCrackInTube<Real>::wall_factor(const Real& a) const {
 }
 
 template <class Real>
-LinearStressIntensity<2, Real> BasicThroughCrackInTube<Real>::linear_stress_intensity(
+BasicThroughCrackFamily<Real>::BasicThroughCrackFamily(const BasicThroughCrackInTube<Real>& crack)
+    : crack_(crack),
+      stress_(crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle,
+                                 crack.stress_nonuniformity)) {
+  if (crack.shell_correction) shell_.emplace(crack.angle);
+}
+
+template <class Real>
+LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::linear_stress_intensity(
     const Real& a) const {
   using std::sqrt;
-  const BasicCrackPlaneStress<Real> stress =
-      crack_plane_stress(mean_radius, wall_thickness, angle, stress_nonuniformity);
-  const BasicShellFactors<Real> f = shell_correction ? shell_of(*this, a) : flat_sheet<Real>();
+  const auto factors = [&] {
+    if (!shell_) return flat_sheet<Real>();
+    const Real lambda = sqrt(crack_.shell_parameter_squared(a));
+    // Beyond the end of the table, its last value is used.
+    return shell_->at(value_of(lambda) < kShellTableEnd ? lambda : Real(kShellTableEnd));
+  };
+  const BasicShellFactors<Real> f = factors();
   const Real root = sqrt(pi * a);
   LinearStressIntensity<2, Real> k;
   const auto fill = [&](UnitStressIntensity<2, Real>& part, Real BasicWallIntensity<Real>::*which) {
     for (const std::size_t i : {kAxial, kTorsion}) {
-      const Real& normal = stress.normal[i];
-      const Real& shear = stress.shear[i];
+      const Real& normal = stress_.normal[i];
+      const Real& shear = stress_.shear[i];
       part.II[i] = f.sliding_by_shear.*which * shear * root;  // (FR-7)
-      if (!open) continue;  // the faces carry the stress that presses them
+      if (!crack_.open) continue;  // the faces carry the stress that presses them
       part.I[i] = (f.opening_by_normal.*which * normal + f.opening_by_shear.*which * shear) *
                   root;                                          // (FR-7, FR-9)
       part.II[i] += f.sliding_by_normal.*which * normal * root;  // (FR-9)
@@ -129,7 +130,7 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
   crack.open = true;
   const auto release = [&](bool shell) {
     crack.shell_correction = shell;
-    const auto [mean, slope] = crack.linear_stress_intensity(a);
+    const auto [mean, slope] = crack.family().linear_stress_intensity(a);
     const auto square = [](const UnitStressIntensity<2, Real>& k) {
       return k.I[kTorsion] * k.I[kTorsion] + k.II[kTorsion] * k.II[kTorsion];
     };
@@ -138,6 +139,8 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
   return release(true) / release(false);  // (FR-9)
 }
 
+template class BasicThroughCrackFamily<double>;
+template class BasicThroughCrackFamily<DualReal>;
 template struct BasicThroughCrackInTube<double>;
 template struct BasicThroughCrackInTube<DualReal>;
 

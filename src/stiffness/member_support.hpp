@@ -78,17 +78,23 @@ template <SweptCrack Crack>
 void report_intensities(CrackReport& report, const Crack& crack,
                         const std::array<double, Crack::kLoads>& load,
                         const ModeUncertainties& uncertainties) {
-  constexpr int kFrontPoints = 33;  // points on half of a front; K varies slowly along it
-  const FrontRange front = crack.front();
   std::array<double, 3> largest{};
-  std::array<double, 3> deepest{};
-  const int n = front.begin == front.end ? 1 : kFrontPoints;
-  for (int i = 0; i < n; ++i) {
-    const double s = n == 1 ? front.begin : front.begin + (front.end - front.begin) * i / (n - 1);
-    // the last point is the deepest
-    deepest = intensity(crack.stress_intensity(crack.size(), s), load);
+  std::array<double, 3> deepest{};  // the last point of the front
+  const auto take = [&](const UnitStressIntensity<Crack::kLoads>& k) {
+    deepest = intensity(k, load);
     for (std::size_t m = 0; m < 3; ++m)
       if (std::abs(deepest[m]) > std::abs(largest[m])) largest[m] = deepest[m];
+  };
+  const auto [begin, end] = crack.front();
+  if constexpr (LinearFront<Crack>) {  // largest at one of the ends
+    const auto k = crack.family().linear_stress_intensity(crack.size());
+    for (const double s : {begin, end}) take(k.at(s));
+  } else {
+    constexpr int kFrontPoints = 33;  // points on half of a front; K varies slowly along it
+    const int n = begin == end ? 1 : kFrontPoints;
+    for (int i = 0; i < n; ++i)
+      take(crack.stress_intensity(crack.size(),
+                                  n == 1 ? begin : begin + (end - begin) * i / (n - 1)));
   }
   report.deepest = stress_intensities(deepest, uncertainties);
   report.largest = stress_intensities(largest, uncertainties);

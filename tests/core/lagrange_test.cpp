@@ -59,6 +59,7 @@ TEST(Lagrange, IdentityDerivativesOfAPolynomialAtTheNodesToo) {
   const LagrangeBasis<5> basis(nodes);
   for (const double at : {-0.3, 0.5, 1.7, nodes[0], nodes[2], nodes[4]}) {
     const auto weights = basis.at(at);
+    EXPECT_EQ(basis.values(at), weights.value);
     double value = 0.0;
     double slope = 0.0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "strainwave/core/units.hpp"
@@ -472,6 +473,63 @@ TEST(SurfaceCrack, InputDefaults) {
 TEST(KassirSih, LimitSlenderSlitIsPlaneShear) {
   for (const double rho : {1e-6, 1e-9, 1e-300})
     EXPECT_NEAR(sif::KassirSih(rho, 0.3).factor_III(std::numbers::pi / 2), 1, 1e-9);
+}
+
+/// A crack without its squares along the front: the engine integrates along the front at each size.
+template <std::size_t N>
+struct WithoutSquares {
+  static constexpr std::size_t kLoads = N;
+  sif::SurfaceCrack<N> crack;
+  [[nodiscard]] double size() const { return crack.size(); }
+  [[nodiscard]] FrontRange front() const { return crack.front(); }
+  [[nodiscard]] UnitStressIntensity<N> stress_intensity(double a, double s) const {
+    return crack.stress_intensity(a, s);
+  }
+  [[nodiscard]] double swept_area(double a, double s) const { return crack.swept_area(a, s); }
+};
+static_assert(FrontOfSquares<sif::SurfaceCrack<2>> && !FrontOfSquares<WithoutSquares<2>>);
+
+// One quadrature along the front, for all sizes, equals a quadrature at each size.  The tolerance
+// is ten times that of both quadratures.
+TEST(SurfaceCrack, IdentitySquaresAlongTheFrontServeAllSizes) {
+  const CrackModuli moduli{.opening = 231e9, .shear = 80e9};
+  for (const double aspect : {0.02, 0.3, 1.0})
+    for (const bool open : {true, false})
+      for (const auto half_width : {std::optional<double>(), std::optional(60 * mm)}) {
+        const sif::SurfaceCrack<2> crack({.depth = 0.9 * mm,
+                                          .aspect_ratio = aspect,
+                                          .thickness = 2 * mm,
+                                          .half_width = half_width,
+                                          .normal_stress = {1.0, 0.4},
+                                          .shear_stress = {0.2, 2.0},
+                                          .open = open});
+        const auto once = added_compliance(crack, moduli);
+        const auto each = added_compliance(WithoutSquares<2>{crack}, moduli);
+        EXPECT_TRUE(once.converged);
+        for (std::size_t n = 0; n < once.matrix.upper.size(); ++n)
+          test::expect_relative(once.matrix.upper[n], each.matrix.upper[n], 1e-9);
+      }
+}
+
+// In bending, K varies along the front differently at each size.
+TEST(SurfaceCrack, BehaviourBendingHasNoSquaresForAllSizes) {
+  const sif::SurfaceCrack<1> crack({.depth = 0.9 * mm,
+                                    .aspect_ratio = 0.5,
+                                    .thickness = 2 * mm,
+                                    .normal_stress = {1.0},
+                                    .loading = sif::StripLoading::bending});
+  EXPECT_FALSE(crack.front_squares({}));
+  const CrackModuli moduli{.opening = 231e9, .shear = 80e9};
+  EXPECT_EQ(added_compliance(crack, moduli).matrix(0, 0),
+            added_compliance(WithoutSquares<1>{crack}, moduli).matrix(0, 0));
+}
+
+// A front that does not converge is told: two pieces do not reach 1e-15 on a slender front.
+TEST(SurfaceCrack, ConvergenceOfTheSquaresIsPassedOn) {
+  const sif::SurfaceCrack<1> crack = in_tension(1 * mm, 0.001, 10 * mm);
+  const QuadratureOptions hard{.relative_tolerance = 1e-15, .max_pieces = 2};
+  EXPECT_FALSE(crack.front_squares(hard)->converged);
+  EXPECT_FALSE(added_compliance(crack, {.opening = 2.0, .shear = 1.0}, hard).converged);
 }
 
 }  // namespace

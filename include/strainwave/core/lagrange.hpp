@@ -70,19 +70,39 @@ class LagrangeBasis {
     std::array<double, N> value{};
     std::array<double, N> slope{};
   };
-  /// Values and derivatives at x, computed by products, which are valid at the nodes too.
+  /// Values at x, by the products before and behind each node, which are valid at the nodes too.
+  [[nodiscard]] std::array<double, N> values(double x) const {
+    std::array<double, N> value{};
+    double before = 1.0;
+    for (std::size_t i = 0; i < N; ++i) {
+      value[i] = weights_[i] * before;
+      before *= x - nodes_[i];
+    }
+    double behind = 1.0;
+    for (std::size_t i = N; i-- > 0;) {
+      value[i] *= behind;
+      behind *= x - nodes_[i];
+    }
+    return value;
+  }
+  /// Values and derivatives at x, by the same products.
   [[nodiscard]] AtPoint at(double x) const {
     AtPoint result;
+    double before = 1.0;
+    double slope_before = 0.0;
     for (std::size_t i = 0; i < N; ++i) {
-      double product = weights_[i];
-      double slope = 0.0;
-      for (std::size_t j = 0; j < N; ++j) {
-        if (j == i) continue;
-        slope = slope * (x - nodes_[j]) + product;
-        product *= x - nodes_[j];
-      }
-      result.value[i] = product;
-      result.slope[i] = slope;
+      result.value[i] = weights_[i] * before;
+      result.slope[i] = weights_[i] * slope_before;
+      slope_before = slope_before * (x - nodes_[i]) + before;
+      before *= x - nodes_[i];
+    }
+    double behind = 1.0;
+    double slope_behind = 0.0;
+    for (std::size_t i = N; i-- > 0;) {
+      result.slope[i] = result.slope[i] * behind + result.value[i] * slope_behind;
+      result.value[i] *= behind;
+      slope_behind = slope_behind * (x - nodes_[i]) + behind;
+      behind *= x - nodes_[i];
     }
     return result;
   }

@@ -137,12 +137,26 @@ struct LinearStressIntensity {
 };
 
 /// A crack with linear stress intensity along its front and a swept area that is the same at every
-/// s.  It needs no quadrature along the front.
+/// s.  It needs no quadrature along the front.  `family()` is the crack at all sizes, in which what
+/// does not depend on the size is computed once.
 template <class C>
 concept LinearFront = SweptCrack<C> && requires(const C& crack, const ScalarOf<C>& a) {
   {
-    crack.linear_stress_intensity(a)
+    crack.family().linear_stress_intensity(a)
     } -> std::same_as<LinearStressIntensity<C::kLoads, ScalarOf<C>>>;
+};
+
+/// A crack for which one quadrature along the front serves all sizes: K of each mode varies along
+/// the front alike for all loads, and the swept area is the same at every s.  `front_squares` is
+/// empty if the crack's loading needs a quadrature at each size.  The root mean square of each
+/// mode's K along the front releases the same energy as the front.
+template <class C>
+concept FrontOfSquares = SweptCrack<C> &&
+    requires(const C& crack, const ScalarOf<C>& a, const QuadratureOptions& o) {
+  { crack.front_squares(o)->converged } -> std::convertible_to<bool>;
+  {
+    crack.root_mean_square(a, *crack.front_squares(o))
+    } -> std::same_as<UnitStressIntensity<C::kLoads, ScalarOf<C>>>;
 };
 
 /// A crack in a wall too thick for a sheet: G is wall_factor(a) times the value from K and the
@@ -203,22 +217,35 @@ template <SweptCrack Crack>
     return compliance_density(crack.stress_intensity(a, s), moduli) * crack.swept_area(a, s);
   };
   CrackCompliance<N, Real> result{.converged = true};
-  const auto along_front = [&](const Real& a) {
-    if (point) return density(a, front.begin);
-    if constexpr (LinearFront<Crack>) {
-      const auto k = crack.linear_stress_intensity(a);
-      const SymmetricMatrix<N, Real> sum =
-          compliance_density(k.mean, moduli) + compliance_density(k.slope, moduli) * Real(1.0 / 3);
-      Real length = 2 * crack.swept_area(a, 0.0);
-      if constexpr (WallCrack<Crack>) length *= crack.wall_factor(a);
-      return sum * length;
-    }
+  const auto by_quadrature = [&](const Real& a) {
     // Use 31 points, because a slender front bends sharply at the surface.
     const auto integral =
         integrate<31>([&](double s) { return density(a, s); }, front.begin, front.end, options);
     result.converged = result.converged && integral.converged;
     return integral.value;
   };
+  const auto along_front = [&] {
+    if constexpr (LinearFront<Crack>) {
+      return [&, family = crack.family()](const Real& a) {
+        const auto k = family.linear_stress_intensity(a);
+        const SymmetricMatrix<N, Real> sum = compliance_density(k.mean, moduli) +
+                                             compliance_density(k.slope, moduli) * Real(1.0 / 3);
+        Real length = 2 * crack.swept_area(a, 0.0);
+        if constexpr (WallCrack<Crack>) length *= crack.wall_factor(a);
+        return sum * length;
+      };
+    } else if constexpr (FrontOfSquares<Crack>) {
+      const auto squares = crack.front_squares(options);
+      if (squares) result.converged = result.converged && squares->converged;
+      return [&, squares](const Real& a) {
+        if (!squares) return by_quadrature(a);
+        return compliance_density(crack.root_mean_square(a, *squares), moduli) *
+               (crack.swept_area(a, front.begin) * (front.end - front.begin));
+      };
+    } else {
+      return [&](const Real& a) { return point ? density(a, front.begin) : by_quadrature(a); };
+    }
+  }();
   // The loads have different units, so the entries may differ by powers of ten.  Scale the loads to
   // units that release equal energy at the final size; then one tolerance suits all entries.
   SymmetricMatrix<N> scale(1.0);

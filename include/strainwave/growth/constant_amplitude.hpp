@@ -84,13 +84,15 @@ template <class CycleAt>
   }
   while (growth.size > from) {
     double met = growth.size;  // least size, of those that the quadrature met, without growth
-    const auto inverse = [&](double a) {
+    // A rate is close to a power of the size, so it is smoother over the logarithm of the size.
+    const auto cycles_per_logarithm = [&](double logarithm) {
+      const double a = std::exp(logarithm);
       const GrowthRate at = rate(a);
       if (at.state != TipState::grows) met = std::min(met, a);
-      return at.per_cycle > 0 ? 1 / at.per_cycle : 0.0;
+      return at.per_cycle > 0 ? a / at.per_cycle : 0.0;
     };
-    const auto integral =
-        integrate(inverse, from, growth.size, {.relative_tolerance = tolerance});  // (GR-20)
+    const auto integral = integrate(cycles_per_logarithm, std::log(from), std::log(growth.size),
+                                    {.relative_tolerance = tolerance});  // (GR-20)
     if (met < growth.size) {
       end_between(from, met);
       continue;

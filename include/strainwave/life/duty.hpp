@@ -7,7 +7,6 @@
 
 namespace strainwave {
 
-
 /// Speed of the output of a block or a peak, with sign [rad/s].
 /// @throws InputError  if not exactly one of its two speeds is given
 [[nodiscard]] double output_speed(const DutyBlock& of, double ratio, FixedMember fixed);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "strainwave/core/dual.hpp"
+#include "strainwave/core/quadrature.hpp"
 
 namespace strainwave::sif {
 
@@ -21,6 +22,14 @@ class BasicKassirSih {
   [[nodiscard]] Real factor_II(double phi) const;
   /// K_III / (tau sqrt(pi a)) [-].
   [[nodiscard]] Real factor_III(double phi) const;
+
+  /// Square roots of the means of the squares of both factors along the front [-].
+  struct FrontMeans {
+    Real II{};
+    Real III{};
+    bool converged = true;
+  };
+  [[nodiscard]] FrontMeans root_mean_squares(const QuadratureOptions& options) const;
 
  private:
   Real rho_, nu_, B_;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "strainwave/core/dual.hpp"
+#include "strainwave/core/quadrature.hpp"
 
 namespace strainwave::sif {
 
@@ -28,6 +30,16 @@ class BasicNewmanRaju {
   /// @param depth_ratio  alpha = a/t [-]
   /// @param phi          parametric angle from the surface; pi/2 is the deepest point [rad]
   [[nodiscard]] Real factor(const Real& depth_ratio, double phi) const;
+
+  /// Means along the front of f_phi^2 (1 - sin(phi))^(2 n) for n = 0, 1, 2 [-]; (FR-4).
+  struct FrontMeans {
+    std::array<Real, 3> mean{};
+    bool converged = true;
+  };
+  [[nodiscard]] FrontMeans front_means(const QuadratureOptions& options) const;
+  /// Square root of the mean of the squares of `factor` along the front [-].
+  /// @param depth_ratio  alpha = a/t [-]
+  [[nodiscard]] Real root_mean_square(const Real& depth_ratio, const FrontMeans& means) const;
 
   /// H, the ratio of K in bending to K in tension for the same surface stress [-]; (SP-3).
   /// @param depth_ratio  alpha = a/t [-]
@@ -54,6 +66,13 @@ class BasicNewmanRaju {
   [[nodiscard]] Real shape_parameter() const { return Q_; }
 
  private:
+  /// f_phi^2, which is the only factor that depends on the angle alone [-].
+  [[nodiscard]] Real angle_square(double sine) const;
+  /// M_1 + M_2 alpha^2 + M_3 alpha^4 [-].
+  [[nodiscard]] Real depth_factor(const Real& alpha2) const;
+  /// (g - 1)/(1 - sin(phi))^2 [-].
+  [[nodiscard]] static Real surface_excess(const Real& alpha2) { return 0.1 + 0.35 * alpha2; }
+
   Real rho_, Q_, root_Q_, M1_, M2_, M3_;
 };
 using NewmanRaju = BasicNewmanRaju<double>;

@@ -75,16 +75,36 @@ class SurfaceCrack {
   [[nodiscard]] UnitStressIntensity<N, Real> stress_intensity(const Real& a, double phi) const {
     using std::sqrt;
     const Real root = sqrt(std::numbers::pi * a);
-    const Real F_I = p_.open ? Real(opening_factor(a, phi) * root) : Real(0.0);
-    const Real F_II = sheared_ ? Real(shear_.factor_II(phi) * root) : Real(0.0);
-    const Real F_III = sheared_ ? Real(shear_.factor_III(phi) * root) : Real(0.0);
-    UnitStressIntensity<N, Real> k;
-    for (std::size_t i = 0; i < N; ++i) {
-      k.I[i] = F_I * p_.normal_stress[i];
-      k.II[i] = F_II * p_.shear_stress[i];
-      k.III[i] = F_III * p_.shear_stress[i];
-    }
-    return k;
+    return of_factors(p_.open ? Real(opening_factor(a, phi) * root) : Real(0.0),
+                      sheared_ ? Real(shear_.factor_II(phi) * root) : Real(0.0),
+                      sheared_ ? Real(shear_.factor_III(phi) * root) : Real(0.0));
+  }
+
+  /// Means along the front from which the root mean square of K follows at any size.
+  struct FrontSquares {
+    typename BasicNewmanRaju<Real>::FrontMeans opening;
+    typename BasicKassirSih<Real>::FrontMeans shear;
+    bool converged = true;
+  };
+  /// @return  empty for bending, whose K varies along the front differently at each size
+  [[nodiscard]] std::optional<FrontSquares> front_squares(const QuadratureOptions& options) const {
+    if (p_.loading != StripLoading::tension) return {};
+    FrontSquares squares;
+    if (p_.open) squares.opening = tension_.front_means(options);
+    if (sheared_) squares.shear = shear_.root_mean_squares(options);
+    squares.converged = squares.opening.converged && squares.shear.converged;
+    return squares;
+  }
+  /// Root mean square along the front of each mode's K at size a [Pa*m^0.5 per unit of load].
+  [[nodiscard]] UnitStressIntensity<N, Real> root_mean_square(const Real& a,
+                                                              const FrontSquares& squares) const {
+    using std::sqrt;
+    const Real root = sqrt(std::numbers::pi * a);
+    const auto opening = [&]() -> Real {
+      if (!p_.open) return 0.0;
+      return tension_.root_mean_square(a / p_.thickness, squares.opening) * width_factor(a) * root;
+    };
+    return of_factors(opening(), squares.shear.II * root, squares.shear.III * root);
   }
 
   /// f_w [-]; (SP-1), 1 in a wide plate.  A crack as long as the plate is wide grows no longer.
@@ -96,6 +116,17 @@ class SurfaceCrack {
   }
 
  private:
+  /// @param F_I, F_II, F_III  K over the stress of each mode [m^0.5]
+  [[nodiscard]] UnitStressIntensity<N, Real> of_factors(const Real& F_I, const Real& F_II,
+                                                        const Real& F_III) const {
+    UnitStressIntensity<N, Real> k;
+    for (std::size_t i = 0; i < N; ++i) {
+      k.I[i] = F_I * p_.normal_stress[i];
+      k.II[i] = F_II * p_.shear_stress[i];
+      k.III[i] = F_III * p_.shear_stress[i];
+    }
+    return k;
+  }
   /// K_I/(sigma sqrt(pi a)) [-]; (FR-4) times (SP-1), in bending times (SP-3).
   [[nodiscard]] Real opening_factor(const Real& a, double phi) const {
     const Real alpha = a / p_.thickness;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/sif/tube/shell_factors.hpp"
 
 namespace strainwave::sif {
 
@@ -30,6 +32,9 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
                                                                  const DualReal& wall_thickness,
                                                                  const DualReal& angle,
                                                                  const DualReal& nonuniformity);
+
+template <class Real>
+class BasicThroughCrackFamily;
 
 /// Straight through crack in the wall of a thin tube, loads [axial force, torque].
 ///
@@ -70,12 +75,10 @@ struct BasicThroughCrackInTube {
   }
   [[nodiscard]] Real size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
-  /// K of the sheet through the wall [Pa*m^0.5 per unit of load].
-  [[nodiscard]] LinearStressIntensity<2, Real> linear_stress_intensity(const Real& a) const;
-  /// K of the sheet at one place, s in [-1, 1].
-  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const {
-    return linear_stress_intensity(a).at(s);
-  }
+  /// The crack at all sizes.
+  [[nodiscard]] BasicThroughCrackFamily<Real> family() const;
+  /// K of the sheet at one place, s in [-1, 1] [Pa*m^0.5 per unit of load].
+  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
   /// Swept area of two tips; its integral over s is 2 t [m].
   [[nodiscard]] Real swept_area(const Real&, double) const { return wall_thickness; }
   /// Factor of the wall's thickness on the energy release rate of the sheet [-]; eq. (FR-21).
@@ -89,6 +92,34 @@ struct BasicThroughCrackInTube {
 };
 using ThroughCrackInTube = BasicThroughCrackInTube<double>;
 
+/// A through crack at all sizes; what does not depend on the size is computed once.
+template <class Real>
+class BasicThroughCrackFamily {
+ public:
+  explicit BasicThroughCrackFamily(const BasicThroughCrackInTube<Real>& crack);
+
+  /// K of the sheet through the wall [Pa*m^0.5 per unit of load]; (FR-7), (FR-9).
+  [[nodiscard]] LinearStressIntensity<2, Real> linear_stress_intensity(const Real& a) const;
+
+ private:
+  BasicThroughCrackInTube<Real> crack_;
+  BasicCrackPlaneStress<Real> stress_;
+  std::optional<BasicShellFactorsAtAngle<Real>> shell_;  ///< nothing: flat plate
+};
+
+template <class Real>
+BasicThroughCrackFamily<Real> BasicThroughCrackInTube<Real>::family() const {
+  return BasicThroughCrackFamily<Real>(*this);
+}
+
+template <class Real>
+UnitStressIntensity<2, Real> BasicThroughCrackInTube<Real>::stress_intensity(const Real& a,
+                                                                             double s) const {
+  return family().linear_stress_intensity(a).at(s);
+}
+
+extern template class BasicThroughCrackFamily<double>;
+extern template class BasicThroughCrackFamily<DualReal>;
 extern template struct BasicThroughCrackInTube<double>;
 extern template struct BasicThroughCrackInTube<DualReal>;
 

@@ -39,14 +39,34 @@ using ShellFactors = BasicShellFactors<double>;
 /// Largest lambda of the table.
 inline constexpr double kShellTableEnd = 8.0;
 
+/// Shell factors of one angle at many lambda; the table is interpolated over the angle once.
+///
 /// Implements theory manual eq. (SU-2): Donnell's shallow shell with Kirchhoff bending, nu = 0.3,
 /// interpolated to 0.06 %; nu between 0.25 and 0.35 changes K by up to 0.7 %.
-///
-/// @param lambda  shell parameter, root of (FR-8) [-]; in [0, 8]
-/// @param angle   angle beta from the generator toward -theta [rad]
+template <class Real>
+class BasicShellFactorsAtAngle {
+ public:
+  /// @param angle  angle beta from the generator toward -theta [rad]
+  explicit BasicShellFactorsAtAngle(const Real& angle);
+
+  /// @param lambda  shell parameter, root of (FR-8) [-]; in [0, 8]
+  [[nodiscard]] BasicShellFactors<Real> at(const Real& lambda) const;
+
+  /// Nodes of lambda by columns.
+  using Table = std::array<std::array<double, 8>, 12>;
+
+ private:
+  Real angle_;
+  Real sin_2beta_{};
+  Table value_{};
+  Table by_angle_{};  ///< derivative with respect to the angle; zero without dual numbers
+};
+
+extern template class BasicShellFactorsAtAngle<double>;
+extern template class BasicShellFactorsAtAngle<DualReal>;
+
+/// Shell factors at one lambda and angle, as BasicShellFactorsAtAngle.
 [[nodiscard]] ShellFactors shell_factors(double lambda, double angle);
-[[nodiscard]] BasicShellFactors<DualReal> shell_factors(const DualReal& lambda,
-                                                        const DualReal& angle);
 
 /// Largest lambda of the table for a circumferential crack.
 inline constexpr double kMaxCircumferentialShellParameter = 24.0;
