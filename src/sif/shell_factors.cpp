@@ -18,42 +18,44 @@ using std::numbers::pi;
 /// Columns of the table: mean and linear part of K_I (N, B) or K_II (T, C) by normal (N) or shear
 /// (T).
 enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
-constexpr std::size_t kColumns = 8;
-constexpr std::size_t kLambdas = std::tuple_size_v<BasicShellFactorsAtAngle<double>::Table>;
-constexpr std::size_t kAngles = 7;
+constexpr std::size_t kShellColumns = 8;
+constexpr std::size_t kShellLambdas = std::tuple_size_v<BasicShellFactorsAtAngle<double>::Table>;
+constexpr std::size_t kShellAngles = 7;
 
 /// The variable that the tables use instead of lambda.
 double mapped(double lambda) { return lambda / (lambda + 3); }
 
-using Columns = std::array<double, kColumns>;
+using ShellColumns = std::array<double, kShellColumns>;
 
 template <std::size_t N>
-Columns weighted_sum(const std::array<Columns, N>& rows, const std::array<double, N>& weights) {
-  Columns sum{};
+ShellColumns weighted_rows(const std::array<ShellColumns, N>& rows,
+                           const std::array<double, N>& weights) {
+  ShellColumns sum{};
   for (std::size_t n = 0; n < N; ++n)
-    for (std::size_t c = 0; c < kColumns; ++c) sum[c] += weights[n] * rows[n][c];
+    for (std::size_t c = 0; c < kShellColumns; ++c) sum[c] += weights[n] * rows[n][c];
   return sum;
 }
 
 /// The table at one node of lambda: all nodes of the angle, all columns.
-using TableOfLambda = std::array<Columns, kAngles>;
+using TableOfLambda = std::array<ShellColumns, kShellAngles>;
 
 /// The table in the order in which it is summed, with the columns as neighbours.
-const std::array<TableOfLambda, kLambdas>& tables_of_lambdas() {
-  static const std::array<TableOfLambda, kLambdas> tables = [] {
-    std::array<TableOfLambda, kLambdas> made{};
-    for (std::size_t i = 0; i < kLambdas; ++i)
-      for (std::size_t j = 0; j < kAngles; ++j)
-        for (std::size_t c = 0; c < kColumns; ++c) made[i][j][c] = kShellTable[c][j][i];
+const std::array<TableOfLambda, kShellLambdas>& tables_of_lambdas() {
+  static const std::array<TableOfLambda, kShellLambdas> tables = [] {
+    std::array<TableOfLambda, kShellLambdas> made{};
+    for (std::size_t i = 0; i < kShellLambdas; ++i)
+      for (std::size_t j = 0; j < kShellAngles; ++j)
+        for (std::size_t c = 0; c < kShellColumns; ++c) made[i][j][c] = kShellTable[c][j][i];
     return made;
   }();
   return tables;
 }
 
-BasicShellFactorsAtAngle<double>::Table over_angle(const std::array<double, kAngles>& weights) {
+BasicShellFactorsAtAngle<double>::Table over_angle(
+    const std::array<double, kShellAngles>& weights) {
   BasicShellFactorsAtAngle<double>::Table table{};
-  for (std::size_t i = 0; i < kLambdas; ++i)
-    table[i] = weighted_sum(tables_of_lambdas()[i], weights);
+  for (std::size_t i = 0; i < kShellLambdas; ++i)
+    table[i] = weighted_rows(tables_of_lambdas()[i], weights);
   return table;
 }
 
@@ -62,7 +64,7 @@ BasicShellFactorsAtAngle<double>::Table over_angle(const std::array<double, kAng
 template <class Real>
 BasicShellFactorsAtAngle<Real>::BasicShellFactorsAtAngle(const Real& angle) : angle_(angle) {
   using std::sin;
-  static const LagrangeBasis<kAngles> basis(lobatto_nodes<kAngles>(1.0, -1.0));
+  static const LagrangeBasis<kShellAngles> basis(lobatto_nodes<kShellAngles>(1.0, -1.0));
   const double twice = 2 * value_of(angle);
   value_ = over_angle(basis.values(std::cos(twice)));
   if constexpr (is_dual<Real>) {
@@ -78,15 +80,16 @@ BasicShellFactorsAtAngle<Real>::BasicShellFactorsAtAngle(const Real& angle) : an
 
 template <class Real>
 BasicShellFactors<Real> BasicShellFactorsAtAngle<Real>::at(const Real& lambda) const {
-  static const LagrangeBasis<kLambdas> basis(lobatto_nodes<kLambdas>(0.0, mapped(kShellTableEnd)));
+  static const LagrangeBasis<kShellLambdas> basis(
+      lobatto_nodes<kShellLambdas>(0.0, mapped(kShellTableEnd)));
   const double l = value_of(lambda);
-  const std::array<double, kLambdas> over_lambda = basis.values(mapped(l));
-  std::array<Real, kColumns> value{};
-  const Columns values = weighted_sum(value_, over_lambda);
+  const std::array<double, kShellLambdas> over_lambda = basis.values(mapped(l));
+  std::array<Real, kShellColumns> value{};
+  const ShellColumns values = weighted_rows(value_, over_lambda);
   if constexpr (is_dual<Real>) {
-    const Columns by_mapped = weighted_sum(value_, basis.at(mapped(l)).slope);
-    const Columns by_angle = weighted_sum(by_angle_, over_lambda);
-    for (std::size_t c = 0; c < kColumns; ++c)
+    const ShellColumns by_mapped = weighted_rows(value_, basis.at(mapped(l)).slope);
+    const ShellColumns by_angle = weighted_rows(by_angle_, over_lambda);
+    for (std::size_t c = 0; c < kShellColumns; ++c)
       value[c] = chain(lambda, values[c], by_mapped[c] * 3 / ((l + 3) * (l + 3))) +
                  chain(angle_, 0.0, by_angle[c]);
   } else {
