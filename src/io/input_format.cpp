@@ -195,6 +195,8 @@ std::map<std::string_view, std::string> unit_patterns() {
   const std::string length = words_like("m");
   const std::string force = words_like("N");
   const std::string angle = words_like("rad");
+  const std::string mass = words_like("kg");
+  const std::string time = words_like("s");
   const std::string times = "(\\*|·)";
   const auto any = [](std::initializer_list<std::string> forms) {
     return fmt::format("({})", fmt::join(forms, "|"));
@@ -205,9 +207,9 @@ std::map<std::string_view, std::string> unit_patterns() {
                                   fmt::format("{0}/{1}/{1}", force, length)});
   return {
       {"m", length},
-      {"s", words_like("s")},
+      {"s", time},
       {"K", words_like("K")},
-      {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, words_like("s"))})},
+      {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, time)})},
       {"N", force},
       {"rad", angle},
       {"N*m", torque},
@@ -217,6 +219,12 @@ std::map<std::string_view, std::string> unit_patterns() {
       {"N/m", fmt::format("{}/{}", force, length)},
       {"Pa*m^0.5", any({fmt::format("{}{}{}\\^0?\\.5", stress, times, length),
                         fmt::format("{}/{}\\^1\\.5", force, length)})},
+      {"kg/m^3", fmt::format("{}/{}\\^3", mass, length)},
+      {"kg*m^2", any({fmt::format("{}{}{}\\^2", mass, times, length),
+                      fmt::format("{}\\^2{}{}", length, times, mass)})},
+      {"N*m/rad", fmt::format("{}/{}", torque, angle)},
+      {"N*m*s/rad", any({fmt::format("{}{}{}/{}", torque, times, time, angle),
+                         fmt::format("{}/\\({}/{}\\)", torque, angle, time)})},
       {"rad/(N*m)", fmt::format("{}/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
 }
 

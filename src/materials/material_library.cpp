@@ -284,8 +284,8 @@ Material completed(const Material& own, const MaterialRecord& record) {
   take(material.yield_strength, "yield_strength", !own.yield_strength);
   take(material.ultimate_strength, "ultimate_strength", !own.ultimate_strength);
   take(material.fracture_toughness, "fracture_toughness", !own.fracture_toughness);
-  // Numbers of fatigue and growth do not enter stiffness and strength, so they do not decide
-  // whether the material is verified; the origin names their confidence.
+  // Density and the numbers of fatigue and growth do not enter stiffness and strength, so they do
+  // not decide whether the material is verified; the origin names their confidence.
   const auto whole = [&](bool given, std::string_view name, const std::string& words,
                          const Evidence& evidence, const auto& fill) {
     if (given) return;
@@ -300,6 +300,10 @@ Material completed(const Material& own, const MaterialRecord& record) {
             material.fatigue =
                 FatigueStrength{.limit = reversed->value, .cycles = reversed->cycles};
           });
+  if (record.density)
+    whole(own.density.has_value(), "density",
+          "density " + shown_quantity(record.density->value, unit_of(*record.density), 4),
+          *record.density, [&] { material.density = record.density->value; });
   const std::optional<RateLaw> law = single_rate_law(record);
   if (law)
     std::visit(

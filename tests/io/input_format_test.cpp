@@ -450,6 +450,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[duty.block]]", "input_speed: must not be given beside output_speed", with_block},
       {"[[duty.peak]]", "duty", with_block},
       {"[duty.resonance]", "duty", with_block},
+      {"[drivetrain]", "accepted", nothing},
       {"[rating]", "accepted", nothing},
       {"[tolerance]", "accepted", nothing},
       {"[[range]]", "accepted", nothing},
@@ -667,7 +668,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 53);
+  EXPECT_EQ(n, 54);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -791,11 +792,14 @@ TEST(InputSchema, CrosscheckThePatternsOfQuantitiesAgreeWithTheReader) {
   for (const char* const number :
        {"2.24 ", "2.24", " 2.24 ", "+2.24 ", ".5 ", "5. ", "1e-3 ", "1E+3 ", "-45 ", "0 "})
     for (const char* const unit :
-         {"mm",      "m",         "\u00B5m", "um",        "km",        "mm ",      "deg",
-          "rad",     "mrad",      "arcmin",  "N",         "kN",        "N*m",      "Nm",
-          "N*mm",    "mm*N",      "kN*m",    "Pa",        "MPa",       "GPa",      "N/mm^2",
-          "N/mm/mm", "N/mm",      "N/m",     "MPa*m^0.5", "MPa*mm^.5", "N/mm^1.5", "rad/(N*m)",
-          "1/(N*m)", "arcmin/Nm", "Hz",      "s",         "K",         "%",        "1"})
+         {"mm",        "m",         "\u00B5m",     "um",        "km",      "mm ",
+          "deg",       "rad",       "mrad",        "arcmin",    "N",       "kN",
+          "N*m",       "Nm",        "N*mm",        "mm*N",      "kN*m",    "Pa",
+          "MPa",       "GPa",       "N/mm^2",      "N/mm/mm",   "N/mm",    "N/m",
+          "MPa*m^0.5", "MPa*mm^.5", "N/mm^1.5",    "rad/(N*m)", "1/(N*m)", "arcmin/Nm",
+          "Hz",        "s",         "K",           "%",         "1",       "kg/m^3",
+          "g/cm^3",    "kg*m^2",    "g*cm^2",      "cm^2*kg",   "kg*m",    "N*m/rad",
+          "Nm/arcmin", "N*m*s/rad", "N*m/(rad/s)", "mNm*s/rad"})
       texts.push_back(std::string(number) + unit);
   int fields = 0;
   for_each_field<GearSet>(
@@ -829,7 +833,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 53);
+  EXPECT_EQ(tables, 54);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

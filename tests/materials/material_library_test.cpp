@@ -433,6 +433,7 @@ TEST(MaterialLibraryData, LimitNumbersAreThoseOfSteels) {
     };
     within(record.youngs_modulus, 185e9, 215e9);
     within(record.poissons_ratio, 0.26, 0.32);
+    within(record.density, 7600, 8200);
     within(record.yield_strength, 300e6, 2500e6);
     within(record.ultimate_strength, 500e6, 2600e6);
     within(record.fracture_toughness, 15e6, 150e6);
@@ -447,14 +448,16 @@ TEST(MaterialLibraryData, LimitNumbersAreThoseOfSteels) {
 }
 
 TEST(MaterialLibraryData, ReferenceSpotChecks) {
-  // Typed from the sources a second time: Callister tables B.2, B.4, B.5; EN 10083-2.
+  // Typed from the sources a second time: Callister tables B.1, B.2, B.4, B.5; EN 10083-2.
   const MaterialRecord& r4340 = require_material("4340 tempered 260 C");
+  EXPECT_EQ(r4340.density->value, 7850);
   EXPECT_EQ(r4340.youngs_modulus->value, 207e9);
   EXPECT_EQ(r4340.yield_strength->value, 1640e6);
   EXPECT_EQ(r4340.fracture_toughness->value, 50e6);
   EXPECT_EQ(require_material("4340 tempered 425 C").fracture_toughness->value, 87.4e6);
   EXPECT_EQ(require_material("4340 tempered 425 C").yield_strength->value, 1420e6);
   const MaterialRecord& r177 = require_material("17-7PH aged 510 C");
+  EXPECT_EQ(r177.density->value, 7650);
   EXPECT_EQ(r177.youngs_modulus->value, 204e9);
   EXPECT_EQ(r177.yield_strength->value, 1310e6);
   EXPECT_EQ(r177.ultimate_strength->value, 1450e6);
@@ -683,6 +686,25 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
   own.poissons_ratio = 0.3;
   EXPECT_TRUE(completed(own, library.material[0]).verified);
   EXPECT_FALSE(as_material(library.material[0]).in_file());
+}
+
+TEST(AsMaterial, BehaviourADensityIsTakenOrKept) {
+  // An unverified density does not enter stiffness and strength, so it leaves the verdict as it is.
+  const MaterialRecord& c45 = require_material("C45 QT to 16 mm");
+  ASSERT_EQ(c45.density->confidence, Confidence::unverified);
+  const Material taken = as_material(c45);
+  EXPECT_EQ(taken.density, 7850.0);
+  EXPECT_EQ(std::ranges::count(taken.from_library, "density"), 1);
+  EXPECT_NE(taken.origin.find("density 7850 kg/m^3 (unverified)"), std::string::npos)
+      << taken.origin;
+  Material own;
+  own.based_on = c45.name;
+  own.density = 7800.0;
+  const Material kept = completed(own, c45);
+  EXPECT_EQ(kept.density, 7800.0);
+  EXPECT_EQ(std::ranges::count(kept.from_library, "density"), 0);
+  EXPECT_NE(kept.origin.find("own values: density 7800 kg/m^3"), std::string::npos) << kept.origin;
+  EXPECT_FALSE(as_material(require_material("40CrNiMoA QT")).density.has_value());
 }
 
 TEST(AsMaterial, IdentityTwoElasticConstantsDefineACompletedMaterial) {

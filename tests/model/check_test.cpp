@@ -863,6 +863,51 @@ TEST_P(CheckRule, InputBrokenOnceIsRefused) {
 INSTANTIATE_TEST_SUITE_P(Rules, CheckRule, testing::ValuesIn(kBroken),
                          [](const auto& test) { return test.param.name; });
 
+/// The article's drive between a motor and a load.
+GearSet driven_gear() {
+  GearSet gear = article_gear();
+  gear.drivetrain = Drivetrain{.motor_inertia = 1e-4, .load_inertia = 1.0};
+  return gear;
+}
+
+TEST(Check, InputADrivetrain) {
+  EXPECT_STREQ(refusal(driven_gear()).what(), ": accepted");
+  const auto refused = [](const Mutation& change) {
+    GearSet gear = driven_gear();
+    change(gear);
+    return std::string(refusal(gear).what());
+  };
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->motor_inertia = 0; }),
+            "drivetrain.motor_inertia = 0 kg*m^2 violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->load_inertia = -1; }),
+            "drivetrain.load_inertia = -1 kg*m^2 violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->wave_generator_inertia = 0; }),
+            "drivetrain.wave_generator_inertia = 0 kg*m^2 violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->gear_damping = -1; }),
+            "drivetrain.gear_damping = -1 N*m*s/rad violates: >= 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->motor_damping = -1; }),
+            "drivetrain.motor_damping = -1 N*m*s/rad violates: >= 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->load_damping = -1; }),
+            "drivetrain.load_damping = -1 N*m*s/rad violates: >= 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->coupling_stiffness = 2000; }),
+            "drivetrain.coupling_stiffness: needs drivetrain.wave_generator_inertia, the inertia "
+            "behind the coupling; give it, or leave out the coupling");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.duty.emplace().fixed = FixedMember::flexspline;
+              g.duty->block = {{.duration = 1, .output_speed = 1.0, .torque = 1}};
+            }),
+            "drivetrain.fixed: contradicts duty.fixed; write \"flexspline\" here, or change "
+            "duty.fixed");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.drivetrain->wave_generator_inertia = 4e-5;
+              g.drivetrain->coupling_stiffness = 2000;
+              g.drivetrain->fixed = FixedMember::flexspline;
+              g.duty.emplace().fixed = FixedMember::flexspline;
+              g.duty->block = {{.duration = 1, .output_speed = 1.0, .torque = 1}};
+            }),
+            ": accepted");
+}
+
 TEST(Check, InputFlangeComplianceNeedsSections) {
   GearSet gear = test::article_gear();
   gear.flexspline->flange_compliance = 1e-7;
@@ -1356,6 +1401,9 @@ TEST(CheckRange, ReferenceRanges) {
                                              "material.steel.growth_bounds.short_crack_size",
                                              "duty.block[0].radial_force",
                                              "duty.block[0].bending_moment",
+                                             "drivetrain.motor_damping",
+                                             "drivetrain.gear_damping",
+                                             "drivetrain.load_damping",
                                              "duty.resonance.frequency_ratio"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},

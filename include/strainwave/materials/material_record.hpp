@@ -87,6 +87,11 @@ struct PoissonKind {
   static constexpr std::string_view kExample = "0.3";
   static constexpr Range kRange = {.lower = -1.0, .upper = 0.5};
 };
+struct DensityKind {
+  static constexpr std::string_view kUnit = "kg/m^3";
+  static constexpr std::string_view kExample = R"("7850 kg/m^3")";
+  static constexpr Range kRange = kPositive;
+};
 struct RockwellKind {
   static constexpr std::string_view kUnit = "1";
   static constexpr std::string_view kExample = "60";
@@ -286,6 +291,7 @@ struct MaterialRecord {
   std::optional<Sourced<StressKind>> youngs_modulus;  ///< E [Pa]
   std::optional<Sourced<StressKind>> shear_modulus;   ///< G, if measured independently [Pa]
   std::optional<Sourced<PoissonKind>> poissons_ratio;
+  std::optional<Sourced<DensityKind>> density;
   std::optional<Sourced<StressKind>> yield_strength;
   std::optional<Sourced<StressKind>> ultimate_strength;
   std::optional<Sourced<ToughnessKind>> fracture_toughness;
@@ -321,6 +327,7 @@ struct MaterialRecord {
     table("youngs_modulus", "Young's modulus", &MaterialRecord::youngs_modulus);
     table("shear_modulus", "shear modulus", &MaterialRecord::shear_modulus);
     table("poissons_ratio", "Poisson's ratio", &MaterialRecord::poissons_ratio);
+    table("density", "density", &MaterialRecord::density);
     table("yield_strength", "yield strength", &MaterialRecord::yield_strength);
     table("ultimate_strength", "tensile strength", &MaterialRecord::ultimate_strength);
     table("fracture_toughness", "fracture toughness", &MaterialRecord::fracture_toughness);
@@ -346,6 +353,7 @@ void for_each_property(const MaterialRecord& record, const F& f) {
   visit("youngs_modulus", "Young's modulus", record.youngs_modulus);
   visit("shear_modulus", "shear modulus", record.shear_modulus);
   visit("poissons_ratio", "Poisson's ratio", record.poissons_ratio);
+  visit("density", "density", record.density);
   visit("yield_strength", "yield strength", record.yield_strength);
   visit("ultimate_strength", "tensile strength", record.ultimate_strength);
   visit("fracture_toughness", "fracture toughness", record.fracture_toughness);

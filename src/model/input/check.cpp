@@ -101,6 +101,19 @@ void check_duty(const Duty& duty) {
   if (!moves) throw InputError("duty.block", "does not move; give at least one block with a speed");
 }
 
+void check_drivetrain(const GearSet& gear) {
+  const Drivetrain& of = *gear.drivetrain;
+  if (of.coupling_stiffness && !of.wave_generator_inertia)
+    throw InputError(
+        "drivetrain.coupling_stiffness",
+        "needs drivetrain.wave_generator_inertia, the inertia behind the coupling; give "
+        "it, or leave out the coupling");
+  if (gear.duty && gear.duty->fixed != of.fixed)
+    throw InputError("drivetrain.fixed",
+                     fmt::format("contradicts duty.fixed; write \"{}\" here, or change duty.fixed",
+                                 enum_name(gear.duty->fixed)));
+}
+
 // Rules of the cracks.  Each kind has an overload of check_crack.
 
 void need(bool given, std::string_view field, const FieldPath& at, std::string_view why) {
@@ -732,6 +745,7 @@ void check(const GearSet& gear) {
   if (gear.circular_spline) check_circular_spline(gear);
   if (gear.rating) check_rating(*gear.rating);
   if (gear.duty) check_duty(*gear.duty);
+  if (gear.drivetrain) check_drivetrain(gear);
   if (gear.tolerance)
     require(gear.tolerance->grade >= 1 && gear.tolerance->grade <= 11, "tolerance.grade",
             gear.tolerance->grade, "1", ">= 1 and <= 11");

@@ -11,6 +11,7 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/circular_spline.hpp"
 #include "strainwave/model/input/compliance_table.hpp"
+#include "strainwave/model/input/drivetrain.hpp"
 #include "strainwave/model/input/duty.hpp"
 #include "strainwave/model/input/flexspline.hpp"
 #include "strainwave/model/input/material.hpp"
@@ -138,6 +139,7 @@ struct GearSet {
   std::optional<CircularSpline> circular_spline;  ///< ring of the coupled drive; absent: rigid
   std::optional<OutputBearing> output_bearing;    ///< bearing that carries the output
   std::optional<Duty> duty;                       ///< what the drive does, for its life
+  std::optional<Drivetrain> drivetrain;           ///< motor and load, for the vibration
   std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
   std::optional<Tolerance> tolerance;             ///< tolerances of the parts; absent: defaults
   std::vector<InputRange> range;                  ///< inputs that are known only within limits
@@ -198,6 +200,11 @@ struct GearSet {
                 .doc = "what the drive does, for its life",
                 .in_template = InTemplate::commented},
           &GearSet::duty);
+    field(Field{.name = "drivetrain",
+                .unit = "",
+                .doc = "motor and load, for the vibration",
+                .in_template = InTemplate::commented},
+          &GearSet::drivetrain);
     field(Field{.name = "rating",
                 .unit = "",
                 .doc = "the maker's torques, speeds and life",

@@ -23,6 +23,7 @@ struct Material {
   double youngs_modulus = 0.0;           ///< E, Young's modulus [Pa]; > 0
   std::optional<double> shear_modulus;   ///< G (mu in the manual), shear modulus [Pa]; > 0
   std::optional<double> poissons_ratio;  ///< nu, Poisson's ratio [-]; in (-1, 0.5)
+  std::optional<double> density = {};    ///< rho [kg/m^3]; > 0; inertias need it
   std::optional<double> yield_strength;  ///< sigma_y, yield strength [Pa]; > 0
   /// sigma_u, tensile strength [Pa]; > 0, >= yield_strength
   std::optional<double> ultimate_strength = {};
@@ -72,6 +73,14 @@ struct Material {
                 .example = "0.3",
                 .usual = {.lower = 0.05, .upper = 0.49}},
           &Material::poissons_ratio);
+    field(Field{.name = "density",
+                .unit = "kg/m^3",
+                .doc = "density; moments of inertia of the gear's own parts need it",
+                .range = kPositive,
+                .example = R"("7850 kg/m^3")",
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 1000.0, .upper = 20000.0}},
+          &Material::density);
     field(Field{.name = "yield_strength",
                 .unit = "Pa",
                 .doc = "yield strength; strength and plastic zone of a crack need it",

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/input/duty.hpp"
+
+namespace strainwave {
+
+/// What turns the wave generator, and what the output turns: for the vibration of the drive.
+struct Drivetrain {
+  FixedMember fixed = FixedMember::circular_spline;
+  double motor_inertia = 0.0;  ///< J_m of all that turns with the motor [kg*m^2]; > 0
+  /// J_H of the wave generator [kg*m^2]; > 0; absent: `motor_inertia` contains it
+  std::optional<double> wave_generator_inertia = {};
+  /// between motor and wave generator [N*m/rad]; > 0; absent: rigid
+  std::optional<double> coupling_stiffness = {};
+  double load_inertia = 0.0;   ///< J_L at the output [kg*m^2]; > 0
+  double motor_damping = 0.0;  ///< B_m against the housing [N*m*s/rad]; >= 0
+  double gear_damping = 0.0;   ///< c, parallel to the drive, at the output [N*m*s/rad]; >= 0
+  double load_damping = 0.0;   ///< B_L against the housing [N*m*s/rad]; >= 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "fixed",
+                .unit = "",
+                .doc = "the member that does not turn",
+                .example = R"("circular_spline")",
+                .fallback = R"("circular_spline")"},
+          &Drivetrain::fixed);
+    field(Field{.name = "motor_inertia",
+                .unit = "kg*m^2",
+                .doc = "J_m: moment of inertia of all that turns with the motor",
+                .range = kPositive,
+                .example = R"("1e-4 kg*m^2")"},
+          &Drivetrain::motor_inertia);
+    field(Field{.name = "wave_generator_inertia",
+                .unit = "kg*m^2",
+                .doc = "J_H: moment of inertia of the wave generator; if left out, motor_inertia "
+                       "contains it",
+                .range = kPositive,
+                .example = R"("4e-5 kg*m^2")",
+                .in_template = InTemplate::commented},
+          &Drivetrain::wave_generator_inertia);
+    field(
+        Field{.name = "coupling_stiffness",
+              .unit = "N*m/rad",
+              .doc = "torsional stiffness of the coupling between motor and wave generator; rigid "
+                     "if left out",
+              .range = kPositive,
+              .example = R"("2000 N*m/rad")",
+              .in_template = InTemplate::commented},
+        &Drivetrain::coupling_stiffness);
+    field(Field{.name = "load_inertia",
+                .unit = "kg*m^2",
+                .doc = "J_L: moment of inertia of all that turns with the output",
+                .range = kPositive,
+                .example = R"("1 kg*m^2")"},
+          &Drivetrain::load_inertia);
+    const auto damping = [&](std::string_view name, std::string_view doc, auto member) {
+      field(Field{.name = name,
+                  .unit = "N*m*s/rad",
+                  .doc = doc,
+                  .range = kNonNegative,
+                  .example = R"("0 N*m*s/rad")",
+                  .fallback = R"("0 N*m*s/rad")",
+                  .in_template = InTemplate::commented},
+            member);
+    };
+    damping("motor_damping", "B_m: torque against the speed of the motor",
+            &Drivetrain::motor_damping);
+    damping("gear_damping", "c: torque against the speed of the twist, at the output",
+            &Drivetrain::gear_damping);
+    damping("load_damping", "B_L: torque against the speed of the output",
+            &Drivetrain::load_damping);
+  }
+};
+
+}  // namespace strainwave
