@@ -120,7 +120,8 @@ std::vector<ChainMode> chain_modes(const TorsionalChain& chain, std::span<const 
     if (square > kFreeTurn * largest) {
       const double omega = std::sqrt(square);
       mode.frequency = omega / (2 * pi);
-      mode.damping_ratio = angle.dot(of.damping * angle) / (2 * omega);  // (DY-5)
+      // Without damping the product may be -0.
+      mode.damping_ratio = std::max(0.0, angle.dot(of.damping * angle) / (2 * omega));  // (DY-5)
       const Eigen::VectorXd twist = of.twist * angle;
       for (std::size_t s = 0; s < chain.springs.size(); ++s)
         mode.energy_share.push_back(std::pow(twist(static_cast<Eigen::Index>(s)), 2) /

@@ -19,10 +19,6 @@ namespace {
 
 constexpr std::size_t kShownRows = 20;
 
-std::string number_and_unit(double value, const DisplayUnit& unit) {
-  return fmt::format("{} {}", shown_number(value / unit.in_si, 5), unit.text);
-}
-
 /// The unit of a history as it stands in the file, which no option changes.
 DisplayUnit unit_of_cycles(const CountedCycles& cycles) {
   return cycles.unit == "N*m" ? display_unit({}, "N*m")

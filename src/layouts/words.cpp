@@ -65,6 +65,10 @@ std::string with_unit(std::string_view label, const DisplayUnit& unit) {
   return fmt::format("{} [{}]", label, unit.text);
 }
 
+std::string number_and_unit(double value, const DisplayUnit& unit) {
+  return fmt::format("{} {}", shown_number(value / unit.in_si, 5), unit.text);
+}
+
 std::string axis_label(std::string_view label, const DisplayUnit& unit) {
   const std::string text = typeset_unit(unit.text);
   return text.empty() ? std::string(label) : fmt::format("{} [{}]", label, text);

@@ -45,6 +45,8 @@ struct Draft {
 /// Of a drive with a duty.
 [[nodiscard]] ReportSection duty_chapter(Draft& draft);
 [[nodiscard]] ReportSection life_chapter(Draft& draft);
+/// Of a drive with a drivetrain.
+[[nodiscard]] ReportSection modes_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);

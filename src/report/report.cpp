@@ -240,6 +240,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   if (gear.duty && draft.corrected() && !draft.cracks.empty())
     for (ReportSection& section : growth_chapters(draft))
       made.sections.push_back(std::move(section));
+  if (gear.drivetrain) made.sections.push_back(modes_chapter(draft));
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));

@@ -55,6 +55,8 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"life", "{}"},
       {"grow", "{}"},
       {"grow", R"({"interaction": "wheeler", "zone_factor": 2, "wheeler_exponent": 1.5})"},
+      {"modes", "{}"},
+      {"modes", R"({"torque": "20 N*m"})"},
       {"require", R"({"requirements": ["intact.stiffness > 1 N*m/rad",
                                         "cracked.positive.stiffness_change >= 1 %"]})"},
       {"report", R"({"date": "2026-01-31"})"},

@@ -18,12 +18,15 @@
 
 #include "report/svg_document.hpp"
 #include "strainwave/core/sha256.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/modes.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/report/section_drawing.hpp"
 #include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/modes_report.hpp"
 #include "strainwave/study/sensitivity.hpp"
 #include "support/article_gear.hpp"
 #include "support/contrast.hpp"
@@ -74,8 +77,12 @@ std::vector<Element> parsed(const std::string& html) { return test::parse_xml(ht
 TEST(Report, BehaviourEveryExampleGivesAWholePage) {
   for (const char* const name :
        {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25",
-        "critical_crack", "article_scatter", "library_material"}) {
+        "critical_crack", "article_scatter", "library_material", "joint_size25"}) {
     const Report report = report_on(text_of(name));
+    // A drive between motor and load has one more section.
+    std::vector<std::string> expected(kSections.begin(), kSections.end());
+    if (text_of(name).find("[drivetrain]") != std::string::npos)
+      expected.insert(std::ranges::find(expected, "sensitivity"), "modes");
     const std::string html = report_html(report);
     ASSERT_NO_THROW((void)parsed(html)) << name;
     const std::vector<Element> elements = parsed(html);
@@ -96,8 +103,8 @@ TEST(Report, BehaviourEveryExampleGivesAWholePage) {
         EXPECT_TRUE(element.has("aria-labelledby") || element.has("aria-label"));
       }
     }
-    EXPECT_EQ(sections, std::vector<std::string>(kSections.begin(), kSections.end())) << name;
-    EXPECT_EQ(headings, kSections.size());
+    EXPECT_EQ(sections, expected) << name;
+    EXPECT_EQ(headings, expected.size());
     EXPECT_EQ(elements.front().name, "html");
     EXPECT_EQ(elements.front().at("lang"), "en");
     EXPECT_EQ(html.find("<!DOCTYPE html>"), 0U);
@@ -243,6 +250,31 @@ TEST(Report, InputTextFromTheFileIsEscapedEverywhere) {
             std::string::npos);
   EXPECT_NE(html.find("&lt;b&gt;&amp;"), std::string::npos);
   EXPECT_NE(html.find("\uFFFD.toml"), std::string::npos);
+}
+
+TEST(Report, BehaviourTheChapterOnModesIsThatOfTheCommand) {
+  const GearSet gear = read_gear_set(text_of("joint_size25"), "drive.toml");
+  const Report report = report_on(text_of("joint_size25"));
+  const auto chapter = std::ranges::find(report.sections, "modes", &ReportSection::id);
+  ASSERT_NE(chapter, report.sections.end());
+  const ModesReport modes = modes_report(gear);
+  for (const TitledTable& table : modes_tables(modes))
+    EXPECT_NE(chapter->html.find(table.title), std::string::npos) << table.title;
+  const double frequency = modes.conditions.front().modes.front().cracked->frequency;
+  EXPECT_NE(chapter->html.find(shown_number(frequency, 5) + " Hz"), std::string::npos);
+  std::size_t plots = 0;
+  for (std::size_t at = 0; (at = chapter->html.find("<svg", at)) != std::string::npos; ++at)
+    ++plots;
+  EXPECT_EQ(plots, 2U);
+  // Another method has no frequencies and says so.
+  const GearSet article = read_gear_set(text_of("article") +
+                                            "\n[drivetrain]\nmotor_inertia = \"1e-4 kg*m^2\"\n"
+                                            "load_inertia = \"1 kg*m^2\"\n",
+                                        "drive.toml");
+  const Report repaired = make_report(article, kProvenance, {.method = Method::repaired});
+  const auto absent = std::ranges::find(repaired.sections, "modes", &ReportSection::id);
+  ASSERT_NE(absent, repaired.sections.end());
+  EXPECT_NE(absent->html.find("uses the method repaired"), std::string::npos);
 }
 
 TEST(Report, ReferenceProvenanceHasTheInputWordForWord) {

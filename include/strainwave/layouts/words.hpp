@@ -41,6 +41,8 @@ namespace strainwave {
 [[nodiscard]] DisplayUnit angle_unit();
 /// A label with its unit: "twist [arcmin]".
 [[nodiscard]] std::string with_unit(std::string_view label, const DisplayUnit& unit);
+/// A value of SI in a unit, such as "48 N*m".
+[[nodiscard]] std::string number_and_unit(double value, const DisplayUnit& unit);
 /// A label with its unit for the axis of a plot: "K1 [N·m/arcmin]".
 [[nodiscard]] std::string axis_label(std::string_view label, const DisplayUnit& unit);
 

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/progress.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/evidence.hpp"
+
+/// @file
+/// The result of `strainwave modes`: the natural frequencies of a drive between motor and load,
+/// sound and cracked.
+
+namespace strainwave {
+
+/// Where the compliances of the springs come from.
+enum class SpringModel {
+  coupled_drive,  ///< tangent of the torsion curve at the torque
+  members,        ///< sum of wave generator, flexspline and output shaft
+};
+template <>
+struct EnumNames<SpringModel> {
+  static constexpr std::array<std::string_view, 2> names = {"coupled_drive", "members"};
+};
+
+/// What the motor keeps constant.
+enum class MotorGives {
+  torque,  ///< the motor's inertia vibrates too
+  speed,   ///< the motor's inertia does not vibrate
+};
+template <>
+struct EnumNames<MotorGives> {
+  static constexpr std::array<std::string_view, 2> names = {"torque", "speed"};
+};
+
+/// The angle of one inertia in a mode.
+struct InertiaAngle {
+  std::string inertia;
+  double angle = 0.0;  ///< over that of the inertia with the most energy [-]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"inertia", "", "motor, wave generator, rim, hub, circular spline or load"},
+          &InertiaAngle::inertia);
+    field({"angle", "1", "angle over that of the inertia with the largest kinetic energy"},
+          &InertiaAngle::angle);
+  }
+};
+
+/// What one member has in the elastic energy of a mode.
+struct MemberEnergy {
+  std::string member;
+  double share = 0.0;  ///< epsilon [-]; the sum is 1
+
+  /// Derivative of ln f by the logarithm of the member's compliance (DY-4) [-].
+  [[nodiscard]] double derivative() const { return -share / 2; }
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"member", "", "a member of the stiffness model, or the coupling"},
+          &MemberEnergy::member);
+    field({"share", "1", "share of the elastic energy"}, &MemberEnergy::share);
+    field({"derivative", "1",
+           "derivative of ln f by the logarithm of the member's compliance, minus half of the "
+           "share"},
+          &MemberEnergy::derivative);
+  }
+};
+
+/// One mode of a chain.
+struct DriveMode {
+  double frequency = 0.0;      ///< f [Hz]
+  double damping_ratio = 0.0;  ///< zeta [-]
+  std::vector<InertiaAngle> shape = {};
+  std::vector<MemberEnergy> energy = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"frequency", "Hz", "natural frequency f"}, &DriveMode::frequency);
+    field({"damping_ratio", "1", "zeta, of first order in the damping"}, &DriveMode::damping_ratio);
+    field({"shape", "", "angle of each inertia"}, &DriveMode::shape);
+    field({"energy", "", "shares of the members in the elastic energy"}, &DriveMode::energy);
+  }
+};
+
+/// Speed at which an excitation meets a frequency.
+struct ModeSpeed {
+  std::string excitation;
+  double order = 0.0;   ///< periods in one turn of the wave generator [-]
+  double intact = 0.0;  ///< of the input [rad/s]
+  std::optional<double> cracked = {};
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"excitation", "", "what passes"}, &ModeSpeed::excitation);
+    field({"order", "1", "periods in one turn of the input"}, &ModeSpeed::order);
+    field({"intact", "rad/s", "speed of the input at which the order meets the frequency, sound"},
+          &ModeSpeed::intact);
+    field({"cracked", "rad/s", "the same, cracked"}, &ModeSpeed::cracked);
+  }
+};
+
+/// What one crack does to a mode.
+struct CrackOnMode {
+  std::string path;
+  double change = 0.0;  ///< f with all cracks over f without this one, minus 1 [-]
+  /// Share of the elastic energy in the crack [-].  Absent if the crack is closed, or acts inside
+  /// the contacts, where it has no compliance of its own.
+  std::optional<double> share = {};
+
+  /// Derivative of ln f by the logarithm of the crack's compliance (DY-4) [-].
+  [[nodiscard]] std::optional<double> derivative() const {
+    return share ? std::optional(-*share / 2) : std::nullopt;
+  }
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"path", "", "the crack"}, &CrackOnMode::path);
+    field({"change", "1", "f with all cracks over f without this one, minus 1"},
+          &CrackOnMode::change);
+    field({"share", "1",
+           "share of the elastic energy in the crack; absent if it is closed or acts inside the "
+           "contacts"},
+          &CrackOnMode::share);
+    field({"derivative", "1",
+           "derivative of ln f by the logarithm of the crack's compliance, minus half of the "
+           "share"},
+          &CrackOnMode::derivative);
+  }
+};
+
+/// A mode of the sound drive beside that of the cracked one.
+struct ModePair {
+  int number = 0;  ///< from 1, by rising frequency of the sound drive
+  DriveMode intact;
+  std::optional<DriveMode> cracked = {};  ///< absent: no crack
+  std::optional<double> change = {};      ///< f cracked/sound - 1 [-]
+  std::optional<double> likeness =
+      {};  ///< MAC of both shapes by their inertias, 0 to 1 (DY-11) [-]
+  std::vector<CrackOnMode> cracks = {};
+  std::vector<ModeSpeed> critical_speeds = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"number", "", "number of the mode, from 1"}, &ModePair::number);
+    field({"intact", "", "the sound drive"}, &ModePair::intact);
+    field({"cracked", "", "the drive with its cracks"}, &ModePair::cracked);
+    field({"change", "1", "f cracked/sound - 1"}, &ModePair::change);
+    field({"likeness", "1", "likeness of both shapes (MAC), 1 if they are the same"},
+          &ModePair::likeness);
+    field({"cracks", "", "what each crack changes"}, &ModePair::cracks);
+    field({"critical_speeds", "", "speeds of the input at which an order meets the frequency"},
+          &ModePair::critical_speeds);
+  }
+};
+
+/// The modes while the motor gives its torque, or its speed.
+struct MotorModes {
+  MotorGives motor = MotorGives::torque;
+  std::vector<ModePair> modes = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"motor", "", "what the motor gives"}, &MotorModes::motor);
+    field({"modes", "", "the modes by rising frequency"}, &MotorModes::modes);
+  }
+};
+
+/// The result of `strainwave modes`.
+struct ModesReport {
+  double torque = 0.0;  ///< T at the output, at which the springs are taken [N*m]
+  SpringModel springs = SpringModel::members;
+  double signed_ratio = 0.0;      ///< turns of the input per turn of the output [-]
+  double intact_stiffness = 0.0;  ///< at the output, with locked input [N*m/rad]
+  std::optional<double> cracked_stiffness = {};
+  std::optional<double> largest_speed = {};  ///< that the maker allows the input [rad/s]
+  std::vector<MotorModes> conditions = {};
+  std::vector<Note> notes = {};
+  std::vector<std::string> equations = {};
+
+  /// The first mode for a condition of the motor; null without a mode.
+  [[nodiscard]] const ModePair* first(MotorGives motor) const {
+    for (const MotorModes& of : conditions)
+      if (of.motor == motor && !of.modes.empty()) return &of.modes.front();
+    return nullptr;
+  }
+  /// f of the first mode, with the cracks if there are any [Hz].
+  [[nodiscard]] std::optional<double> first_frequency(MotorGives motor) const {
+    const ModePair* const pair = first(motor);
+    if (pair == nullptr) return std::nullopt;
+    return (pair->cracked ? *pair->cracked : pair->intact).frequency;
+  }
+  [[nodiscard]] std::optional<double> free_frequency() const {
+    return first_frequency(MotorGives::torque);
+  }
+  [[nodiscard]] std::optional<double> locked_frequency() const {
+    return first_frequency(MotorGives::speed);
+  }
+  /// f cracked/sound - 1 of the first mode with a free input [-].
+  [[nodiscard]] std::optional<double> free_change() const {
+    const ModePair* const pair = first(MotorGives::torque);
+    return pair != nullptr ? pair->change : std::nullopt;
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "free_frequency",
+           .unit = "Hz",
+           .doc = "f of the first mode while the motor gives its torque, with the cracks",
+           .headline = true},
+          &ModesReport::free_frequency);
+    field({.name = "locked_frequency",
+           .unit = "Hz",
+           .doc = "f of the first mode while the motor keeps its speed, with the cracks",
+           .headline = true},
+          &ModesReport::locked_frequency);
+    field({.name = "free_change",
+           .unit = "1",
+           .doc = "change of free_frequency by the cracks",
+           .headline = true},
+          &ModesReport::free_change);
+    field({"torque", "N*m", "torque at the output at which the springs are taken"},
+          &ModesReport::torque);
+    field({"springs", "", "origin of the springs: coupled_drive or members"},
+          &ModesReport::springs);
+    field({"signed_ratio", "1", "turns of the input per turn of the output"},
+          &ModesReport::signed_ratio);
+    field({"intact_stiffness", "N*m/rad", "tangent at the output with locked input, sound"},
+          &ModesReport::intact_stiffness);
+    field({"cracked_stiffness", "N*m/rad", "tangent at the output with locked input, cracked"},
+          &ModesReport::cracked_stiffness);
+    field({"largest_speed", "rad/s", "largest speed that the maker allows the input"},
+          &ModesReport::largest_speed);
+    field({"conditions", "", "modes for each condition of the motor"}, &ModesReport::conditions);
+  }
+};
+
+/// Natural frequencies of a drive with a drivetrain, sound and cracked.
+///
+/// Implements theory manual eqs. (DY-1) to (DY-5) and (DY-8) to (DY-11).  The springs are linear
+/// about a torque: the tangent of the torsion curve if the file gives enough for it, else the sum
+/// of the members.  Cracks are open or closed as under this torque.  Friction is left out.
+/// @param torque  T at the output [N*m]; absent: that of the load
+/// @throws InputError   if the drive has no drivetrain, or no compliance
+/// @throws SolverError  if the coupled drive has no equilibrium at the torque
+[[nodiscard]] ModesReport modes_report(const GearSet& gear, std::optional<double> torque = {},
+                                       const Progress& progress = {});
+
+}  // namespace strainwave

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/modes.hpp"
+
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/door/door.hpp"
+
+namespace strainwave {
+namespace {
+
+struct ModesOptions {
+  std::optional<std::string> torque;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "",
+           "torque at the output about which the springs are linear, a number with its unit; that "
+           "of the load if left out"},
+          &ModesOptions::torque);
+  }
+};
+
+ModesReport modes_of(const Request& request, const ModesOptions& options) {
+  std::optional<double> torque;
+  if (options.torque) torque = parse_quantity("--torque", *options.torque, "N*m");
+  return modes_report(request.drive.gear, torque, request.progress);
+}
+
+}  // namespace
+
+Command modes_command() {
+  return command<ModesOptions, ModesReport>({
+      .name = "modes",
+      .summary = "Compute the natural frequencies between motor and load, sound and cracked",
+      .description =
+          "Prints the natural frequencies of the drive between the motor and the load of its "
+          "[drivetrain], sound and with its cracks, for a motor of given torque and for one of "
+          "given speed. Shapes, damping, the energy of each member, what each crack changes, and "
+          "the speeds at which an excitation meets the first mode follow. The springs are the "
+          "tangent of the torsion curve if the file gives enough for it, else the sum of the "
+          "members. Friction is left out.",
+      .example = "strainwave modes examples/joint_size25.toml",
+      .takes = Takes::drive,
+      .function = modes_of,
+      .documents = {{Format::text, modes_text},
+                    {Format::csv, modes_csv},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw the first mode and the lines of the orders over the speed as "
+                             "an SVG file"},
+                     modes_plot}},
+  });
+}
+
+}  // namespace strainwave

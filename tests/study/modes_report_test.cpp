@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/modes_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/modes.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+GearSet example(const std::string& name) {
+  return read_gear_set_file(std::string(STRAINWAVE_EXAMPLES "/") + name + ".toml");
+}
+
+/// The joint without the inertias of its own parts.
+GearSet robot_joint() {
+  GearSet gear = example("joint_size25");
+  gear.material.at("steel").density.reset();
+  return gear;
+}
+
+const ModePair& first(const ModesReport& report, MotorGives motor) {
+  return report.conditions[motor == MotorGives::torque ? 0 : 1].modes.front();
+}
+
+double free_frequency(double stiffness, double motor, double load, double ratio) {
+  return std::sqrt(stiffness * (1 / load + 1 / (ratio * ratio * motor))) / (2 * pi);
+}
+
+TEST(ModesReport, CrosscheckTwoInertiasOnTheTangentOfTheCurve) {
+  // (DY-10): the closed form of two inertias with the tangent of the torsion curve.
+  const GearSet gear = robot_joint();
+  const ModesReport report = modes_report(gear);
+  EXPECT_EQ(report.springs, SpringModel::coupled_drive);
+  EXPECT_EQ(report.torque, gear.load.torque);
+  EXPECT_EQ(report.signed_ratio, -100.0);
+  const auto tangent = [&](const GearSet& of) {
+    return torsion_curve(of, std::array{gear.load.torque}).points.front().tangent_stiffness();
+  };
+  GearSet sound = gear;
+  sound.flexspline->crack.clear();
+  sound.output_shaft->crack.clear();
+  const double K = tangent(sound);
+  const double cracked = tangent(gear);
+  test::expect_relative(report.intact_stiffness, K, 1e-9);
+  test::expect_relative(*report.cracked_stiffness, cracked, 1e-9);
+  const double J_m = gear.drivetrain->motor_inertia + *gear.drivetrain->wave_generator_inertia;
+  const double J_L = gear.drivetrain->load_inertia;
+  const ModePair& free = first(report, MotorGives::torque);
+  test::expect_relative(free.intact.frequency, free_frequency(K, J_m, J_L, 100), 1e-9);
+  test::expect_relative(free.cracked->frequency, free_frequency(cracked, J_m, J_L, 100), 1e-9);
+  test::expect_relative(*free.change, std::sqrt(cracked / K) - 1, 1e-6);
+  EXPECT_NEAR(*free.likeness, 1.0, 1e-12);
+  EXPECT_EQ(report.free_frequency(), free.cracked->frequency);
+  EXPECT_EQ(report.free_change(), free.change);
+  EXPECT_EQ(report.locked_frequency(), first(report, MotorGives::speed).cracked->frequency);
+  const ModePair& held = first(report, MotorGives::speed);
+  test::expect_relative(held.intact.frequency, std::sqrt(K / J_L) / (2 * pi), 1e-9);
+  // zeta = c omega/(2 K).
+  test::expect_relative(held.intact.damping_ratio,
+                        gear.drivetrain->gear_damping * std::sqrt(K / J_L) / (2 * K), 1e-9);
+}
+
+TEST(ModesReport, CrosscheckTwoInertiasOnTheSumOfTheMembers) {
+  GearSet gear = robot_joint();
+  gear.mesh.reset();
+  gear.circular_spline.reset();
+  gear.drivetrain->fixed = FixedMember::flexspline;
+  for (const double sense : {1.0, -1.0}) {
+    const ModesReport report = modes_report(gear, sense * 48.0);
+    EXPECT_EQ(report.springs, SpringModel::members);
+    EXPECT_EQ(report.signed_ratio, 101.0);
+    const StiffnessResult sum = torsional_stiffness(gear);
+    const Compliances& of = (sense > 0 ? sum.positive : sum.negative).compliance;
+    const double step = 100.0 / 101;
+    const double K =
+        1 / (step * step * (of.wave_generator.value + of.flexspline.value) + of.output_shaft.value);
+    test::expect_relative(*report.cracked_stiffness, K, 1e-9);
+    test::expect_relative(first(report, MotorGives::torque).cracked->frequency,
+                          free_frequency(K, 9.13e-5, 1.2, 101), 1e-9);
+  }
+}
+
+double share_of_member(const DriveMode& mode, std::string_view member) {
+  for (const MemberEnergy& of : mode.energy)
+    if (of.member == member) return of.share;
+  ADD_FAILURE() << member;
+  return 0.0;
+}
+
+TEST(ModesReport, IdentitySharesSumToOneAndGiveTheDerivative) {
+  // (DY-4): a crack of the shaft that is small lowers ln f by half its share; the next term is the
+  // square of the added part, below 1e-4.
+  GearSet gear = robot_joint();
+  gear.flexspline->crack.clear();
+  std::get<AnnularCrack>(gear.output_shaft->crack.front()).depth = 0.3e-3;
+  gear.drivetrain->coupling_stiffness = 3000.0;
+  const ModesReport report = modes_report(gear);
+  const ModePair& mode = first(report, MotorGives::torque);
+  double sum = 0.0;
+  for (const MemberEnergy& of : mode.intact.energy) {
+    sum += of.share;
+    EXPECT_EQ(of.derivative(), -of.share / 2);
+  }
+  const double shaft = share_of_member(mode.intact, "output shaft");
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+  EXPECT_EQ(mode.intact.energy.front().member, "coupling");
+  const MemberCompliance of = output_shaft_compliance(gear);
+  const double added = of.cracks.front().positive.at_output.value / of.intact;
+  ASSERT_GT(added, 1e-6);
+  EXPECT_NEAR(std::log1p(*mode.change) / (-shaft / 2 * added), 1.0, 1e-3);
+  // One crack alone is all that changes the drive.
+  ASSERT_EQ(mode.cracks.size(), 1U);
+  EXPECT_EQ(mode.cracks.front().path, "output_shaft.crack[0]");
+  test::expect_relative(mode.cracks.front().change, *mode.change, 1e-6);
+}
+
+/// Derivative of ln f of the first mode by the logarithm of a compliance, by central differences.
+/// @param set         sets the drive to a parameter [any]
+/// @param compliance  at a parameter [rad/(N*m)]
+double difference(const std::function<GearSet(double)>& set,
+                  const std::function<double(const GearSet&)>& compliance, MotorGives motor,
+                  double at, double step) {
+  const auto both = [&](double parameter) {
+    const GearSet gear = set(parameter);
+    const ModesReport report = modes_report(gear);
+    const ModePair& mode = first(report, motor);
+    return std::pair{std::log((mode.cracked ? *mode.cracked : mode.intact).frequency),
+                     std::log(compliance(gear))};
+  };
+  const auto [f_over, L_over] = both(at * (1 + step));
+  const auto [f_under, L_under] = both(at * (1 - step));
+  return (f_over - f_under) / (L_over - L_under);
+}
+
+TEST(ModesReport, CrosscheckDerivativesOfMembersByDifferences) {
+  // (DY-4): compliances of shaft and coupling grow by 0.1 %.  The next term of a central
+  // difference is the square of the step, and the coupled drive is solved to 1e-9; 1e-5 contains
+  // both.  The flexspline's cracks add to the shaft's torque sense only, so they stay.
+  for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
+    GearSet base = robot_joint();
+    base.output_shaft->crack.clear();
+    base.drivetrain->coupling_stiffness = 3000.0;
+    const ModesReport report = modes_report(base);
+    const DriveMode& mode = *first(report, motor).cracked;
+    const auto shaft = [&](double length) {
+      GearSet gear = base;
+      gear.output_shaft->length = length;
+      return gear;
+    };
+    const auto of_shaft = [](const GearSet& gear) { return output_shaft_compliance(gear).intact; };
+    test::expect_relative(difference(shaft, of_shaft, motor, base.output_shaft->length, 1e-3),
+                          -share_of_member(mode, "output shaft") / 2, 1e-5);
+    const auto coupling = [&](double stiffness) {
+      GearSet gear = base;
+      gear.drivetrain->coupling_stiffness = stiffness;
+      return gear;
+    };
+    const auto of_coupling = [](const GearSet& gear) {
+      return 1 / *gear.drivetrain->coupling_stiffness;
+    };
+    test::expect_relative(difference(coupling, of_coupling, motor, 3000.0, 1e-3),
+                          -share_of_member(mode, "coupling") / 2, 1e-5);
+  }
+}
+
+TEST(ModesReport, CrosscheckDerivativesOfCracksByDifferences) {
+  // (DY-4): a crack grows by 0.1 %, and its compliance with it; tolerance as for the members.
+  const GearSet base = robot_joint();
+  const auto added = [](const MemberCompliance& of) {
+    return of.cracks.front().positive.at_output.value;
+  };
+  const auto depth = [&](double value) {
+    GearSet gear = base;
+    std::get<AnnularCrack>(gear.output_shaft->crack.front()).depth = value;
+    return gear;
+  };
+  const auto length = [&](double value) {
+    GearSet gear = base;
+    std::get<WallThroughCrack>(gear.flexspline->crack.front()).half_length = value;
+    return gear;
+  };
+  const auto of_shaft = [&](const GearSet& gear) { return added(output_shaft_compliance(gear)); };
+  const auto of_wall = [&](const GearSet& gear) { return added(flexspline_compliance(gear)); };
+  const ModesReport report = modes_report(base);
+  for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
+    const std::vector<CrackOnMode>& cracks = first(report, motor).cracks;
+    ASSERT_EQ(cracks.size(), 2U);
+    ASSERT_TRUE(cracks[0].derivative().has_value());
+    ASSERT_TRUE(cracks[1].derivative().has_value());
+    test::expect_relative(difference(length, of_wall, motor, 2e-3, 1e-3), *cracks[0].derivative(),
+                          1e-4);
+    test::expect_relative(difference(depth, of_shaft, motor, 2e-3, 1e-3), *cracks[1].derivative(),
+                          1e-4);
+    EXPECT_LT(*cracks[0].derivative(), 0);
+  }
+}
+
+TEST(ModesReport, BehaviourOnlyOpenCracksInLineHaveAShare) {
+  // A crack of a tooth acts inside the contacts.  Under negative torque the flexspline's crack is
+  // closed.
+  GearSet gear = robot_joint();
+  gear.mesh->crack.push_back(ToothCrack{.stiffness_loss = 0.5, .position = 0.1});
+  const ModesReport positive = modes_report(gear);
+  for (const CrackOnMode& crack : first(positive, MotorGives::torque).cracks) {
+    EXPECT_EQ(crack.share.has_value(), crack.path != "mesh.crack[0]") << crack.path;
+    // A tooth that gives way moves the force to others, which may be stiffer in the tangent.
+    if (crack.share) {
+      EXPECT_LT(crack.change, 0) << crack.path;
+    } else {
+      EXPECT_NE(crack.change, 0) << crack.path;
+    }
+  }
+  gear = robot_joint();
+  const ModesReport negative = modes_report(gear, -48.0);
+  const std::vector<CrackOnMode>& cracks = first(negative, MotorGives::torque).cracks;
+  EXPECT_FALSE(cracks[0].derivative().has_value());
+  EXPECT_NEAR(cracks[0].change, 0.0, 1e-9);
+  EXPECT_TRUE(cracks[1].derivative().has_value());
+}
+
+TEST(ModesReport, IdentityACrackOfTheShaftIsEnergyOfTheShaft) {
+  GearSet gear = robot_joint();
+  gear.flexspline->crack.clear();
+  const ModesReport report = modes_report(gear);
+  const ModePair& mode = first(report, MotorGives::speed);
+  for (const MemberEnergy& of : mode.cracked->energy) EXPECT_NE(of.member, "series cracks");
+  const MemberCompliance shaft = output_shaft_compliance(gear);
+  const double all = shaft.intact + shaft.cracks.front().positive.at_output.value;
+  for (const MemberEnergy& of : mode.cracked->energy) {
+    if (of.member != "output shaft") continue;
+    test::expect_relative(of.share, all * *report.cracked_stiffness, 1e-6);
+  }
+}
+
+TEST(ModesReport, ReferenceCriticalSpeeds) {
+  // (DY-2, DY-8): with the circular spline fixed, a wave passes it twice a turn and the flexspline
+  // 2 (1 + 1/i) times; with the flexspline fixed, 2 (1 - 1/(i + 1)) times and twice.  23 balls of
+  // 4.673 mm on 53.63 mm pass 11.5 (1 +- 4.673/53.63) times a turn of the wave against the
+  // flexspline.  The lowest frequency is that of the free input for a given torque, and that of the
+  // locked input for a given speed.
+  const double balls = 4.673 / 53.63;
+  struct Case {
+    FixedMember fixed;
+    std::array<double, 9> orders;
+  };
+  for (const Case& of :
+       {Case{FixedMember::circular_spline,
+             {1, 2, 4, 2.02, 2, 0.01, 0.02, 11.615 * (1 + balls), 11.615 * (1 - balls)}},
+        Case{FixedMember::flexspline,
+             {1, 2, 4, 2, 2 - 2 / 101.0, 1 / 101.0, 2 / 101.0, 11.5 * (1 + balls),
+              11.5 * (1 - balls)}}}) {
+    GearSet gear = robot_joint();
+    gear.drivetrain->fixed = of.fixed;
+    const ModesReport report = modes_report(gear);
+    for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
+      const ModePair& mode = first(report, motor);
+      ASSERT_EQ(mode.critical_speeds.size(), of.orders.size());
+      for (std::size_t i = 0; i < of.orders.size(); ++i) {
+        const ModeSpeed& speed = mode.critical_speeds[i];
+        test::expect_relative(speed.order, of.orders[i], 1e-12);
+        test::expect_relative(speed.intact, 2 * pi * mode.intact.frequency / of.orders[i], 1e-12);
+        test::expect_relative(*speed.cracked, 2 * pi * mode.cracked->frequency / of.orders[i],
+                              1e-12);
+      }
+    }
+    EXPECT_GT(first(report, MotorGives::torque).critical_speeds[1].intact,
+              first(report, MotorGives::speed).critical_speeds[1].intact);
+  }
+  // Order 2 of the locked input: 30 f in turns per minute.
+  const ModesReport report = modes_report(robot_joint());
+  const ModePair& locked = first(report, MotorGives::speed);
+  test::expect_relative(locked.critical_speeds[1].intact / units::rpm, 30 * locked.intact.frequency,
+                        1e-12);
+  test::expect_relative(*report.largest_speed / units::rpm, 5600.0, 1e-12);
+}
+
+TEST(ModesReport, BehaviourTheBallsNeedTheirCount) {
+  GearSet gear = robot_joint();
+  gear.mesh.reset();
+  gear.circular_spline.reset();
+  gear.wave_generator->bearing->ball_count.reset();
+  gear.wave_generator->bearing->outer_ring.reset();
+  EXPECT_EQ(first(modes_report(gear), MotorGives::speed).critical_speeds.size(), 7U);
+}
+
+TEST(ModesReport, IdentityEveryModeHasItsOwnPartner) {
+  // (DY-11): with a deep crack of the shaft the modes of rim and hub mix, and still each mode of
+  // the cracked drive belongs to one mode of the sound one.
+  GearSet gear = example("joint_size25");
+  std::get<AnnularCrack>(gear.output_shaft->crack.front()).depth = 13.5e-3;
+  for (const MotorModes& of : modes_report(gear).conditions) {
+    std::set<double> frequencies;
+    for (const ModePair& pair : of.modes) {
+      EXPECT_TRUE(frequencies.insert(pair.cracked->frequency).second);
+      EXPECT_LT(pair.cracked->frequency, pair.intact.frequency);
+    }
+    EXPECT_EQ(frequencies.size(), of.modes.size());
+  }
+}
+
+TEST(ModesReport, BehaviourInertiasOfTheGearAddModesFarAbove) {
+  const ModesReport without = modes_report(robot_joint());
+  const ModesReport with = modes_report(example("joint_size25"));
+  ASSERT_EQ(with.conditions.front().modes.size(), 3U);
+  ASSERT_EQ(without.conditions.front().modes.size(), 1U);
+  const double f = first(with, MotorGives::torque).intact.frequency;
+  EXPECT_NEAR(f / first(without, MotorGives::torque).intact.frequency, 1.0, 1e-3);
+  EXPECT_GT(with.conditions.front().modes[1].intact.frequency, 50 * f);
+  EXPECT_TRUE(std::ranges::any_of(
+      without.notes, [](const Note& note) { return note.code == "modes.no_density"; }));
+  EXPECT_TRUE(std::ranges::none_of(
+      with.notes, [](const Note& note) { return note.code == "modes.no_density"; }));
+  // Damping in proportion to the compliance is large for modes far above.
+  EXPECT_TRUE(std::ranges::any_of(
+      with.notes, [](const Note& note) { return note.code == "modes.large_damping"; }));
+  EXPECT_TRUE(std::ranges::none_of(
+      without.notes, [](const Note& note) { return note.code == "modes.large_damping"; }));
+}
+
+TEST(ModesReport, InputADriveWithoutADrivetrain) {
+  try {
+    (void)modes_report(example("cracked_size25"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "drivetrain: must be given for the modes; give [drivetrain] with motor_inertia and "
+        "load_inertia");
+  }
+}
+
+TEST(ModesReport, InputATorqueAtWhichNoFlankTouches) {
+  GearSet gear = robot_joint();
+  gear.mesh->lobe_gap = 20e-6;
+  try {
+    (void)modes_report(gear, 0.0);
+    FAIL();
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("choose a larger torque"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace strainwave
