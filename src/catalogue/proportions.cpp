@@ -414,6 +414,55 @@ std::map<std::string, std::string> origins(const GearSet& gear, int size, const 
   return comments;
 }
 
+/// The density of low alloy steels [kg/m^3].
+constexpr double kSteelDensity = 7850.0;
+/// Assumed inertias lie within these factors.
+constexpr double kLeastInertia = 0.2;
+constexpr double kMostInertia = 5.0;
+
+/// A row with the maker's inertia of the wave generator, which is the same for all ratios of a
+/// size; null if the table lacks the size, or the drive is no short cup.
+const RatingRow* inertia_row(int size, const DriveType& type) {
+  if (type.form != FlexsplineForm::cup || type.length != FlexsplineLength::short_length)
+    return nullptr;
+  const auto row = std::ranges::find(rating_rows(), size, &RatingRow::size);
+  return row != rating_rows().end() ? &*row : nullptr;
+}
+
+/// Adds motor and load to a starting drive, with ranges and comments.
+void add_drivetrain(CommentedDrive& drive, int size, const DriveType& type) {
+  const auto inertia = [](double value) { return rounded(value, 1.0, "kg*m^2", "kg*m^2"); };
+  const RatingRow* const catalogue = inertia_row(size, type);
+  // Inertias of similar parts are in proportion to d^5; size 25 has 0.413e-4 kg*m^2.
+  Drivetrain of;
+  of.motor_inertia = inertia(catalogue != nullptr ? catalogue->input_inertia
+                                                  : 0.413e-4 * std::pow(size / 25.0, 5));
+  if (catalogue != nullptr) of.wave_generator_inertia = of.motor_inertia;
+  const double input = of.motor_inertia + of.wave_generator_inertia.value_or(0.0);
+  of.load_inertia = inertia(drive.gear.drive.ratio * drive.gear.drive.ratio * input);
+  drive.gear.drivetrain = of;
+  drive.gear.material.at("steel").density = kSteelDensity;
+  drive.comments["material.steel.density"] = "typical: low alloy steels";
+  drive.comments["drivetrain.motor_inertia"] =
+      catalogue != nullptr
+          ? "assumed: as large as the wave generator; give that of your motor"
+          : "assumed: that of size 25 times the fifth power of the sizes' ratio; it contains the "
+            "wave generator, whose inertia is not in the tables; give that of your motor";
+  if (catalogue != nullptr)
+    drive.comments["drivetrain.wave_generator_inertia"] = fmt::format(
+        "catalogue: series {}, the wave generator without motor and coupling", catalogue->series);
+  drive.comments["drivetrain.load_inertia"] =
+      "assumed: ratio^2 times the inertia of the input; give that of your load";
+  drive.comments["drivetrain.gear_damping"] = "not known; 0 leaves the damping out";
+  for (const auto& [path, value] : {std::pair{"drivetrain.motor_inertia", of.motor_inertia},
+                                    std::pair{"drivetrain.load_inertia", of.load_inertia}})
+    drive.gear.range.push_back({.path = path,
+                                .lower = fmt::format("{:.4g} kg*m^2", kLeastInertia * value),
+                                .upper = fmt::format("{:.4g} kg*m^2", kMostInertia * value),
+                                .knowledge = Knowledge::assumed,
+                                .source = "depends on the machine"});
+}
+
 /// The limits of one number of a starting drive; they contain the number of the file in spite of
 /// its rounding.
 /// @param drawn  the drive with the proportion at a value
@@ -536,6 +585,7 @@ CommentedDrive starting_drive(int size, double ratio, const DriveType& type) {
         one.*p.value = value;
         return typical_drive_of_size(size, ratio, type, one);
       }));
+  add_drivetrain(drive, size, type);
   check(drive.gear);
   return drive;
 }

@@ -23,7 +23,7 @@ std::string torque(double T) {
   return fmt::format("{} {}", shown_number(T / unit.in_si), unit.text);
 }
 
-TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
+TitledTable lines_table(const TorsionReport& report) {
   Table table{.head = {"", "T > 0", "T < 0"}};
   if (report.bands) table.head.emplace_back("90 % of the ranges");
   const auto both = [&](const char* label, double MakersLines::*line, Band LineBands::*range,
@@ -59,7 +59,7 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
   if (report.bands) {
     remark = fmt::format("{} drawn from {}",
                          counted(static_cast<std::size_t>(report.bands->draws), "drive"),
-                         counted(gear.range.size(), "range"));
+                         counted(static_cast<std::size_t>(report.bands->ranges), "range"));
     if (report.bands->rejected > 0)
       remark += fmt::format("; {} further draws could not be assembled", report.bands->rejected);
   }
@@ -229,8 +229,8 @@ TitledTable comparison_table(const CurveComparison& c) {
 
 }  // namespace
 
-std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearSet& gear) {
-  std::vector<TitledTable> tables{lines_table(report, gear), friction_table(report.friction)};
+std::vector<TitledTable> torsion_tables(const TorsionReport& report) {
+  std::vector<TitledTable> tables{lines_table(report), friction_table(report.friction)};
   if (report.comparison) tables.push_back(comparison_table(*report.comparison));
   tables.push_back(cage_table(report.over_cage));
   if (report.tolerances) tables.push_back(tolerance_table(*report.tolerances));
@@ -249,7 +249,7 @@ std::string torsion_text(const TorsionReport& report, const GearSet& gear,
       name_of(gear), provenance.input_file, provenance.version, at.T1 / unit.in_si,
       at.T2 / unit.in_si, at.T3 / unit.in_si, at.rated / unit.in_si, unit.text,
       at.by_convention ? " (by convention)" : "");
-  text += text_tables(torsion_tables(report, gear));
+  text += text_tables(torsion_tables(report));
   if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
   return text + '\n' + equations_text(report.equations);
 }

@@ -51,7 +51,7 @@ ReportSection torsion_chapter(Draft& draft) {
               : panel.title + (panel.subtitle.empty() ? "" : ", " + panel.subtitle) + ".";
       html += plot_figure(svg_plot(std::span(&panel, 1)), caption);
     }
-    for (const TitledTable& one : torsion_tables(t, draft.gear)) html += table(one);
+    for (const TitledTable& one : torsion_tables(t)) html += table(one);
     const std::size_t positions = t.comparison ? t.comparison->angles.size() : 0;
     if (positions > 1 && positions < static_cast<std::size_t>(t.curve.teeth))
       html += fmt::format(

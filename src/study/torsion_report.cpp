@@ -195,9 +195,17 @@ struct Limits {
   double upper = 0.0;
 };
 
-std::vector<Limits> limits_of(const GearSet& gear) {
+/// The ranges of numbers that enter the curve.  Motor and load turn at its ends.
+std::vector<InputRange> ranges_of_curve(const GearSet& gear) {
+  std::vector<InputRange> ranges;
+  for (const InputRange& range : gear.range)
+    if (!range.path.starts_with("drivetrain.")) ranges.push_back(range);
+  return ranges;
+}
+
+std::vector<Limits> limits_of(const GearSet& gear, const std::vector<InputRange>& ranges) {
   std::vector<Limits> limits;
-  for (const InputRange& range : gear.range) {
+  for (const InputRange& range : ranges) {
     const std::string_view unit = number_at(gear, range.path).field.unit;
     limits.push_back({.lower = parse_quantity("lower", range.lower, unit),
                       .upper = parse_quantity("upper", range.upper, unit)});
@@ -222,7 +230,8 @@ bool has_cracks(const GearSet& gear) {
 LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
                      const Progress& progress) {
   const GearSet& gear = drive.gear();
-  const std::vector<Limits> limits = limits_of(gear);
+  const std::vector<InputRange> ranges = ranges_of_curve(gear);
+  const std::vector<Limits> limits = limits_of(gear, ranges);
   std::mt19937_64 random(20240607);
   // The sequence of std::uniform_real_distribution differs between libraries, so it is not used.
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
@@ -234,7 +243,7 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
 
   std::vector<std::optional<MakersLines>> lines(draws);
   for_each_index(draws, {.threads = options.threads}, progress, [&] {
-    return [&, drawn = std::make_unique<DrawnDrive>(gear, gear.range)](std::size_t n) {
+    return [&, drawn = std::make_unique<DrawnDrive>(gear, ranges)](std::size_t n) {
       for (std::size_t i = 0; i < limits.size(); ++i)
         drawn->number(i) = values[n * limits.size() + i];
       try {
@@ -255,6 +264,7 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
   return {.K1 = band_of(&MakersLines::K1),
           .K2 = band_of(&MakersLines::K2),
           .K3 = band_of(&MakersLines::K3),
+          .ranges = static_cast<int>(ranges.size()),
           .draws = static_cast<int>(lines.size()),
           .rejected = static_cast<int>(rejected)};
 }
@@ -262,7 +272,7 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
 TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options,
                              const Progress& progress) {
   // Shares of the time; without ranges and cracks, the curve takes all of it.
-  const bool draws = !gear.range.empty() && options.draws > 0;
+  const bool draws = !ranges_of_curve(gear).empty() && options.draws > 0;
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
   const Progress of_file = options.tolerances ? progress.part(0.0, 0.4) : progress;

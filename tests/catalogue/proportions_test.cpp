@@ -372,7 +372,7 @@ TEST(StartingDrive, BehaviourEveryNumberHasARemark) {
             EXPECT_TRUE(!needs_one || drive.comments.contains(path.text())) << path.text() << value;
           });
     }
-  EXPECT_EQ(starting_drive(25, 100).gear.range.size(), 16U);
+  EXPECT_EQ(starting_drive(25, 100).gear.range.size(), 18U);
 }
 
 // The remark of a wall names the rule that decided it.

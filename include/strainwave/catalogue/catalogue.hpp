@@ -130,7 +130,7 @@ struct RatingRow {
   double momentary_peak = 0.0;       ///< [N*m]
   double max_input_speed = 0.0;      ///< largest speed of the input, with grease [rad/s]
   double average_input_speed = 0.0;  ///< largest average speed of the input, with grease [rad/s]
-  double input_inertia = 0.0;        ///< [kg*m^2]
+  double input_inertia = 0.0;        ///< of the wave generator alone [kg*m^2]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -146,7 +146,8 @@ struct RatingRow {
           &RatingRow::max_input_speed);
     field({"average_input_speed", "rad/s", "largest average speed of the input, with grease"},
           &RatingRow::average_input_speed);
-    field({"input_inertia", "kg*m^2", "moment of inertia of the input"}, &RatingRow::input_inertia);
+    field({"input_inertia", "kg*m^2", "moment of inertia of the wave generator"},
+          &RatingRow::input_inertia);
   }
 };
 

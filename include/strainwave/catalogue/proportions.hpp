@@ -151,7 +151,7 @@ struct CommentedDrive {
 
 /// The typical drive of a size as a file to start from.  Lengths are rounded to six digits.  Every
 /// proportion that sets one number of the file gets a `range`, and comments state the origin of
-/// each number.
+/// each number.  Motor and load are assumed; the inertia of the wave generator is the maker's.
 /// @throws InputError  on the same conditions as typical_drive_of_size
 [[nodiscard]] CommentedDrive starting_drive(int size, double ratio, const DriveType& type = {});
 

@@ -13,8 +13,7 @@ namespace strainwave {
 
 /// Tables of the maker's numbers, the changes by cracks in a comparison, the points of the curve,
 /// and the stress over a turn.
-[[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report,
-                                                      const GearSet& gear);
+[[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report);
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear,
                                        const Provenance& provenance);
 /// The curve for both senses of torque as CSV, in ascending order of torque.  In a comparison the

@@ -46,6 +46,7 @@ struct LineBands {
   Band K1;
   Band K2;
   Band K3;
+  int ranges = 0;    ///< ranges that were drawn: those of numbers that enter the curve
   int draws = 0;     ///< draws that gave a curve
   int rejected = 0;  ///< draws that broke a rule or did not assemble
 
@@ -54,6 +55,7 @@ struct LineBands {
     field({"K1", "", "band of K1"}, &LineBands::K1);
     field({"K2", "", "band of K2"}, &LineBands::K2);
     field({"K3", "", "band of K3"}, &LineBands::K3);
+    field({"ranges", "", "ranges of numbers that enter the curve"}, &LineBands::ranges);
     field({"draws", "", "drawn drives that gave a curve"}, &LineBands::draws);
     field({"rejected", "", "drawn drives that broke a rule or did not assemble"},
           &LineBands::rejected);
