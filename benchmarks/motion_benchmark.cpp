@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion of a joint with a catalogue spring, hysteresis, a breathing crack and a kinematic error.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/motion/simulate.hpp"
+
+namespace strainwave {
+namespace {
+
+/// The joint of benchmarks/peer/joint_motion_peer.py at 2000 rpm.
+Joint joint() {
+  return {.ratio = -100,
+          .input_inertia = 1e-4,
+          .output_inertia = 1,
+          .spring = CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}},
+          .damping = 10,
+          .input_damping = 1e-3,
+          .output_damping = 0.5,
+          .hysteresis = dahl(1e5, 3),
+          .kinematic_error = {{{2, 2e-4, 0.3}, {4, 5e-5, 1.1}, {1, 3e-5, 0.0}}},
+          .cracks = {{.compliance = 2e-6,
+                      .sense = OpeningSense::positive,
+                      .opening = AngleOpening{.order = 2.02}}},
+          .input = GivenTorque{{.value = {-0.6094395102}}},
+          .output_torque = {.value = {-40.0}}};
+}
+
+Motion motion(double tolerance) {
+  constexpr double kDuration = 2;
+  return simulate(joint(), {.input_speed = -209.4395102, .output_speed = 2.094395102},
+                  {.duration = kDuration, .output_step = kDuration, .tolerance = tolerance});
+}
+
+/// Simulated time over CPU time, with the error of the output's angle behind 2 s.  The argument is
+/// the number of digits of the tolerance.
+void joint_motion(benchmark::State& state) {
+  const double exact = motion(1e-15).last.output_angle;
+  Motion last;
+  const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+  for (auto _ : state) last = motion(tolerance);
+  state.counters["error_rad"] = std::abs(last.last.output_angle - exact);
+  state.counters["steps"] = static_cast<double>(last.steps);
+  state.counters["events"] = static_cast<double>(last.event_count);
+  state.counters["imbalance"] = last.energy.imbalance;
+  state.counters["real_time"] =
+      benchmark::Counter(last.time_reached, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["output_angle"] = last.last.output_angle;
+}
+BENCHMARK(joint_motion)->Arg(6)->Arg(7)->Arg(8)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "strainwave/motion/breathing_crack.hpp"
+#include "strainwave/motion/kinematic_error.hpp"
+#include "strainwave/motion/losses.hpp"
+#include "strainwave/motion/spring.hpp"
+
+/// @file
+/// Two inertias and the drive between them: what is needed to write the equations of motion.
+
+namespace strainwave {
+
+/// A number over time by straight lines between points; constant before the first point and behind
+/// the last.
+struct Profile {
+  std::vector<double> time = {};   ///< [s]; rising
+  std::vector<double> value = {};  ///< as many; a single one without time is a constant
+
+  [[nodiscard]] double at(double time) const;
+  [[nodiscard]] double slope(double time) const;  ///< behind the time [1/s]
+};
+
+/// The input is driven by a torque over time [N*m].
+struct GivenTorque {
+  Profile torque;
+};
+/// The input turns at a speed over time [rad/s], whatever torque it needs.
+struct GivenSpeed {
+  Profile speed;
+};
+using InputDrive = std::variant<GivenTorque, GivenSpeed>;
+
+/// A joint of a motor, a strain wave gear and a load.
+///
+/// Angles are right-handed about +z.  The output angle of an ideal gear is theta_m/ratio.
+struct Joint {
+  double ratio = 0.0;           ///< turns of the input per turn of the output, with sign [-]; not 0
+  double input_inertia = 0.0;   ///< J_m [kg*m^2]; > 0
+  double output_inertia = 0.0;  ///< J_L [kg*m^2]; > 0
+  Spring spring;                ///< sound drive, at the output
+  double damping = 0.0;         ///< c, parallel to the spring [N*m*s/rad]; >= 0
+  double input_damping = 0.0;   ///< B_m [N*m*s/rad]; >= 0
+  double output_damping = 0.0;  ///< B_L [N*m*s/rad]; >= 0
+  std::optional<BoucWen> hysteresis = {};
+  std::optional<LuGre> input_friction = {};
+  KinematicError kinematic_error = {};
+  std::vector<BreathingCrack> cracks = {};
+  InputDrive input = GivenTorque{{.value = {0.0}}};
+  Profile output_torque = {.value = {0.0}};  ///< T_ext on the output [N*m]
+  double gravity_torque = 0.0;               ///< m g l of an arm on the output [N*m]; any sign
+  double gravity_angle = 0.0;                ///< theta_L at which the arm hangs straight down [rad]
+};
+
+/// Angles and speeds of a joint, and what its losses remember.
+struct JointState {
+  double input_angle = 0.0;   ///< theta_m [rad]
+  double input_speed = 0.0;   ///< [rad/s]
+  double output_angle = 0.0;  ///< theta_L [rad]
+  double output_speed = 0.0;  ///< [rad/s]
+  double hysteresis = 0.0;    ///< z [N*m]
+  double bristle = 0.0;       ///< u of the input's friction [rad]
+};
+
+/// Torques of a joint at one time.
+struct JointForces {
+  double twist = 0.0;           ///< phi = theta_m/ratio + theta_k - theta_L [rad]
+  double twist_rate = 0.0;      ///< [rad/s]
+  double elastic_torque = 0.0;  ///< T_el of the spring [N*m]
+  double torque = 0.0;          ///< T_el + c phi' + z, on the output [N*m]
+  double input_torque = 0.0;    ///< torque that drives the input [N*m]
+  double reaction = 0.0;        ///< torque of the drive on the input, with its cracks [N*m]
+};
+
+/// Rates of change of a state, with the torques and powers behind them.
+struct JointRate {
+  JointForces forces;
+  double input_acceleration = 0.0;   ///< [rad/s^2]
+  double output_acceleration = 0.0;  ///< [rad/s^2]
+  double hysteresis = 0.0;           ///< dz/dt [N*m/s]
+  double bristle = 0.0;              ///< du/dt [rad/s]
+  double supplied = 0.0;             ///< power of the input and of T_ext [W]
+  double lost = 0.0;                 ///< power lost in damping and friction, or stored in z [W]
+};
+
+/// Equations of motion of a joint (MO-11).
+[[nodiscard]] JointRate joint_rate(const Joint& joint, double time, const JointState& state);
+
+/// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
+[[nodiscard]] double stored_energy(const Joint& joint, const JointState& state);
+
+/// Throws InputError, which names the number, unless each number of the joint is in its range.
+void require_constants(const Joint& joint);
+
+}  // namespace strainwave

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// @file
+/// Torques that lose energy and remember the path: hysteresis of the twist, friction of the input.
+
+namespace strainwave {
+
+/// Hysteresis torque parallel to the spring, z' = A v - beta |v| |z|^(n-1) z - gamma v |z|^n, by
+/// Bouc and Wen (MO-8).  v is the rate of the twist.
+struct BoucWen {
+  double stiffness = 0.0;  ///< A, slope after a reversal [N*m/rad]; > 0
+  double limit = 0.0;      ///< F_c, largest torque, (A/(beta + gamma))^(1/n) [N*m]; > 0
+  double exponent = 1.0;   ///< n [-]; >= 1
+  /// gamma/(beta + gamma) [-]; <= 1/2, so that every closed path loses energy; 0 and n = 1: Dahl
+  double asymmetry = 0.0;
+
+  /// dz/dt [N*m/s].
+  [[nodiscard]] double rate(double torque, double twist_rate) const;
+};
+
+/// Dahl's model, z' = sigma_0 v (1 - z/F_c sgn v): Bouc and Wen with n = 1 and gamma = 0 (MO-9).
+/// @param stiffness  sigma_0 [N*m/rad]; > 0
+/// @param limit      F_c [N*m]; > 0
+[[nodiscard]] BoucWen dahl(double stiffness, double limit);
+/// z of Dahl after a monotonic change of the twist, exact (MO-9) [N*m].
+[[nodiscard]] double dahl_after(const BoucWen& model, double torque, double change);
+
+/// Friction of the input by bristles, with sticking (MO-10): state u, deflection of the bristles,
+///
+///     u' = w - sigma_0 |w| u/g(w),   g = F_c + (F_s - F_c) exp(-(w/w_s)^2),
+///     T_f = sigma_0 u + sigma_1 u' + sigma_2 w.
+struct LuGre {
+  double bristle_stiffness = 0.0;  ///< sigma_0 [N*m/rad]; > 0
+  double bristle_damping = 0.0;    ///< sigma_1 [N*m*s/rad]; >= 0
+  double viscous = 0.0;            ///< sigma_2 [N*m*s/rad]; >= 0
+  double coulomb = 0.0;            ///< F_c [N*m]; > 0
+  double breakaway = 0.0;          ///< F_s [N*m]; >= F_c
+  double stribeck_speed = 1.0;     ///< w_s [rad/s]; > 0
+
+  struct At {
+    double rate = 0.0;    ///< u' [rad/s]
+    double torque = 0.0;  ///< T_f, against the speed [N*m]
+  };
+  [[nodiscard]] At at(double deflection, double speed) const;
+  /// T_f at constant speed [N*m].
+  [[nodiscard]] double steady(double speed) const;
+};
+
+/// Throws InputError, which names the constant, unless each constant is in its range.
+void require_constants(const BoucWen& model);
+void require_constants(const LuGre& model);
+
+}  // namespace strainwave

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+/// @file
+/// Torsional springs of a drive: the twist without cracks and without memory.
+///
+/// A spring is odd and stiffens or keeps its stiffness.  A crack adds a compliance in series, which
+/// each spring takes as an argument, so that torque, energy and corners belong together.
+
+namespace strainwave {
+
+/// Torque of a spring in series with a compliance, and its share of the twist.
+struct SpringState {
+  double torque = 0.0;  ///< T [N*m]
+  double twist = 0.0;   ///< psi of the spring alone; the compliance takes T times itself [rad]
+};
+
+/// T = K psi.
+struct LinearSpring {
+  double stiffness = 0.0;  ///< K [N*m/rad]; > 0
+
+  [[nodiscard]] SpringState in_series(double twist, double compliance) const;
+  [[nodiscard]] double energy(double twist) const;      ///< integral of the torque [J]
+  [[nodiscard]] double tangent(double twist) const;     ///< dT/dpsi [N*m/rad]
+  [[nodiscard]] std::array<double, 0> corners() const;  ///< torques at which the tangent jumps
+};
+
+/// The maker's line of three pieces: K1 up to T1, K2 up to T2, K3 beyond (MO-2).
+struct CatalogueSpring {
+  std::array<double, 3> stiffness{};  ///< K1, K2, K3 [N*m/rad]; > 0
+  std::array<double, 2> torque{};     ///< T1, T2 [N*m]; 0 < T1 < T2
+
+  [[nodiscard]] SpringState in_series(double twist, double compliance) const;
+  [[nodiscard]] double energy(double twist) const;
+  [[nodiscard]] double tangent(double twist) const;
+  [[nodiscard]] const std::array<double, 2>& corners() const { return torque; }
+};
+
+/// T = K psi + K_3 psi^3 (MO-3).
+struct CubicSpring {
+  double stiffness = 0.0;  ///< K [N*m/rad]; > 0
+  double cubic = 0.0;      ///< K_3 [N*m/rad^3]; >= 0
+
+  [[nodiscard]] SpringState in_series(double twist, double compliance) const;
+  [[nodiscard]] double energy(double twist) const;
+  [[nodiscard]] double tangent(double twist) const;
+  [[nodiscard]] std::array<double, 0> corners() const;
+};
+
+using Spring = std::variant<LinearSpring, CatalogueSpring, CubicSpring>;
+
+/// Torque at a twist of the spring and a compliance together (MO-1).
+/// @param twist       phi [rad]
+/// @param compliance  Lambda of the open cracks in series [rad/(N*m)]; >= 0
+[[nodiscard]] SpringState in_series(const Spring& spring, double twist, double compliance);
+/// Elastic energy of the spring alone [J]; `twist` is psi.
+[[nodiscard]] double elastic_energy(const Spring& spring, double twist);
+/// dT/dpsi of the spring alone [N*m/rad].
+[[nodiscard]] double tangent_stiffness(const Spring& spring, double twist);
+/// Magnitudes of the torques at which the tangent jumps [N*m].
+[[nodiscard]] std::vector<double> corner_torques(const Spring& spring);
+
+/// Throws InputError, which names the constant, unless each constant is in its range.
+void require_constants(const Spring& spring);
+
+}  // namespace strainwave

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/motion/breathing_crack.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+
+using std::numbers::pi;
+
+namespace {
+constexpr std::size_t kSamples = 16;  // angles per coefficient at which an opening is checked
+constexpr double kRounding = 1e-12;
+}  // namespace
+
+AngleOpening::At AngleOpening::at(double angle) const {
+  const double argument = order * angle - phase;
+  const double c = std::cos(argument);
+  const double s = std::sin(argument);
+  // cos(k x) and sin(k x) from those of (k - 1) x.
+  double cosine = 1.0;
+  double sine = 0.0;
+  At result{.value = coefficients[0]};
+  for (std::size_t k = 1; k < coefficients.size(); ++k) {
+    const double before = cosine;
+    cosine = before * c - sine * s;
+    sine = sine * c + before * s;
+    result.value += coefficients[k] * cosine;                                 // (MO-6)
+    result.slope -= coefficients[k] * static_cast<double>(k) * order * sine;  // (MO-6)
+  }
+  return result;
+}
+
+std::vector<double> mayes_opening() { return {0.5, 0.5}; }
+
+std::vector<double> gasch_opening(int terms) {
+  require(terms >= 1, "terms", terms, "1", ">= 1");
+  std::vector<double> coefficients{0.5};
+  for (int n = 0; n < terms; ++n) {
+    const int k = 2 * n + 1;
+    const double smooth = 1 - k / (2.0 * terms);  // Fejér's factor
+    if (k > 1) coefficients.push_back(0.0);
+    coefficients.push_back((n % 2 == 0 ? 2 : -2) / (pi * k) * smooth);  // (MO-7)
+  }
+  return coefficients;
+}
+
+OpenCompliance open_compliance(const std::vector<BreathingCrack>& cracks, double torque_sign,
+                               double input_angle, double output_angle) {
+  OpenCompliance sum;
+  for (const BreathingCrack& crack : cracks) {
+    if (crack.sense && (*crack.sense == OpeningSense::positive) != (torque_sign > 0)) continue;
+    if (!crack.opening) {
+      sum.value += crack.compliance;
+      continue;
+    }
+    const bool input = crack.opening->shaft == BreathingShaft::input;
+    const AngleOpening::At b = crack.opening->at(input ? input_angle : output_angle);
+    sum.value += crack.compliance * b.value;  // (MO-5)
+    (input ? sum.by_input : sum.by_output) += crack.compliance * b.slope;
+  }
+  return sum;
+}
+
+void require_constants(const std::vector<BreathingCrack>& cracks) {
+  const FieldPath at("crack");
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    const BreathingCrack& crack = cracks[i];
+    require(crack.compliance >= 0 && std::isfinite(crack.compliance), (at[i] / "compliance").text(),
+            crack.compliance, "rad/(N*m)", ">= 0");
+    if (!crack.opening) continue;
+    const auto& opening = *crack.opening;
+    require(opening.order > 0 && std::isfinite(opening.order), (at[i] / "order").text(),
+            opening.order, "1", "> 0");
+    require(std::isfinite(opening.phase), (at[i] / "phase").text(), opening.phase, "rad",
+            "a finite number");
+    if (opening.coefficients.empty())
+      throw InputError((at[i] / "coefficients").text(), "must have at least one value");
+    for (const double c : opening.coefficients)
+      require(std::isfinite(c), (at[i] / "coefficients").text(), c, "1", "a finite number");
+    const auto samples = static_cast<int>(kSamples * opening.coefficients.size());
+    for (int n = 0; n < samples; ++n) {
+      const double b = opening.at((2 * pi * n / samples + opening.phase) / opening.order).value;
+      require(b >= -kRounding && b <= 1 + kRounding, (at[i] / "coefficients").text(), b, "1",
+              "an opening from 0 to 1 at every angle");
+    }
+  }
+}
+
+}  // namespace strainwave

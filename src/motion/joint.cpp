@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/motion/joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/fields.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Spring and open cracks at one state.
+struct ElasticState {
+  double input_arm = 0.0;  ///< d phi/d theta_m = 1/ratio + theta_k' [-]
+  double twist = 0.0;      ///< phi [rad]
+  OpenCompliance open;
+  SpringState spring;
+};
+
+ElasticState elastic_state(const Joint& joint, const JointState& x) {
+  const KinematicError::At error = joint.kinematic_error.at(x.input_angle);
+  ElasticState at;
+  at.input_arm = 1 / joint.ratio + error.slope;
+  at.twist = x.input_angle / joint.ratio - x.output_angle + error.value;  // (MO-11)
+  at.open = open_compliance(joint.cracks, at.twist < 0 ? -1.0 : 1.0, x.input_angle, x.output_angle);
+  at.spring = in_series(joint.spring, at.twist, at.open.value);
+  return at;
+}
+
+double friction_torque(const Joint& joint, const JointState& x, double& bristle_rate) {
+  double torque = joint.input_damping * x.input_speed;
+  bristle_rate = 0.0;
+  if (joint.input_friction) {
+    const LuGre::At friction = joint.input_friction->at(x.bristle, x.input_speed);
+    torque += friction.torque;
+    bristle_rate = friction.rate;
+  }
+  return torque;
+}
+
+double gravity(const Joint& joint, double output_angle) {
+  if (joint.gravity_torque == 0) return 0.0;
+  return -joint.gravity_torque * std::sin(output_angle - joint.gravity_angle);
+}
+
+struct InputAt {
+  double torque = 0.0;
+  double acceleration = 0.0;
+};
+
+/// Torque and acceleration of the input, whichever of the two is given.
+InputAt input_at(const Joint& joint, double time, double reaction, double friction) {
+  if (const auto* const given = std::get_if<GivenTorque>(&joint.input)) {
+    const double torque = given->torque.at(time);
+    return {torque, (torque - friction + reaction) / joint.input_inertia};
+  }
+  const double acceleration = std::get<GivenSpeed>(joint.input).speed.slope(time);
+  return {joint.input_inertia * acceleration + friction - reaction, acceleration};
+}
+
+void check(const Profile& profile, std::string_view name) {
+  const FieldPath at{std::string(name)};
+  if (profile.value.empty()) throw InputError(at.text(), "must have at least one value");
+  if (profile.time.size() != profile.value.size() &&
+      !(profile.time.empty() && profile.value.size() == 1))
+    throw InputError(at.text(), "must have as many times as values");
+  for (std::size_t i = 0; i < profile.value.size(); ++i)
+    require(std::isfinite(profile.value[i]), at[i].text(), profile.value[i], "", "a finite number");
+  for (std::size_t i = 0; i < profile.time.size(); ++i)
+    require(std::isfinite(profile.time[i]) && (i == 0 || profile.time[i] > profile.time[i - 1]),
+            (at / "time")[i].text(), profile.time[i], "s", "later than the time before");
+}
+
+}  // namespace
+
+double Profile::at(double t) const {
+  const auto next = std::ranges::upper_bound(time, t);
+  if (next == time.begin()) return value.front();
+  if (next == time.end()) return value.back();
+  const auto i = static_cast<std::size_t>(next - time.begin());
+  return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
+}
+
+double Profile::slope(double t) const {
+  const auto next = std::ranges::upper_bound(time, t);
+  if (next == time.begin() || next == time.end()) return 0.0;
+  const auto i = static_cast<std::size_t>(next - time.begin());
+  return (value[i] - value[i - 1]) / (time[i] - time[i - 1]);
+}
+
+JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
+  const ElasticState at = elastic_state(joint, x);
+  const double T = at.spring.torque;
+  JointRate rate;
+  JointForces& f = rate.forces;
+  f.twist = at.twist;
+  f.twist_rate = at.input_arm * x.input_speed - x.output_speed;
+  f.elastic_torque = T;
+  f.torque = T + joint.damping * f.twist_rate;
+  if (joint.hysteresis) {
+    f.torque += x.hysteresis;
+    rate.hysteresis = joint.hysteresis->rate(x.hysteresis, f.twist_rate);
+  }
+  // A crack that opens with an angle pushes the shaft of this angle.
+  f.reaction = -at.input_arm * f.torque + T * T / 2 * at.open.by_input;  // (MO-11)
+  const double friction = friction_torque(joint, x, rate.bristle);
+  const InputAt input = input_at(joint, time, f.reaction, friction);
+  f.input_torque = input.torque;
+  const double external = joint.output_torque.at(time);
+  rate.input_acceleration = input.acceleration;
+  rate.output_acceleration =
+      (f.torque + T * T / 2 * at.open.by_output + external + gravity(joint, x.output_angle) -
+       joint.output_damping * x.output_speed) /
+      joint.output_inertia;                                                  // (MO-11)
+  rate.supplied = input.torque * x.input_speed + external * x.output_speed;  // (MO-12)
+  rate.lost = (f.torque - T) * f.twist_rate + friction * x.input_speed +
+              joint.output_damping * x.output_speed * x.output_speed;  // (MO-12)
+  return rate;
+}
+
+double stored_energy(const Joint& joint, const JointState& x) {
+  const ElasticState at = elastic_state(joint, x);
+  const double height = joint.gravity_torque * (1 - std::cos(x.output_angle - joint.gravity_angle));
+  return joint.input_inertia * x.input_speed * x.input_speed / 2 +
+         joint.output_inertia * x.output_speed * x.output_speed / 2 +
+         elastic_energy(joint.spring, at.spring.twist) +
+         at.open.value * at.spring.torque * at.spring.torque / 2 + height;  // (MO-12)
+}
+
+void require_constants(const Joint& joint) {
+  const auto positive = [](const char* field, double value, const char* unit) {
+    require(value > 0 && std::isfinite(value), field, value, unit, "> 0");
+  };
+  const auto not_negative = [](const char* field, double value, const char* unit) {
+    require(value >= 0 && std::isfinite(value), field, value, unit, ">= 0");
+  };
+  require(joint.ratio != 0 && std::isfinite(joint.ratio), "ratio", joint.ratio, "1", "not 0");
+  positive("input_inertia", joint.input_inertia, "kg*m^2");
+  positive("output_inertia", joint.output_inertia, "kg*m^2");
+  not_negative("damping", joint.damping, "N*m*s/rad");
+  not_negative("input_damping", joint.input_damping, "N*m*s/rad");
+  not_negative("output_damping", joint.output_damping, "N*m*s/rad");
+  require(std::isfinite(joint.gravity_torque), "gravity_torque", joint.gravity_torque, "N*m",
+          "a finite number");
+  require(std::isfinite(joint.gravity_angle), "gravity_angle", joint.gravity_angle, "rad",
+          "a finite number");
+  require_constants(joint.spring);
+  if (joint.hysteresis) require_constants(*joint.hysteresis);
+  if (joint.input_friction) require_constants(*joint.input_friction);
+  require_constants(joint.kinematic_error);
+  require_constants(joint.cracks);
+  if (const auto* const given = std::get_if<GivenTorque>(&joint.input))
+    check(given->torque, "input.torque");
+  else
+    check(std::get<GivenSpeed>(joint.input).speed, "input.speed");
+  check(joint.output_torque, "output_torque");
+}
+
+}  // namespace strainwave

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/motion/simulate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// The joint of the reference cases: ratio 100, output against the input.
+Joint reference_joint() {
+  return {.ratio = -100,
+          .input_inertia = 1e-4,
+          .output_inertia = 1,
+          .spring = CubicSpring{5e4, 1e10},
+          .kinematic_error = {{{2, 2e-4, 0.3}, {4, 5e-5, 1.1}, {1, 3e-5, 0.0}}}};
+}
+
+/// A load on a spring behind an input that stands.
+Joint locked(const Spring& spring, double inertia) {
+  return {.ratio = 100,
+          .input_inertia = 1e-4,
+          .output_inertia = inertia,
+          .spring = spring,
+          .input = GivenSpeed{{.value = {0.0}}}};
+}
+
+std::vector<double> times_of(const Motion& motion, MotionEvent event) {
+  std::vector<double> times;
+  for (const EventTime& at : motion.events)
+    if (at.event == event) times.push_back(at.time);
+  return times;
+}
+
+TEST(Simulate, ReferenceTransient) {
+  // (MO-11): cubic spring, damping, three error orders; DOP853 at 1e-12 and Radau agree on the
+  // digits.  At the start theta_k is not zero.
+  Joint joint = reference_joint();
+  joint.damping = 10;
+  joint.input_damping = 1e-3;
+  joint.output_damping = 0.5;
+  joint.input = GivenTorque{{.value = {0.05}}};
+  std::vector<MotionSample> samples;
+  const Motion motion =
+      simulate(joint, {}, {.duration = 0.5, .output_step = 0.05, .tolerance = 1e-14},
+               [&](const MotionSample& sample) { samples.push_back(sample); });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  ASSERT_EQ(samples.size(), 11U);
+  test::expect_relative(samples[0].forces.twist, 1.0366e-4, 5e-5);
+  const auto expect = [&](std::size_t n, double input, double output) {
+    test::expect_relative(samples[n].state.input_angle, input, 1e-8);
+    test::expect_relative(samples[n].state.output_angle, output, 1e-8);
+  };
+  expect(1, 0.30672390122, -2.7401840929e-3);
+  expect(4, 3.6512344096, -3.6317408677e-2);
+  expect(10, 15.410424531, -0.15416251878);
+  test::expect_relative(motion.last.input_speed, 45.682228303, 1e-8);
+  test::expect_relative(motion.last.output_speed, -0.42629056019, 1e-8);
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+}
+
+TEST(Simulate, ReferenceBreathingByAngleWithoutLoss) {
+  // (MO-5, MO-11): the crack of the flexspline pushes the input by T^2/2 dLambda/dtheta_m.
+  Joint joint{.ratio = 100,
+              .input_inertia = 1e-4,
+              .output_inertia = 1,
+              .spring = LinearSpring{5e4},
+              .cracks = {{.compliance = 2e-6, .opening = AngleOpening{.order = 2.02}}}};
+  const JointState start{.input_speed = 100, .output_angle = -1e-3, .output_speed = -1};
+  const SimulationOptions options{.duration = 2, .output_step = 2, .tolerance = 1e-14};
+  const Motion motion = simulate(joint, start, options);
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  test::expect_relative(motion.last.input_angle, -0.3424656443, 1e-8);
+  test::expect_relative(motion.last.input_speed, -14.8481605, 1e-8);
+  test::expect_relative(motion.last.output_angle, 3.165426809e-3, 1e-8);
+  test::expect_relative(motion.last.output_speed, 0.1688421222, 1e-8);
+  EXPECT_LT(motion.energy.imbalance, 1e-11);
+}
+
+TEST(Simulate, ReferenceTransientWithEverything) {
+  // (MO-2, MO-4, MO-5, MO-9, MO-11): three roads agree to 1e-9; the printed digits are the
+  // tolerance.
+  Joint joint = reference_joint();
+  joint.spring = CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
+  joint.damping = 10;
+  joint.input_damping = 1e-3;
+  joint.output_damping = 0.5;
+  joint.hysteresis = dahl(1e5, 3);
+  joint.cracks = {{.compliance = 2e-6,
+                   .sense = OpeningSense::positive,
+                   .opening = AngleOpening{.order = 2.02}}};
+  joint.input = GivenTorque{{.value = {-0.6094395102}}};
+  joint.output_torque = {.value = {-40.0}};
+  const JointState start{.input_speed = -209.4395102, .output_speed = 2.094395102};
+  const Motion motion =
+      simulate(joint, start, {.duration = 0.5, .output_step = 0.5, .tolerance = 1e-14});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  test::expect_relative(motion.last.input_angle, -100.6848538694, 1e-9);
+  test::expect_relative(motion.last.input_speed, -192.7644634869, 1e-8);
+  test::expect_relative(motion.last.output_angle, 1.0060012438049, 1e-9);
+  test::expect_relative(motion.last.output_speed, 2.028269278, 1e-8);
+  EXPECT_LT(motion.energy.imbalance, 1e-7);
+  EXPECT_GT(motion.event_count, 50U);
+}
+
+TEST(Simulate, IdentityWithoutLossNoEnergyIsLost) {
+  // (MO-12): cubic spring and the force of the kinematic error on the input, 2 s.
+  const Motion motion = simulate(reference_joint(), {.input_speed = 100, .output_speed = -1},
+                                 {.duration = 2, .output_step = 2, .tolerance = 1e-14});
+  ASSERT_TRUE(motion.converged);
+  EXPECT_EQ(motion.energy.supplied, 0.0);
+  EXPECT_EQ(motion.energy.lost, 0.0);
+  EXPECT_LT(std::abs(motion.energy.at_end / motion.energy.at_start - 1), 1e-10);
+}
+
+TEST(Simulate, ReferencePeriodOfABilinearSpring) {
+  // (MO-5): f/f_0 - 1 = 2 sqrt(r)/(1 + sqrt(r)) - 1 for K- = r K+; half a period of either
+  // stiffness between two changes of the sense, in closed form.
+  for (const auto& [r, shift] :
+       {std::pair{0.98, -0.0050506}, {0.9, -0.0263340}, {0.5, -0.1715729}}) {
+    Joint joint = locked(LinearSpring{5e4}, 1.0);
+    joint.cracks = {{.compliance = (1 / r - 1) / 5e4, .sense = OpeningSense::negative}};
+    const Motion motion = simulate(joint, {.output_speed = 0.3},
+                                   {.duration = 0.2, .output_step = 0.2, .tolerance = 1e-14});
+    const std::vector<double> times = times_of(motion, MotionEvent::torque_sense);
+    ASSERT_GE(times.size(), 3U);
+    // The load moves forward first, so the torque is negative first.
+    const double soft = pi * std::sqrt(1 / (r * 5e4));
+    const double stiff = pi * std::sqrt(1 / 5e4);
+    EXPECT_NEAR(times[0], soft, 1e-9);
+    EXPECT_NEAR(times[1], soft + stiff, 1e-9);
+    EXPECT_NEAR(times[2], 2 * soft + stiff, 1e-9);
+    const double f0 = std::sqrt(5e4) / (2 * pi);
+    EXPECT_NEAR(1 / (times[2] - times[0]) / f0 - 1, shift, 1e-7);
+  }
+}
+
+TEST(Simulate, ReferencePeriodOfACubicSpring) {
+  // Duffing: T = 4 K(m)/sqrt(w0^2 + b A^2), m = b A^2/(2 (w0^2 + b A^2)), with the complete
+  // elliptic integral; the events mark half periods.
+  Joint joint = locked(CubicSpring{5e4, 1e10}, 1.0);
+  joint.hysteresis = dahl(1e-9, 1e-9);  // no torque; its reversals mark the amplitude
+  const double amplitude = 3e-3;
+  const Motion motion = simulate(joint, {.output_angle = amplitude},
+                                 {.duration = 0.2, .output_step = 0.2, .tolerance = 1e-14});
+  const double stiff = 5e4 + 1e10 * amplitude * amplitude;
+  const double m = 1e10 * amplitude * amplitude / (2 * stiff);
+  const double period = 4 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(stiff);
+  const std::vector<double> times = times_of(motion, MotionEvent::twist_reversal);
+  ASSERT_GE(times.size(), 2U);
+  EXPECT_NEAR(times[0], period / 2, 1e-9);
+  EXPECT_NEAR(times[1], period, 1e-9);
+}
+
+TEST(Simulate, ReferencePeriodOfTheCatalogueLine) {
+  // From the largest twist through the corners at T2 and T1, each piece a circular function in
+  // closed form; events to 1e-9 s.
+  const CatalogueSpring spring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
+  const double J = 2.0;
+  const double amplitude = 2.5e-3;
+  const Motion motion = simulate(locked(spring, J), {.output_angle = -amplitude},
+                                 {.duration = 0.05, .output_step = 0.05, .tolerance = 1e-14});
+  const std::vector<double> times = times_of(motion, MotionEvent::spring_corner);
+  ASSERT_GE(times.size(), 2U);
+  const double E = elastic_energy(spring, amplitude);
+  // Time from the twist `high` down to `low` in a piece of stiffness k with torque T at `low`.
+  const auto through = [&](double high, double low, double k, double T) {
+    const double offset = T / k - low;
+    const double X = std::sqrt(2 * (E - elastic_energy(spring, low)) / k + T * T / (k * k));
+    return (std::asin(std::min(1.0, (high + offset) / X)) - std::asin((low + offset) / X)) *
+           std::sqrt(J / k);
+  };
+  const double first = 14 / 3.1e4;
+  const double second = first + 34 / 5e4;
+  const double to_second = through(amplitude, second, 5.7e4, 48);
+  EXPECT_NEAR(times[0], to_second, 2e-9);  // asin near 1 keeps half of the digits
+  EXPECT_NEAR(times[1] - times[0], through(second, first, 5e4, 14), 1e-9);
+}
+
+TEST(Simulate, ReferenceOrderSpectrum) {
+  // (MO-4): 10 turns a second, K 5e4, c 10, J_L 1: amplitude of each order of the output's angle
+  // and of the torque, after 8 s, when the free vibration is at exp(-40); a second of 2^12 samples.
+  Joint joint = reference_joint();
+  joint.spring = LinearSpring{5e4};
+  joint.damping = 10;
+  joint.input = GivenSpeed{{.value = {20 * pi}}};
+  constexpr double kStep = 1.0 / 4096;
+  std::vector<double> angle;
+  std::vector<double> torque;
+  const Motion motion = simulate(
+      joint, {.output_speed = -0.2 * pi}, {.duration = 9, .output_step = kStep, .tolerance = 1e-13},
+      [&](const MotionSample& sample) {
+        if (sample.time < 8 - kStep / 2 || sample.time > 9 - kStep / 2) return;
+        angle.push_back(sample.state.output_angle + 0.2 * pi * sample.time);
+        torque.push_back(sample.forces.torque);
+      });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  ASSERT_EQ(angle.size(), 4096U);
+  const auto amplitude = [](const std::vector<double>& signal, double order) {
+    double c = 0.0;
+    double s = 0.0;
+    for (std::size_t n = 0; n < signal.size(); ++n) {
+      const double phase = 2 * pi * 10 * order * static_cast<double>(n) / 4096;
+      c += signal[n] * std::cos(phase) / 2048;
+      s += signal[n] * std::sin(phase) / 2048;
+    }
+    return std::hypot(c, s);
+  };
+  test::expect_relative(amplitude(angle, 1), 3.257130e-5, 1e-6);
+  test::expect_relative(amplitude(angle, 2), 2.922191e-4, 1e-6);
+  test::expect_relative(amplitude(angle, 4), 1.867579e-4, 1e-6);
+  test::expect_relative(amplitude(torque, 1), 0.128586, 1e-5);
+  test::expect_relative(amplitude(torque, 2), 4.614539, 1e-6);
+  test::expect_relative(amplitude(torque, 4), 11.796653, 1e-6);
+}
+
+TEST(Simulate, LimitStiffDriveTurnsAsOneInertia) {
+  // With K large both inertias move together: theta_m'' = T_m/(J_m + J_L/i^2), a torque that rises
+  // to 1 s and stays; what is left vibrates with T/K.
+  Joint joint = reference_joint();
+  joint.spring = LinearSpring{5e7};
+  joint.kinematic_error = {};
+  joint.damping = 2e3;
+  joint.input = GivenTorque{{.time = {0.0, 1.0}, .value = {0.0, 0.1}}};
+  const Motion motion = simulate(joint, {}, {.duration = 2, .output_step = 2, .tolerance = 1e-12});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  const double inertia = 1e-4 + 1e-4;
+  test::expect_relative(motion.last.input_speed, (0.05 + 0.1) / inertia, 1e-5);
+  test::expect_relative(motion.last.input_angle, (0.1 / 6 + 0.05 + 0.05) / inertia, 1e-5);
+  test::expect_relative(motion.last.output_angle, -motion.last.input_angle / 100, 1e-6);
+  EXPECT_LT(motion.energy.imbalance, 1e-10);
+}
+
+TEST(Simulate, IdentityGivenSpeedFollowsItsProfile) {
+  Joint joint = reference_joint();
+  joint.damping = 10;
+  joint.input = GivenSpeed{{.time = {0.1, 0.3, 0.5}, .value = {0.0, 40.0, -40.0}}};
+  const Motion motion =
+      simulate(joint, {}, {.duration = 0.6, .output_step = 0.6, .tolerance = 1e-13});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_NEAR(motion.last.input_speed, -40, 1e-12);
+  EXPECT_NEAR(motion.last.input_angle, 4 + 0 - 4, 1e-12);
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+}
+
+TEST(Simulate, BehaviourFrictionSticksAndSlips) {
+  // (MO-10): the load is pulled slowly through the drive, and the input sticks until the torque
+  // reaches the breakaway torque: T_out/i = F_s, then it jumps.  Before, it creeps with the
+  // bristles by a few of their deflections, F_s/sigma_0 = 0.004 rad.
+  Joint joint{.ratio = 100,
+              .input_inertia = 1e-4,
+              .output_inertia = 1,
+              .spring = LinearSpring{5e4},
+              .damping = 50};
+  joint.input_friction = LuGre{.bristle_stiffness = 100,
+                               .bristle_damping = 0.02,
+                               .viscous = 1e-3,
+                               .coulomb = 0.2,
+                               .breakaway = 0.4,
+                               .stribeck_speed = 1};
+  joint.output_torque = {.time = {0.0, 2.0}, .value = {0.0, 60.0}};
+  std::vector<MotionSample> samples;
+  const Motion motion =
+      simulate(joint, {}, {.duration = 2, .output_step = 0.01, .tolerance = 1e-11},
+               [&](const MotionSample& sample) { samples.push_back(sample); });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  for (const MotionSample& sample : samples) {
+    const double pulled = 30 * sample.time / 100;  // torque at the input
+    if (pulled < 0.36) {
+      EXPECT_LT(std::abs(sample.state.input_angle), 3 * 0.004);
+    } else if (pulled > 0.44) {
+      EXPECT_GT(sample.state.input_angle, 0.1);
+    }
+  }
+  EXPECT_LT(motion.energy.imbalance, 1e-7);
+  EXPECT_GT(motion.energy.lost, 0.0);
+}
+
+TEST(Simulate, ConvergenceWithTheTolerance) {
+  // (MO-13): Each decade of the tolerance of a step of fifth order takes 10^(1/5) = 1.58 times the steps.
+  Joint joint = reference_joint();
+  std::uint64_t before = 0;
+  for (const double tolerance : {1e-9, 1e-10, 1e-11, 1e-12}) {
+    const Motion motion = simulate(joint, {.output_angle = 1e-3},
+                                   {.duration = 1, .output_step = 1, .tolerance = tolerance});
+    if (before > 0) {
+      const double ratio = static_cast<double>(motion.steps) / static_cast<double>(before);
+      EXPECT_GT(ratio, 1.4);
+      EXPECT_LT(ratio, 1.8);
+    }
+    before = motion.steps;
+  }
+}
+
+TEST(Simulate, BehaviourOfSamplesAndOfAStop) {
+  std::vector<double> times;
+  const SampleSink sink = [&](const MotionSample& sample) { times.push_back(sample.time); };
+  const Joint joint = locked(LinearSpring{5e4}, 1.0);
+  const Motion motion =
+      simulate(joint, {.output_angle = 1e-3}, {.duration = 0.1, .output_step = 0.03}, sink);
+  ASSERT_TRUE(motion.converged);
+  ASSERT_EQ(times.size(), 4U);  // 0, 0.03, 0.06, 0.09
+  EXPECT_NEAR(times[3], 0.09, 1e-15);
+  EXPECT_EQ(motion.time_reached, 0.1);
+  EXPECT_THROW((void)simulate(joint, {.output_angle = 1e-3}, {.duration = 0.1, .output_step = 0.1},
+                              {}, Progress([](double) { return false; })),
+               Stopped);
+}
+
+TEST(Simulate, BehaviourAMotionThatCannotBeFinishedSaysWhy) {
+  const Joint joint = locked(LinearSpring{5e4}, 1.0);
+  const Motion few =
+      simulate(joint, {.output_angle = 1e-3}, {.duration = 1, .output_step = 1, .max_steps = 5});
+  EXPECT_FALSE(few.converged);
+  EXPECT_NE(few.reason.find("took 5 steps"), std::string::npos);
+  EXPECT_GT(few.time_reached, 0.0);
+  EXPECT_LT(few.time_reached, 1.0);
+  EXPECT_TRUE(std::isfinite(few.last.output_angle));
+  const Motion exact = simulate(joint, {.output_angle = 1e-3},
+                                {.duration = 1, .output_step = 1, .tolerance = 1e-60});
+  EXPECT_FALSE(exact.converged);
+  EXPECT_NE(exact.reason.find("no step is short enough"), std::string::npos);
+}
+
+TEST(Simulate, InputEachRuleBrokenOnce) {
+  const auto broken = [](const SimulationOptions& options, const JointState& start = {}) {
+    return test::broken_rule(
+        [&] { (void)simulate(locked(LinearSpring{5e4}, 1.0), start, options); });
+  };
+  const SimulationOptions sound{.duration = 0.01, .output_step = 0.01};
+  EXPECT_EQ(broken(sound), "no error");
+  EXPECT_NE(broken({.duration = 0, .output_step = 1}).find("duration"), std::string::npos);
+  EXPECT_NE(broken({.duration = 1, .output_step = 0}).find("output_step"), std::string::npos);
+  EXPECT_NE(broken({.duration = 1, .output_step = 2}).find("at most the duration"),
+            std::string::npos);
+  EXPECT_NE(broken({.duration = 1, .output_step = 1, .tolerance = -1}).find("tolerance"),
+            std::string::npos);
+  EXPECT_NE(broken({.duration = 1, .output_step = 1, .max_steps = 0}).find("max_steps"),
+            std::string::npos);
+  for (const auto& [member, name] : {std::pair{&JointState::input_angle, "input_angle"},
+                                     {&JointState::input_speed, "input_speed"},
+                                     {&JointState::output_angle, "output_angle"},
+                                     {&JointState::output_speed, "output_speed"},
+                                     {&JointState::hysteresis, "hysteresis"},
+                                     {&JointState::bristle, "bristle"}}) {
+    JointState start;
+    start.*member = NAN;
+    EXPECT_NE(broken(sound, start).find(name), std::string::npos) << name;
+  }
+  EXPECT_NE(test::broken_rule([&] {
+              Joint joint = locked(LinearSpring{5e4}, 1.0);
+              joint.ratio = 0;
+              (void)simulate(joint, {}, sound);
+            }).find("ratio"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
