@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/roots.hpp"
 
 namespace strainwave {
 struct Hysteresis::Envelopes {
@@ -101,29 +102,62 @@ LossAtZero Hysteresis::loss_at_zero() const {
   return loss;
 }
 
-std::vector<double> Hysteresis::twist(std::span<const double> path) const {
+HysteresisMemory Hysteresis::at_rest() const {
+  return {.play = std::vector<double>(static_cast<std::size_t>(envelopes_->elements), 0.0)};
+}
+
+void Hysteresis::slide(HysteresisMemory& memory, double elastic_torque) const {
   const Envelopes& e = *envelopes_;
-  std::vector<double> play(static_cast<std::size_t>(e.elements), 0.0);
-  double elastic_torque = 0.0;
+  memory.elastic_torque = elastic_torque;
+  const double at = std::clamp(elastic_torque, -e.largest, e.largest);
+  const double middle = e.middle(at);
+  const double half = e.width(at).total() / 2;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < memory.play.size(); ++k) {
+    const double threshold = 2 * (static_cast<double>(k) + 0.5) / e.elements;
+    double& play = memory.play[k];
+    play = std::clamp(play, middle - threshold * half, middle + threshold * half);
+    sum += play;  // (TC-17)
+  }
+  memory.twist = sum / e.elements;
+}
+
+double Hysteresis::advance(HysteresisMemory& memory, double torque) const {
+  const Envelopes& e = *envelopes_;
+  require(std::abs(torque) <= e.largest * (1 + 1e-12), "torque", torque, "N*m",
+          "within the largest torque of the envelopes");
+  // (TC-17): the friction torque of seals and output bearing does not reach the flanks.
+  slide(memory,
+        std::clamp(memory.elastic_torque, torque - e.friction_torque, torque + e.friction_torque));
+  memory.torque = torque;
+  return memory.twist;
+}
+
+double Hysteresis::advance_to_twist(HysteresisMemory& memory, double twist) const {
+  const Envelopes& e = *envelopes_;
+  if (twist == memory.twist) return memory.torque;
+  const double sense = twist > memory.twist ? 1.0 : -1.0;
+  // (TC-17): the twist does not fall while T* rises.
+  const auto missing = [&](double elastic_torque) {
+    HysteresisMemory moved = memory;
+    slide(moved, elastic_torque);
+    return moved.twist - twist;
+  };
+  const double end = sense * (e.largest - e.friction_torque);
+  require(sense * missing(end) >= 0, "twist", twist, "rad",
+          "within the twists of the envelopes at their largest torque");
+  slide(memory, bracketed_root(missing, std::min(memory.elastic_torque, end),
+                               std::max(memory.elastic_torque, end)));
+  memory.twist = twist;
+  memory.torque = memory.elastic_torque + sense * e.friction_torque;
+  return memory.torque;
+}
+
+std::vector<double> Hysteresis::twist(std::span<const double> path) const {
+  HysteresisMemory memory = at_rest();
   std::vector<double> twist;
   twist.reserve(path.size());
-  for (const double torque : path) {
-    require(std::abs(torque) <= e.largest * (1 + 1e-12), "torque", torque, "N*m",
-            "within the largest torque of the envelopes");
-    // (TC-17): the friction torque of seals and output bearing does not reach the flanks.
-    elastic_torque =
-        std::clamp(elastic_torque, torque - e.friction_torque, torque + e.friction_torque);
-    const double at = std::clamp(elastic_torque, -e.largest, e.largest);
-    const double middle = e.middle(at);
-    const double half = e.width(at).total() / 2;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < play.size(); ++k) {
-      const double threshold = 2 * (static_cast<double>(k) + 0.5) / e.elements;
-      play[k] = std::clamp(play[k], middle - threshold * half, middle + threshold * half);
-      sum += play[k];  // (TC-17)
-    }
-    twist.push_back(sum / e.elements);
-  }
+  for (const double torque : path) twist.push_back(advance(memory, torque));
   return twist;
 }
 

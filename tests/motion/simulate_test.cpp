@@ -285,7 +285,8 @@ TEST(Simulate, BehaviourFrictionSticksAndSlips) {
 }
 
 TEST(Simulate, ConvergenceWithTheTolerance) {
-  // (MO-13): Each decade of the tolerance of a step of fifth order takes 10^(1/5) = 1.58 times the steps.
+  // (MO-13): Each decade of the tolerance of a step of fifth order takes 10^(1/5) = 1.58 times the
+  // steps.
   Joint joint = reference_joint();
   std::uint64_t before = 0;
   for (const double tolerance : {1e-9, 1e-10, 1e-11, 1e-12}) {

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -140,6 +142,60 @@ TEST(HysteresisPath, IdentityBranchAfterReversalIsSmooth) {
     EXPECT_LE(phi, solved().falling(torque) * (1 + 1e-12));
     last = phi;
   }
+}
+
+/// A path with loops of many sizes, each step long enough to move every drive's twist.
+std::vector<double> random_path(unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::vector<double> path{30.0};
+  while (path.size() < 60) {
+    const double share = static_cast<double>(generator() >> 11) * 0x1p-53;
+    const double next = (2 * share - 1) * 80 * (path.size() % 5 == 0 ? 1.0 : 0.4);
+    if (std::abs(next - path.back()) > 10) path.push_back(next);
+  }
+  return path;
+}
+
+TEST(HysteresisInverse, IdentityTorqueOfTheTwistOnAnyPath) {
+  // (TC-17): with and without friction of the output; minor loops are wiped out alike, so the
+  // elements stand where they stand on the way forward.  The tolerance is 1e-9 of the torque.
+  GearSet gear = drive_with_friction();
+  gear.rating->friction_torque = 2.0;
+  const Hysteresis rough(gear, kRated);
+  for (const Hysteresis* const hysteresis : {&solved(), &rough})
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      HysteresisMemory forward = hysteresis->at_rest();
+      HysteresisMemory back = hysteresis->at_rest();
+      for (const double torque : random_path(seed)) {
+        const double twist = hysteresis->advance(forward, torque);
+        EXPECT_NEAR(hysteresis->advance_to_twist(back, twist), torque, 1e-9 * kRated);
+        EXPECT_EQ(back.twist, twist);
+        for (std::size_t k = 0; k < back.play.size(); ++k)
+          EXPECT_NEAR(back.play[k], forward.play[k], 1e-13);
+      }
+    }
+}
+
+TEST(HysteresisInverse, BehaviourTheTorqueJumpsWhereTheTwistTurnsBack) {
+  GearSet gear = drive_with_friction(0.0);
+  gear.rating->friction_torque = 2.0;
+  const Hysteresis rough(gear, kRated);
+  HysteresisMemory memory = rough.at_rest();
+  const double at = rough.advance(memory, 40.0);
+  EXPECT_EQ(rough.advance_to_twist(memory, at), 40.0);  // no change, no jump
+  EXPECT_NEAR(rough.advance_to_twist(memory, at * (1 - 1e-9)), 40.0 - 4.0, 1e-6);
+  EXPECT_NEAR(rough.advance_to_twist(memory, at), 40.0, 1e-6);
+}
+
+TEST(HysteresisInverse, InputTwistBeyondTheEnvelopes) {
+  HysteresisMemory memory = solved().at_rest();
+  const auto broken = [&](double twist) {
+    return test::broken_rule([&] { (void)solved().advance_to_twist(memory, twist); });
+  };
+  EXPECT_NE(broken(0.1).find("within the twists of the envelopes"), std::string::npos);
+  EXPECT_NE(broken(-0.1).find("within the twists of the envelopes"), std::string::npos);
+  EXPECT_NE(broken(NAN).find("within the twists of the envelopes"), std::string::npos);
+  EXPECT_EQ(memory.twist, 0.0);  // a refused twist changes nothing
 }
 
 TEST(HysteresisLoopOf, ReferenceWidthScalesWithFriction) {

@@ -37,6 +37,14 @@ struct LossAtZero {
   }
 };
 
+/// What a loop remembers of its path.
+struct HysteresisMemory {
+  double torque = 0.0;          ///< the last torque [N*m]
+  double elastic_torque = 0.0;  ///< T*, the part of the torque that reaches the flanks [N*m]
+  double twist = 0.0;           ///< the last twist [rad]
+  std::vector<double> play;     ///< twist of each play element [rad]
+};
+
 /// Twist of the drive along a path of the torque, with friction of flanks, outer ring and output.
 ///
 /// Implements theory manual eqs. (TC-16) and (TC-17).  All contacts slip on the envelopes, one for
@@ -66,6 +74,20 @@ class Hysteresis {
   /// @param path  torques [N*m], within +- largest_torque
   [[nodiscard]] std::vector<double> twist(std::span<const double> path) const;
 
+  /// A drive at zero torque without previous load.
+  [[nodiscard]] HysteresisMemory at_rest() const;
+  /// Goes on to a torque, monotonically, and returns the twist [rad].
+  /// @param torque  [N*m], within +- largest_torque
+  double advance(HysteresisMemory& memory, double torque) const;
+  /// Goes on to a twist, monotonically, and returns the torque [N*m]: the inverse of `advance`.
+  ///
+  /// When the twist turns back, the torque jumps by twice `Rating::friction_torque`, and by what
+  /// the first element holds.  Without a change of the twist the torque stays, although friction
+  /// would allow a range.
+  /// @param twist  [rad], within the twists at +- largest_torque
+  /// @throws InputError  if no torque within the envelopes has this twist
+  double advance_to_twist(HysteresisMemory& memory, double twist) const;
+
   /// Twist while the torque rises, with slip in all contacts and without the friction torque of the
   /// output [rad].
   [[nodiscard]] double rising(double torque) const;
@@ -76,6 +98,9 @@ class Hysteresis {
   [[nodiscard]] LossAtZero loss_at_zero() const;
 
  private:
+  /// Moves T* and the elements; eq. (TC-17).
+  void slide(HysteresisMemory& memory, double elastic_torque) const;
+
   struct Envelopes;
   std::unique_ptr<Envelopes> envelopes_;
 };
