@@ -301,6 +301,21 @@ TEST(Simulate, ConvergenceWithTheTolerance) {
   }
 }
 
+TEST(Simulate, IdentityMirroredInputTakesTheSameSteps) {
+  // A gear that turns the other way moves its load alike, step by step.
+  Joint joint = reference_joint();
+  joint.kinematic_error = {};
+  JointState start{.input_speed = 100, .output_speed = -1};
+  const SimulationOptions options{.duration = 0.2, .output_step = 0.2};
+  const Motion one = simulate(joint, start, options);
+  joint.ratio = -joint.ratio;
+  start.input_speed = -start.input_speed;
+  const Motion other = simulate(joint, start, options);
+  EXPECT_EQ(one.steps, other.steps);
+  EXPECT_EQ(one.last.output_angle, other.last.output_angle);
+  EXPECT_EQ(one.last.input_angle, -other.last.input_angle);
+}
+
 TEST(Simulate, BehaviourOfSamplesAndOfAStop) {
   std::vector<double> times;
   const SampleSink sink = [&](const MotionSample& sample) { times.push_back(sample.time); };
