@@ -22,6 +22,7 @@ Command sif_eval_command();
 Command sif_list_command();
 Command sif_plot_command();
 Command sif_show_command();
+Command simulate_command();
 Command solve_command();
 Command stiffness_command();
 Command sweep_command();
@@ -31,15 +32,33 @@ Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),     torsion_command(),        duty_command(),
-      life_command(),          grow_command(),           modes_command(),
-      require_command(),       report_command(),         sensitivity_command(),
-      sweep_command(),         solve_command(),          sif_list_command(),
-      sif_show_command(),      sif_eval_command(),       sif_plot_command(),
-      material_list_command(), material_show_command(),  catalogue_command(),
-      validate_command(),      calibrate_command(),      audit_command(),
-      new_command(),           schema_command(commands), explain_command(commands),
-      units_command(),         diff_command(),
+      stiffness_command(),
+      torsion_command(),
+      duty_command(),
+      life_command(),
+      grow_command(),
+      modes_command(),
+      simulate_command(),
+      require_command(),
+      report_command(),
+      sensitivity_command(),
+      sweep_command(),
+      solve_command(),
+      sif_list_command(),
+      sif_show_command(),
+      sif_eval_command(),
+      sif_plot_command(),
+      material_list_command(),
+      material_show_command(),
+      catalogue_command(),
+      validate_command(),
+      calibrate_command(),
+      audit_command(),
+      new_command(),
+      schema_command(commands),
+      explain_command(commands),
+      units_command(),
+      diff_command(),
   };
   return table;
 }

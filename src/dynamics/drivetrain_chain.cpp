@@ -192,6 +192,10 @@ GearInertias gear_inertias(const GearSet& gear) {
   return own;
 }
 
+double flexspline_torque(FixedMember fixed, double ratio) {
+  return fixed == FixedMember::circular_spline ? 1.0 : ratio / (ratio + 1);  // (DY-10)
+}
+
 DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
                                  const DriveSprings& springs, const GearInertias& own) {
   require(ratio > 0 && std::isfinite(ratio), "ratio", ratio, "1", "> 0");

@@ -8,10 +8,6 @@
 
 namespace strainwave {
 
-namespace {
-constexpr double kLargestAmplitude = 0.1;  // [rad]; beyond it, it is no error
-}
-
 KinematicError::At KinematicError::at(double input_angle) const {
   At result;
   for (const auto& [order, amplitude, phase] : orders) {
@@ -27,8 +23,8 @@ void require_constants(const KinematicError& error) {
   for (std::size_t i = 0; i < error.orders.size(); ++i) {
     const auto& [order, amplitude, phase] = error.orders[i];
     require(order > 0 && std::isfinite(order), (at[i] / "order").text(), order, "1", "> 0");
-    require(amplitude >= 0 && amplitude < kLargestAmplitude, (at[i] / "amplitude").text(),
-            amplitude, "rad", "from 0 to below 0.1 rad");
+    require(amplitude >= 0 && amplitude < kLargestError, (at[i] / "amplitude").text(), amplitude,
+            "rad", "from 0 to below 0.5 deg");
     require(std::isfinite(phase), (at[i] / "phase").text(), phase, "rad", "a finite number");
   }
 }

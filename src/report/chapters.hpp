@@ -47,6 +47,8 @@ struct Draft {
 [[nodiscard]] ReportSection life_chapter(Draft& draft);
 /// Of a drive with a drivetrain.
 [[nodiscard]] ReportSection modes_chapter(Draft& draft);
+/// Of a drive with manoeuvres.
+[[nodiscard]] ReportSection motion_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);

@@ -257,16 +257,9 @@ std::vector<std::size_t> same_modes(const TorsionalChain& chain, const std::vect
   return same;
 }
 
-/// Torque of the flexspline over that of the output [-].
-double torque_step(const GearSet& gear) {
-  return gear.drivetrain->fixed == FixedMember::circular_spline
-             ? 1.0
-             : gear.drive.ratio / (gear.drive.ratio + 1);
-}
-
 double stiffness_at_output(const GearSet& gear, const std::vector<Member>& members) {
   const DriveSprings springs = springs_of(members);
-  const double step = torque_step(gear);
+  const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
   return 1 / (step * step * (springs.mesh + springs.body) + springs.shaft);  // (DY-10)
 }
 
@@ -431,7 +424,8 @@ ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
   double done = 0.0;
   const auto vibrating_drive = [&](const GearSet& of) {
     progress.at(done++ / drives);
-    const double at_flexspline = torque_step(gear) * report.torque;
+    const double at_flexspline =
+        flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio) * report.torque;
     return vibrating(gear, report.springs == SpringModel::coupled_drive
                                ? coupled_members(AssembledDrive(of), at_flexspline)
                                : summed_members(of, at_flexspline));

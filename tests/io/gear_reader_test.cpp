@@ -585,7 +585,7 @@ const std::vector<Wrong> kWrong = {
     {"UnknownTable", "[article]", "[artikel]",
      "59:2: artikel: is not known here; known names are format, name, material, drive, load, "
      "wave_generator, flexspline, output_shaft, mesh, circular_spline, output_bearing, duty, "
-     "drivetrain, rating, tolerance, range, "
+     "drivetrain, kinematic_error, manoeuvre, rating, tolerance, range, "
      "scatter, article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},

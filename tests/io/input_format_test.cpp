@@ -399,6 +399,15 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       return line.starts_with("input_speed = ") || line.starts_with("history = ");
     });
   };
+  const std::function<void(Lines&)> with_drivetrain = [&](Lines& lines) {
+    switch_on(lines, "[drivetrain]");
+  };
+  // One of the two ways to move the input.
+  const std::function<void(Lines&)> with_speed = [&](Lines& lines) {
+    switch_on(lines, "[drivetrain]");
+    std::erase_if(lines,
+                  [](const std::string& line) { return line.starts_with("input_torque = "); });
+  };
   struct Table {
     std::string heading;  ///< and the kind, of a crack
     std::string alone;    ///< verdict without anything else
@@ -451,6 +460,10 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[duty.peak]]", "duty", with_block},
       {"[duty.resonance]", "duty", with_block},
       {"[drivetrain]", "accepted", nothing},
+      {"[drivetrain.hysteresis]", "drivetrain", with_drivetrain},
+      {"[drivetrain.friction]", "drivetrain", with_drivetrain},
+      {"[[kinematic_error]]", "accepted", nothing},
+      {"[[manoeuvre]]", "manoeuvre[0]: needs [drivetrain]", with_speed},
       {"[rating]", "accepted", nothing},
       {"[tolerance]", "accepted", nothing},
       {"[[range]]", "accepted", nothing},
@@ -668,7 +681,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 54);
+  EXPECT_EQ(n, 58);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -833,7 +846,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 54);
+  EXPECT_EQ(tables, 58);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

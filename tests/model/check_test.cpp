@@ -908,6 +908,44 @@ TEST(Check, InputADrivetrain) {
             ": accepted");
 }
 
+TEST(Check, InputAMotion) {
+  const auto refused = [](const Mutation& change) {
+    GearSet gear = driven_gear();
+    gear.drivetrain->friction = LuGre{.bristle_stiffness = 100, .coulomb = 0.03, .breakaway = 0.05};
+    gear.drivetrain->hysteresis = BoucWen{.stiffness = 1e5, .limit = 3};
+    gear.kinematic_error = {{.order = 2, .amplitude = 1e-4}};
+    gear.manoeuvre = {{.duration = 1, .input_speed = 10.0}, {.duration = 1, .input_speed = 0.0}};
+    change(gear);
+    return std::string(refusal(gear).what());
+  };
+  EXPECT_EQ(refused([](GearSet&) {}), ": accepted");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->friction->breakaway = 0.02; }),
+            "drivetrain.friction.breakaway = 0.02 N*m violates: at least "
+            "drivetrain.friction.coulomb");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->friction->coulomb = 0; }),
+            "drivetrain.friction.coulomb = 0 N*m violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->hysteresis->asymmetry = 0.6; }),
+            "drivetrain.hysteresis.asymmetry = 0.6 violates: <= 0.5");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->hysteresis->exponent = 0.5; }),
+            "drivetrain.hysteresis.exponent = 0.5 violates: >= 1");
+  // A kinematic error of a degree is no error.
+  EXPECT_EQ(refused([](GearSet& g) { g.kinematic_error[0].amplitude = 0.01745; }),
+            "kinematic_error[0].amplitude = 0.01745 rad violates: >= 0 and < 0.5 deg");
+  EXPECT_EQ(refused([](GearSet& g) { g.kinematic_error[0].order = 0; }),
+            "kinematic_error[0].order = 0 violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].duration = 0; }),
+            "manoeuvre[1].duration = 0 s violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[0].input_torque = 1.0; }),
+            "manoeuvre[0]: must have either input_speed or input_torque");
+  EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].input_speed.reset(); }),
+            "manoeuvre[1]: must have either input_speed or input_torque");
+  EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1] = {.duration = 1, .input_torque = 1.0}; }),
+            "manoeuvre[1]: must give what the pieces before give: input_speed in all, or "
+            "input_torque in all");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain.reset(); }),
+            "manoeuvre[0]: needs [drivetrain], the inertias that the manoeuvres move; give it");
+}
+
 TEST(Check, InputFlangeComplianceNeedsSections) {
   GearSet gear = test::article_gear();
   gear.flexspline->flange_compliance = 1e-7;
@@ -1362,6 +1400,12 @@ TEST(CheckRange, InputEveryBoundIsHeldOnBothSides) {
 /// The bounds, written down a second time, so a range that was widened by mistake is detected.
 TEST(CheckRange, ReferenceRanges) {
   const std::set<std::string> any = {"load.torque",
+                                     "drivetrain.gravity_torque",
+                                     "drivetrain.gravity_angle",
+                                     "kinematic_error[0].phase",
+                                     "manoeuvre[0].input_speed",
+                                     "manoeuvre[0].input_torque",
+                                     "manoeuvre[0].output_torque",
                                      "load.axial_force",
                                      "wave_generator.crack[0].stress",
                                      "wave_generator.crack[1].stress",
@@ -1404,6 +1448,8 @@ TEST(CheckRange, ReferenceRanges) {
                                              "drivetrain.motor_damping",
                                              "drivetrain.gear_damping",
                                              "drivetrain.load_damping",
+                                             "drivetrain.friction.bristle_damping",
+                                             "drivetrain.friction.viscous",
                                              "duty.resonance.frequency_ratio"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},
@@ -1426,6 +1472,9 @@ TEST(CheckRange, ReferenceRanges) {
       {"mesh.friction_coefficient", ">= 0 and <= 0.5"},
       {"mesh.crack[0].stiffness_loss", "> 0 and <= 1"},
       {"circular_spline.support", ">= 0 and <= 1"},
+      {"drivetrain.hysteresis.exponent", ">= 1"},
+      {"drivetrain.hysteresis.asymmetry", "<= 0.5"},
+      {"kinematic_error[0].amplitude", ">= 0 and < 0.5 deg"},
       {"rating.lost_motion_share", "> 0 and < 1"},
       {"tolerance.run_out", ">= 0 and <= 2e-05 m"},
       {"tolerance.ball_variation", ">= 0 and <= 5e-06 m"},

@@ -135,7 +135,7 @@ TEST(Joint, InputEachRuleBrokenOnce) {
   names([](Joint& j) { j.hysteresis = dahl(0, 1); }, "hysteresis");
   names([](Joint& j) { j.input_friction = LuGre{}; }, "friction");
   names([](Joint& j) { j.kinematic_error.orders[1].order = 0; }, "kinematic_error[1].order");
-  names([](Joint& j) { j.kinematic_error.orders[1].amplitude = 0.2; }, "amplitude");
+  names([](Joint& j) { j.kinematic_error.orders[1].amplitude = 0.02; }, "amplitude");
   names([](Joint& j) { j.kinematic_error.orders[0].phase = NAN; }, "phase");
   names([](Joint& j) { j.cracks[0].compliance = -1; }, "crack[0].compliance");
   names([](Joint& j) { j.input = GivenTorque{}; }, "input.torque");

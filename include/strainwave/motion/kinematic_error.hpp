@@ -3,13 +3,42 @@
 
 #include <vector>
 
+#include "strainwave/core/fields.hpp"
+#include "strainwave/core/units.hpp"
+
 namespace strainwave {
+
+/// Amplitudes reach up to this bound; what is larger is no error [rad].
+inline constexpr double kLargestError = 0.5 * units::deg;
 
 /// One line of the kinematic error.
 struct ErrorOrder {
   double order = 0.0;      ///< o, periods in a turn of the wave generator [-]; > 0
   double amplitude = 0.0;  ///< A, of the angle at the output [rad]; >= 0
   double phase = 0.0;      ///< p [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "order",
+                .unit = "1",
+                .doc = "periods in a turn of the input",
+                .range = kPositive,
+                .example = "2"},
+          &ErrorOrder::order);
+    field(Field{.name = "amplitude",
+                .unit = "rad",
+                .doc = "amplitude of the output's angle; half of the range from peak to valley",
+                .range = {.lower = 0.0, .lower_open = false, .upper = kLargestError},
+                .example = R"("0.5 arcmin")"},
+          &ErrorOrder::amplitude);
+    field(Field{.name = "phase",
+                .unit = "rad",
+                .doc = "phase of the sine at the angle 0 of the input",
+                .example = R"("0 deg")",
+                .fallback = R"("0 deg")",
+                .in_template = InTemplate::commented},
+          &ErrorOrder::phase);
+  }
 };
 
 /// Kinematic error theta_k = sum of A sin(o theta_m + p), angle of the output beyond that of an
@@ -26,7 +55,7 @@ struct KinematicError {
 };
 
 /// Throws InputError, which names the number, unless each number is in its range.  Amplitudes are
-/// below 0.1 rad.
+/// below kLargestError.
 void require_constants(const KinematicError& error);
 
 }  // namespace strainwave

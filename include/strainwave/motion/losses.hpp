@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/core/fields.hpp"
+
 /// @file
 /// Torques that lose energy and remember the path: hysteresis of the twist, friction of the input.
 
@@ -17,6 +19,38 @@ struct BoucWen {
 
   /// dz/dt [N*m/s].
   [[nodiscard]] double rate(double torque, double twist_rate) const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "stiffness",
+                .unit = "N*m/rad",
+                .doc = "slope of the torque over the twist behind a reversal",
+                .range = kPositive,
+                .example = R"("1e5 N*m/rad")"},
+          &BoucWen::stiffness);
+    field(Field{.name = "limit",
+                .unit = "N*m",
+                .doc = "largest torque of the hysteresis, at the output",
+                .range = kPositive,
+                .example = R"("3 N*m")"},
+          &BoucWen::limit);
+    field(Field{.name = "exponent",
+                .unit = "1",
+                .doc = "n, sharpness of the bend before the limit",
+                .range = {.lower = 1.0, .lower_open = false},
+                .example = "1",
+                .fallback = "1",
+                .in_template = InTemplate::commented},
+          &BoucWen::exponent);
+    field(Field{.name = "asymmetry",
+                .unit = "1",
+                .doc = "gamma/(beta + gamma); 0 with n = 1 is Dahl's model",
+                .range = {.upper = 0.5, .upper_open = false},
+                .example = "0",
+                .fallback = "0",
+                .in_template = InTemplate::commented},
+          &BoucWen::asymmetry);
+  }
 };
 
 /// Dahl's model, z' = sigma_0 v (1 - z/F_c sgn v): Bouc and Wen with n = 1 and gamma = 0 (MO-9).
@@ -45,6 +79,35 @@ struct LuGre {
   [[nodiscard]] At at(double deflection, double speed) const;
   /// T_f at constant speed [N*m].
   [[nodiscard]] double steady(double speed) const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto add = [&](std::string_view name, std::string_view unit, std::string_view doc,
+                         const Range& range, std::string_view example, auto member) {
+      field(Field{.name = name, .unit = unit, .doc = doc, .range = range, .example = example},
+            member);
+    };
+    add("coulomb", "N*m", "friction torque of the turning input", kPositive, R"("0.03 N*m")",
+        &LuGre::coulomb);
+    add("breakaway", "N*m", "torque that moves the standing input; at least coulomb", kPositive,
+        R"("0.05 N*m")", &LuGre::breakaway);
+    add("stribeck_speed", "rad/s", "speed over which breakaway falls to coulomb", kPositive,
+        R"("2 rad/s")", &LuGre::stribeck_speed);
+    add("bristle_stiffness", "N*m/rad", "stiffness of the sticking input", kPositive,
+        R"("100 N*m/rad")", &LuGre::bristle_stiffness);
+    const auto optional = [&](std::string_view name, std::string_view doc, auto member) {
+      field(Field{.name = name,
+                  .unit = "N*m*s/rad",
+                  .doc = doc,
+                  .range = kNonNegative,
+                  .example = R"("0 N*m*s/rad")",
+                  .fallback = R"("0 N*m*s/rad")",
+                  .in_template = InTemplate::commented},
+            member);
+    };
+    optional("bristle_damping", "damping of the sticking input", &LuGre::bristle_damping);
+    optional("viscous", "friction torque over the speed", &LuGre::viscous);
+  }
 };
 
 /// Throws InputError, which names the constant, unless each constant is in its range.

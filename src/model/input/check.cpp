@@ -112,6 +112,26 @@ void check_drivetrain(const GearSet& gear) {
     throw InputError("drivetrain.fixed",
                      fmt::format("contradicts duty.fixed; write \"{}\" here, or change duty.fixed",
                                  enum_name(gear.duty->fixed)));
+  if (of.friction)
+    require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
+            of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");
+}
+
+void check_manoeuvres(const GearSet& gear) {
+  const FieldPath pieces("manoeuvre");
+  if (!gear.manoeuvre.empty() && !gear.drivetrain)
+    throw InputError(pieces[0].text(),
+                     "needs [drivetrain], the inertias that the manoeuvres move; give it");
+  for (std::size_t i = 0; i < gear.manoeuvre.size(); ++i) {
+    const Manoeuvre& piece = gear.manoeuvre[i];
+    const FieldPath at = pieces[i];
+    if (piece.input_speed.has_value() == piece.input_torque.has_value())
+      throw InputError(at.text(), "must have either input_speed or input_torque");
+    if (piece.input_speed.has_value() != gear.manoeuvre.front().input_speed.has_value())
+      throw InputError(at.text(),
+                       "must give what the pieces before give: input_speed in all, or input_torque "
+                       "in all");
+  }
 }
 
 // Rules of the cracks.  Each kind has an overload of check_crack.
@@ -746,6 +766,7 @@ void check(const GearSet& gear) {
   if (gear.rating) check_rating(*gear.rating);
   if (gear.duty) check_duty(*gear.duty);
   if (gear.drivetrain) check_drivetrain(gear);
+  check_manoeuvres(gear);
   if (gear.tolerance)
     require(gear.tolerance->grade >= 1 && gear.tolerance->grade <= 11, "tolerance.grade",
             gear.tolerance->grade, "1", ">= 1 and <= 11");

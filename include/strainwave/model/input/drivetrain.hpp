@@ -5,6 +5,7 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/duty.hpp"
+#include "strainwave/motion/losses.hpp"
 
 namespace strainwave {
 
@@ -16,10 +17,14 @@ struct Drivetrain {
   std::optional<double> wave_generator_inertia = {};
   /// between motor and wave generator [N*m/rad]; > 0; absent: rigid
   std::optional<double> coupling_stiffness = {};
-  double load_inertia = 0.0;   ///< J_L at the output [kg*m^2]; > 0
-  double motor_damping = 0.0;  ///< B_m against the housing [N*m*s/rad]; >= 0
-  double gear_damping = 0.0;   ///< c, parallel to the drive, at the output [N*m*s/rad]; >= 0
-  double load_damping = 0.0;   ///< B_L against the housing [N*m*s/rad]; >= 0
+  double load_inertia = 0.0;    ///< J_L at the output [kg*m^2]; > 0
+  double motor_damping = 0.0;   ///< B_m against the housing [N*m*s/rad]; >= 0
+  double gear_damping = 0.0;    ///< c, parallel to the drive, at the output [N*m*s/rad]; >= 0
+  double load_damping = 0.0;    ///< B_L against the housing [N*m*s/rad]; >= 0
+  double gravity_torque = 0.0;  ///< m g l of an arm on the output [N*m]
+  double gravity_angle = 0.0;   ///< angle of the output at which the arm hangs down [rad]
+  std::optional<BoucWen> hysteresis = {};  ///< at the output, parallel to the drive
+  std::optional<LuGre> friction = {};      ///< at the input
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -74,6 +79,30 @@ struct Drivetrain {
             &Drivetrain::gear_damping);
     damping("load_damping", "B_L: torque against the speed of the output",
             &Drivetrain::load_damping);
+    field(Field{.name = "gravity_torque",
+                .unit = "N*m",
+                .doc = "weight of an arm on the output times the distance of its centre",
+                .example = R"("0 N*m")",
+                .fallback = R"("0 N*m")",
+                .in_template = InTemplate::commented},
+          &Drivetrain::gravity_torque);
+    field(Field{.name = "gravity_angle",
+                .unit = "rad",
+                .doc = "angle of the output at which the arm hangs down",
+                .example = R"("0 deg")",
+                .fallback = R"("0 deg")",
+                .in_template = InTemplate::commented},
+          &Drivetrain::gravity_angle);
+    field(Field{.name = "hysteresis",
+                .unit = "",
+                .doc = "hysteresis of a motion, at the output",
+                .in_template = InTemplate::commented},
+          &Drivetrain::hysteresis);
+    field(Field{.name = "friction",
+                .unit = "",
+                .doc = "friction of the input in a motion, with sticking",
+                .in_template = InTemplate::commented},
+          &Drivetrain::friction);
   }
 };
 

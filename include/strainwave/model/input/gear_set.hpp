@@ -14,6 +14,7 @@
 #include "strainwave/model/input/drivetrain.hpp"
 #include "strainwave/model/input/duty.hpp"
 #include "strainwave/model/input/flexspline.hpp"
+#include "strainwave/model/input/manoeuvre.hpp"
 #include "strainwave/model/input/material.hpp"
 #include "strainwave/model/input/output_bearing.hpp"
 #include "strainwave/model/input/output_shaft.hpp"
@@ -22,6 +23,7 @@
 #include "strainwave/model/input/tolerance.hpp"
 #include "strainwave/model/input/tooth_mesh.hpp"
 #include "strainwave/model/input/wave_generator.hpp"
+#include "strainwave/motion/kinematic_error.hpp"
 
 namespace strainwave {
 
@@ -140,6 +142,8 @@ struct GearSet {
   std::optional<OutputBearing> output_bearing;    ///< bearing that carries the output
   std::optional<Duty> duty;                       ///< what the drive does, for its life
   std::optional<Drivetrain> drivetrain;           ///< motor and load, for the vibration
+  std::vector<ErrorOrder> kinematic_error;        ///< of the gear, by order
+  std::vector<Manoeuvre> manoeuvre;               ///< a motion, piece by piece
   std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
   std::optional<Tolerance> tolerance;             ///< tolerances of the parts; absent: defaults
   std::vector<InputRange> range;                  ///< inputs that are known only within limits
@@ -205,6 +209,16 @@ struct GearSet {
                 .doc = "motor and load, for the vibration",
                 .in_template = InTemplate::commented},
           &GearSet::drivetrain);
+    field(Field{.name = "kinematic_error",
+                .unit = "",
+                .doc = "kinematic error of the gear, by order",
+                .in_template = InTemplate::commented},
+          &GearSet::kinematic_error);
+    field(Field{.name = "manoeuvre",
+                .unit = "",
+                .doc = "a motion of motor and load, piece by piece",
+                .in_template = InTemplate::commented},
+          &GearSet::manoeuvre);
     field(Field{.name = "rating",
                 .unit = "",
                 .doc = "the maker's torques, speeds and life",

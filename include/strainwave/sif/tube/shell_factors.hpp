@@ -66,6 +66,9 @@ extern template class BasicShellFactorsAtAngle<double>;
 extern template class BasicShellFactorsAtAngle<DualReal>;
 
 /// Shell factors at one lambda and angle, as BasicShellFactorsAtAngle.
+///
+/// @param lambda  shell parameter [-]; in [0, 8]
+/// @param angle   angle beta from the generator toward -theta [rad]
 [[nodiscard]] ShellFactors shell_factors(double lambda, double angle);
 
 /// Largest lambda of the table for a circumferential crack.

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/layouts/words.hpp"
+#include "strainwave/present/evidence_text.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Rows of a curve in a plot; more are not seen.
+constexpr std::size_t kDrawnRows = 2000;
+
+TitledTable summary_table(const SimulationReport& report) {
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit angle = display_unit("wind_up", "rad");
+  Table table{.head = {"over the motion", "sound"}, .align = "lrr"};
+  if (report.cracked) table.head.emplace_back("cracked");
+  const auto row = [&](std::string label, const auto& value) {
+    auto& cell = table.rows.emplace_back(cells(std::move(label), value(report.intact)));
+    if (report.cracked) cell.push_back(value(*report.cracked));
+  };
+  const auto number = [&](std::string_view label, const DisplayUnit& unit,
+                          double MotionSummary::*member) {
+    row(with_unit(label, unit),
+        [&, member](const MotionSummary& of) { return shown_number(of.*member / unit.in_si, 5); });
+  };
+  number("largest torque on the load", torque, &MotionSummary::largest_torque);
+  number("largest error of the output", angle, &MotionSummary::largest_error);
+  number("error of the output at the end", angle, &MotionSummary::last_error);
+  number("largest torque of the input", torque, &MotionSummary::largest_input_torque);
+  number("lost energy", display_unit({}, "J"), &MotionSummary::lost_energy);
+  row("imbalance of the energy",
+      [](const MotionSummary& of) { return shown_number(of.imbalance, 2); });
+  row("steps", [](const MotionSummary& of) { return shown_number(of.steps, 9); });
+  row("events", [](const MotionSummary& of) { return shown_number(of.events, 9); });
+  return {.title = "Motion (MO-11 to MO-13)",
+          .table = std::move(table),
+          .remark =
+              "The error of the output is its angle beyond that of an ideal stiff gear. The "
+              "largest values are those among the printed times. Lost energy contains what "
+              "the hysteresis stores."};
+}
+
+}  // namespace
+
+std::vector<std::string> simulation_sentences(const SimulationReport& report) {
+  const DisplayUnit angle = display_unit("wind_up", "rad");
+  std::vector<std::string> sentences = {fmt::format(
+      "The motion takes {}. The spring is {}.",
+      number_and_unit(report.duration, display_unit({}, "s")),
+      report.springs == SpringModel::coupled_drive ? "the maker's three lines of the torsion curve"
+                                                   : "the sum of the members")};
+  if (report.largest_difference)
+    sentences.push_back(
+        fmt::format("The cracks move the output by up to {} against the sound drive.",
+                    number_and_unit(*report.largest_difference, angle)));
+  return sentences;
+}
+
+std::vector<TitledTable> simulation_tables(const SimulationReport& report) {
+  return {summary_table(report)};
+}
+
+std::vector<PlotPanel> simulation_panels(const SimulationReport& report) {
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit angle = display_unit("wind_up", "rad");
+  const DisplayUnit seconds = display_unit({}, "s");
+  const std::size_t every = report.rows.size() / kDrawnRows + 1;
+  const auto series = [&](std::string label, const DisplayUnit& unit, const auto& value) {
+    PlotSeries line{.label = std::move(label)};
+    for (std::size_t n = 0; n < report.rows.size(); n += every) {
+      const std::optional<double> y = value(report.rows[n]);
+      if (!y) continue;
+      line.x.push_back(report.rows[n].time / seconds.in_si);
+      line.y.push_back(*y / unit.in_si);
+    }
+    return line;
+  };
+  const auto panel = [&](std::string title, std::string_view label, const DisplayUnit& unit,
+                         double SimulationRow::*sound,
+                         std::optional<double> SimulationRow::*cracked) {
+    PlotPanel made{.title = std::move(title),
+                   .x_label = axis_label("time", seconds),
+                   .y_label = axis_label(label, unit)};
+    made.series.push_back(series(
+        "sound", unit, [sound](const SimulationRow& row) { return std::optional(row.*sound); }));
+    if (report.cracked)
+      made.series.push_back(
+          series("cracked", unit, [cracked](const SimulationRow& row) { return row.*cracked; }));
+    return made;
+  };
+  return {panel("Torque on the load", "torque", torque, &SimulationRow::torque,
+                &SimulationRow::cracked_torque),
+          panel("Error of the output", "angle", angle, &SimulationRow::output_error,
+                &SimulationRow::cracked_output_error)};
+}
+
+std::string simulation_text(const SimulationReport& report, const GearSet& gear) {
+  std::string text = name_of(gear) + "\n\n";
+  for (const std::string& sentence : simulation_sentences(report)) text += paragraph(sentence);
+  text += text_tables(simulation_tables(report));
+  if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
+  return text + '\n' + equations_text(report.equations);
+}
+
+std::string simulation_csv(const SimulationReport& report) {
+  Table table{.head = {"time [s]", "input_angle [rad]", "input_speed [rad/s]", "output_angle [rad]",
+                       "output_speed [rad/s]", "output_error [rad]", "torque [N*m]",
+                       "input_torque [N*m]"}};
+  if (report.cracked)
+    table.head.insert(table.head.end(), {"cracked_output_angle [rad]", "cracked_output_error [rad]",
+                                         "cracked_torque [N*m]", "cracked_input_torque [N*m]"});
+  for (const SimulationRow& row : report.rows) {
+    auto& line = table.rows.emplace_back(cells(row.time, row.input_angle, row.input_speed,
+                                               row.output_angle, row.output_speed, row.output_error,
+                                               row.torque, row.input_torque));
+    if (!report.cracked) continue;
+    for (std::string& cell : cells(row.cracked_output_angle, row.cracked_output_error,
+                                   row.cracked_torque, row.cracked_input_torque))
+      line.push_back(std::move(cell));
+  }
+  return csv_table(table);
+}
+
+std::string simulation_plot(const SimulationReport& report, const GearSet& gear) {
+  std::vector<PlotPanel> panels = simulation_panels(report);
+  panels.front().subtitle = gear.name;
+  return svg_plot(panels);
+}
+
+}  // namespace strainwave

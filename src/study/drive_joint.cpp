@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/drive_joint.hpp"
+
+#include <fmt/format.h>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/dynamics/drivetrain_chain.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+
+namespace strainwave {
+namespace {
+
+/// The compliances of the members at the output, with the circular spline fixed.
+struct MemberSum {
+  double flexspline_side = 0.0;  ///< wave generator and flexspline [rad/(N*m)]
+  double shaft = 0.0;            ///< [rad/(N*m)]
+};
+
+void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& member, double step) {
+  for (const CrackReport& crack : member.cracks) {
+    const double positive = step * step * crack.positive.at_output.value;
+    const double negative = step * step * crack.negative.at_output.value;
+    if (positive == negative) {
+      if (positive > 0) cracks.push_back({.path = crack.path, .compliance = positive});
+      continue;
+    }
+    if (positive > 0)
+      cracks.push_back(
+          {.path = crack.path, .compliance = positive, .sense = OpeningSense::positive});
+    if (negative > 0)
+      cracks.push_back(
+          {.path = crack.path, .compliance = negative, .sense = OpeningSense::negative});
+  }
+}
+
+/// The maker's lines as pieces at the output (MO-14).
+CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, double shaft) {
+  const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
+  CatalogueSpring spring;
+  const std::array<double, 3> stiffness{lines.K1, lines.K2, lines.K3};
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+    spring.stiffness[i] = 1 / (step * step * (1 / stiffness[i] - shaft) + shaft);  // (MO-14)
+  const MakersTorques torques = makers_torques(gear);
+  spring.torque = {torques.T1 / step, torques.T2 / step};  // (MO-14)
+  return spring;
+}
+
+}  // namespace
+
+DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
+  check(gear);
+  if (!gear.drivetrain)
+    throw InputError("drivetrain",
+                     "must be given for a motion; give [drivetrain] with motor_inertia and "
+                     "load_inertia");
+  const Drivetrain& train = *gear.drivetrain;
+  DriveJoint made;
+  Joint& joint = made.joint;
+  const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
+  MemberSum sum;
+  const auto take = [&](const std::optional<MemberCompliance>& member, double& side,
+                        double member_step) {
+    if (!member) return;
+    if (!member->unusable_because.empty()) throw SolverError(member->unusable_because);
+    side += member->intact;
+    add_cracks(joint.cracks, *member, member_step);
+  };
+  std::optional<MemberCompliance> wave_generator;
+  std::optional<MemberCompliance> flexspline;
+  std::optional<MemberCompliance> shaft;
+  if (gear.wave_generator) wave_generator = wave_generator_compliance(gear);
+  if (gear.flexspline) flexspline = flexspline_compliance(gear);
+  if (gear.output_shaft) shaft = output_shaft_compliance(gear);
+  take(wave_generator, sum.flexspline_side, step);
+  take(flexspline, sum.flexspline_side, step);
+  take(shaft, sum.shaft, 1.0);
+  progress.at(0.1);
+  if (missing_for_torsion_curve(gear).empty()) {
+    made.springs = SpringModel::coupled_drive;
+    joint.spring = pieces_at_output(gear, makers_lines(without_cracks(gear)), sum.shaft);
+  } else {
+    joint.spring = LinearSpring{1 / (step * step * sum.flexspline_side + sum.shaft)};  // (MO-14)
+  }
+  made.notes = made.springs == SpringModel::coupled_drive ? AssembledDrive(gear).notes()
+                                                          : torsional_stiffness(gear).notes;
+  const GearInertias own = gear_inertias(gear);
+  const bool spline_turns = train.fixed == FixedMember::flexspline;
+  joint.ratio = signed_ratio(arrangement_of(train.fixed), gear.drive.ratio);
+  joint.input_inertia = train.motor_inertia + train.wave_generator_inertia.value_or(0.0);
+  joint.output_inertia = train.load_inertia + own.shaft +
+                         (spline_turns ? own.circular_spline : own.rim + own.hub);  // (MO-14)
+  joint.damping = train.gear_damping;
+  joint.input_damping = train.motor_damping;
+  joint.output_damping = train.load_damping;
+  joint.hysteresis = train.hysteresis;
+  joint.input_friction = train.friction;
+  joint.gravity_torque = train.gravity_torque;
+  joint.gravity_angle = train.gravity_angle;
+  joint.kinematic_error.orders = gear.kinematic_error;
+  if (train.coupling_stiffness)
+    made.notes.push_back(
+        {.code = "motion.rigid_coupling",
+         .text = "the coupling between motor and wave generator is rigid in a motion, because a "
+                 "joint has two inertias",
+         .path = "drivetrain.coupling_stiffness",
+         .equation = "MO-14",
+         .severity = Severity::care,
+         .next_step = "Compare with strainwave modes, which contains the coupling."});
+  for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack&) {
+    if constexpr (ContactCrack<Crack>)
+      made.notes.push_back(
+          {.code = "motion.contact_crack",
+           .text =
+               "this crack acts through the contacts of balls and teeth, and a motion leaves it "
+               "out",
+           .path = path,
+           .equation = "MO-14",
+           .severity = Severity::care,
+           .next_step = "Run strainwave torsion --compare, whose coupled drive contains this "
+                        "crack."});
+  });
+  if (!joint.cracks.empty())
+    made.notes.push_back(
+        {.code = "motion.breathing",
+         .text = "cracks open with the sense of the torque; that the wave opens and closes them in "
+                 "each turn is left out",
+         .path = "drivetrain",
+         .equation = "MO-5",
+         .severity = Severity::care});
+  return made;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/simulation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/roots.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/motion/simulate.hpp"
+#include "strainwave/study/drive_joint.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kRowsByDefault = 1000;
+constexpr double kFarTwist = 0.5;  // bracket of the equilibrium, far beyond any drive [rad]
+
+/// Input and load of a joint over the manoeuvres of a drive.
+void apply(const std::vector<Manoeuvre>& manoeuvres, Joint& joint) {
+  const bool by_speed = manoeuvres.front().input_speed.has_value();
+  Profile input{.time = {0.0}, .value = {0.0}};
+  double output = 0.0;
+  for (const Manoeuvre& piece : manoeuvres)
+    if (piece.output_torque) {
+      output = *piece.output_torque;
+      break;
+    }
+  Profile load{.time = {0.0}, .value = {output}};
+  double time = 0.0;
+  for (const Manoeuvre& piece : manoeuvres) {
+    time += piece.duration;
+    input.time.push_back(time);
+    input.value.push_back(by_speed ? *piece.input_speed : *piece.input_torque);
+    output = piece.output_torque.value_or(output);
+    load.time.push_back(time);
+    load.value.push_back(output);
+  }
+  joint.output_torque = std::move(load);
+  if (by_speed)
+    joint.input = GivenSpeed{std::move(input)};
+  else
+    joint.input = GivenTorque{std::move(input)};
+}
+
+/// The input at the angle 0 and the load where nothing accelerates it.
+JointState equilibrium(const Joint& joint) {
+  const auto accelerates = [&](double angle) {
+    return joint_rate(joint, 0.0, {.output_angle = angle}).output_acceleration;
+  };
+  return {.output_angle = bracketed_root(accelerates, -kFarTwist, kFarTwist)};
+}
+
+MotionSummary summary_of(const Motion& motion, const std::vector<MotionSample>& samples,
+                         const auto& error_of) {
+  MotionSummary summary{.last_error = error_of(motion.last),
+                        .lost_energy = motion.energy.lost,
+                        .imbalance = motion.energy.imbalance,
+                        .steps = static_cast<double>(motion.steps),
+                        .events = static_cast<double>(motion.event_count),
+                        .converged = motion.converged,
+                        .reason = motion.reason,
+                        .time_reached = motion.time_reached};
+  for (const MotionSample& sample : samples) {
+    const auto raise = [](double& most, double value) { most = std::max(most, std::abs(value)); };
+    raise(summary.largest_torque, sample.forces.torque);
+    raise(summary.largest_error, error_of(sample.state));
+    raise(summary.largest_input_torque, sample.forces.input_torque);
+  }
+  return summary;
+}
+
+}  // namespace
+
+SimulationReport simulation_report(const GearSet& gear, const SimulationSettings& settings,
+                                   const Progress& progress) {
+  if (gear.manoeuvre.empty())
+    throw InputError("manoeuvre",
+                     "must be given for a motion; give [[manoeuvre]] with duration and "
+                     "input_speed");
+  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1));
+  Joint& joint = made.joint;
+  apply(gear.manoeuvre, joint);
+  SimulationReport report;
+  report.springs = made.springs;
+  report.signed_ratio = joint.ratio;
+  report.duration = joint.output_torque.time.back();
+  require(settings.output_step >= 0 && std::isfinite(settings.output_step), "step",
+          settings.output_step, "s", "> 0");
+  SimulationOptions options{.duration = report.duration,
+                            .output_step = settings.output_step > 0
+                                               ? settings.output_step
+                                               : report.duration / kRowsByDefault,
+                            .tolerance = settings.tolerance};
+  require(options.output_step <= report.duration, "step", options.output_step, "s",
+          "at most the time of the motion");
+  require(options.output_step * kMostRows >= report.duration, "step", options.output_step, "s",
+          "at least a millionth of the motion");
+  const auto error_of = [&](const JointState& state) {
+    return state.output_angle - state.input_angle / joint.ratio;
+  };
+  const auto run = [&](const Joint& of, const Progress& part) {
+    std::vector<MotionSample> samples;
+    const Motion motion = simulate(
+        of, equilibrium(of), options,
+        [&](const MotionSample& sample) { samples.push_back(sample); }, part);
+    return std::pair(motion, std::move(samples));
+  };
+  const bool cracked = !joint.cracks.empty();
+  const auto [sound_motion, sound] = run(made.sound(), progress.part(0.1, cracked ? 0.55 : 1.0));
+  report.intact = summary_of(sound_motion, sound, error_of);
+  for (const MotionSample& at : sound)
+    report.rows.push_back({.time = at.time,
+                           .input_angle = at.state.input_angle,
+                           .input_speed = at.state.input_speed,
+                           .output_angle = at.state.output_angle,
+                           .output_speed = at.state.output_speed,
+                           .output_error = error_of(at.state),
+                           .torque = at.forces.torque,
+                           .input_torque = at.forces.input_torque});
+  if (cracked) {
+    const auto [motion, samples] = run(joint, progress.part(0.55, 1.0));
+    report.cracked = summary_of(motion, samples, error_of);
+    double most = 0.0;
+    for (std::size_t n = 0; n < std::min(samples.size(), report.rows.size()); ++n) {
+      SimulationRow& row = report.rows[n];
+      row.cracked_output_angle = samples[n].state.output_angle;
+      row.cracked_output_error = error_of(samples[n].state);
+      row.cracked_torque = samples[n].forces.torque;
+      row.cracked_input_torque = samples[n].forces.input_torque;
+      most = std::max(most, std::abs(*row.cracked_output_angle - row.output_angle));
+    }
+    report.largest_difference = most;
+  }
+  report.notes = std::move(made.notes);
+  const auto demand_end = [&](const MotionSummary& of, std::string_view words) {
+    if (of.converged) return;
+    report.notes.push_back({.code = "motion.not_finished",
+                            .text = fmt::format("the motion of the {} drive ends at {}: {}", words,
+                                                shown_quantity(of.time_reached, "s", 4), of.reason),
+                            .path = "manoeuvre",
+                            .equation = "MO-13",
+                            .severity = Severity::critical,
+                            .next_step = "Choose a larger --tolerance, or a shorter motion."});
+  };
+  demand_end(report.intact, "sound");
+  if (report.cracked) demand_end(*report.cracked, "cracked");
+  report.equations = {"MO-1", "MO-4", "MO-5", "MO-11", "MO-12", "MO-13", "MO-14"};
+  if (gear.drivetrain->hysteresis) report.equations.emplace_back("MO-8");
+  if (gear.drivetrain->friction) report.equations.emplace_back("MO-10");
+  return report;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/simulation_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/simulation.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/drive_joint.hpp"
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// A cracked shaft and flexspline between motor and load, by the sum of the members.
+GearSet summed_joint(const std::string& more = {}) {
+  return read_gear_set(R"(
+format = "strainwave-drive/1"
+[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+[drive]
+ratio = 100
+pitch_diameter = "160 mm"
+radial_displacement = "0.8 mm"
+[load]
+torque = "100 N*m"
+[flexspline]
+material = "steel"
+shape = "cup"
+wall_thickness = "2.24 mm"
+length = "160 mm"
+crack_free = "factor"
+[[flexspline.crack]]
+kind = "through"
+half_length = "10 mm"
+angle = "45 deg"
+[output_shaft]
+material = "steel"
+outer_diameter = "60 mm"
+length = "100 mm"
+[[output_shaft.crack]]
+kind = "annular"
+depth = "5 mm"
+[drivetrain]
+motor_inertia = "1e-4 kg*m^2"
+load_inertia = "1 kg*m^2"
+)" + more + R"(
+[[manoeuvre]]
+duration = "20 ms"
+input_speed = "0 rpm"
+)",
+                       "joint.toml");
+}
+
+GearSet curve_joint() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/joint_size25.toml"); }
+
+bool has_note(const std::vector<Note>& notes, const std::string& code) {
+  return std::ranges::find(notes, code, &Note::code) != notes.end();
+}
+
+TEST(SimulationReport, CrosscheckRestsWhereTheStiffnessSays) {
+  // (MO-5, MO-14): under a constant torque with the input at rest, the output stands at T_ext/K of
+  // the series model, for either sense, sound and cracked.  The load's torque on the drive is
+  // -T_ext.  The sum of the compliances is the same number; 1e-10 is the
+  // tolerance of the quadrature.
+  for (const double torque : {100.0, -100.0}) {
+    GearSet gear = summed_joint();
+    gear.manoeuvre[0].output_torque = torque;
+    const SimulationReport report = simulation_report(gear);
+    EXPECT_EQ(report.springs, SpringModel::members);
+    const StiffnessResult cracked = torsional_stiffness(gear);
+    const StiffnessResult sound = torsional_stiffness(without_cracks(gear));
+    const auto stiffness = [&](const StiffnessResult& of) {
+      return (torque < 0 ? of.positive : of.negative).stiffness.value;
+    };
+    for (const std::size_t n : {std::size_t{0}, report.rows.size() - 1}) {
+      const SimulationRow& row = report.rows[n];
+      EXPECT_NEAR(row.output_angle, torque / stiffness(sound), 1e-9 * std::abs(row.output_angle));
+      EXPECT_NEAR(*row.cracked_output_angle, torque / stiffness(cracked),
+                  1e-10 * std::abs(*row.cracked_output_angle));
+      EXPECT_NEAR(row.torque, -torque, 1e-6);
+    }
+    EXPECT_NE(cracked.positive.stiffness.value, cracked.negative.stiffness.value);
+  }
+}
+
+TEST(SimulationReport, CrosscheckVibratesWithTheFrequencyOfTheMode) {
+  // A torque that comes at once, within 1 ns: theta_L = T/K (1 - cos(2 pi f t)) with the locked f
+  // of the modes.
+  GearSet gear = without_cracks(summed_joint());
+  gear.manoeuvre.insert(gear.manoeuvre.begin(), {.duration = 1e-9, .input_speed = 0.0});
+  gear.manoeuvre[0].output_torque = 0.0;
+  gear.manoeuvre.insert(gear.manoeuvre.begin() + 1,
+                        {.duration = 1e-9, .input_speed = 0.0, .output_torque = 50.0});
+  const SimulationReport report = simulation_report(gear, {.tolerance = 1e-14});
+  const ModesReport modes = modes_report(gear);
+  const double frequency = modes.conditions[1].modes.front().intact.frequency;
+  const double still = 50 / modes.intact_stiffness;
+  for (const SimulationRow& row : report.rows)
+    EXPECT_NEAR(row.output_angle, still * (1 - std::cos(2 * pi * frequency * row.time)),
+                still * 2e-5);  // the nanoseconds before the torque is whole
+  EXPECT_LT(report.intact.imbalance, 1e-9);
+}
+
+TEST(SimulationReport, CrosscheckFixedFlexspline) {
+  // (MO-14, DY-10): the output is the circular spline; both twists at rest are those of the
+  // stiffness at the output that the modes use.
+  GearSet gear = summed_joint("fixed = \"flexspline\"\n");
+  gear.manoeuvre[0].output_torque = -100.0;
+  const SimulationReport report = simulation_report(gear);
+  const ModesReport modes = modes_report(gear);
+  EXPECT_EQ(report.signed_ratio, 101.0);
+  test::expect_relative(report.rows[0].output_angle, -100 / modes.intact_stiffness, 1e-12);
+  test::expect_relative(*report.rows[0].cracked_output_angle, -100 / *modes.cracked_stiffness,
+                        1e-12);
+}
+
+TEST(SimulationReport, CrosscheckMakersLinesOfTheCurve) {
+  // (MO-2, MO-14): at T1, T2 and T3 the sound drive stands at the twists of the torsion curve; with
+  // the flexspline fixed, at step times the twist under step times the torque, apart from the
+  // shaft.
+  GearSet gear = curve_joint();
+  const MakersLines lines = makers_lines(without_cracks(gear));
+  const MakersTorques torques = makers_torques(gear);
+  const double shaft = output_shaft_compliance(gear).intact;
+  for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
+    gear.drivetrain->fixed = fixed;
+    gear.drivetrain->hysteresis.reset();
+    const double step = fixed == FixedMember::circular_spline ? 1.0 : 100.0 / 101;
+    for (const auto& [torque, twist] :
+         {std::pair{torques.T1, lines.phi1}, {torques.T2, lines.phi2}, {torques.T3, lines.phi3}}) {
+      gear.kinematic_error.clear();
+      gear.manoeuvre = {{.duration = 0.01, .input_speed = 0.0, .output_torque = -torque / step}};
+      const SimulationReport report = simulation_report(gear);
+      EXPECT_EQ(report.springs, SpringModel::coupled_drive);
+      const double expected = step * (twist - shaft * torque) + shaft * torque / step;
+      test::expect_relative(-report.rows[0].output_angle, expected, 1e-9);
+    }
+  }
+}
+
+TEST(SimulationReport, BehaviourOfTheExample) {
+  const SimulationReport report = simulation_report(curve_joint());
+  EXPECT_EQ(report.rows.size(), 1001U);
+  EXPECT_EQ(report.rows.back().time, 0.5);
+  EXPECT_NEAR(report.rows[500].input_speed, 1300 * units::rpm, 1e-9);
+  EXPECT_NEAR(report.rows.back().input_speed, 0.0, 1e-9);
+  ASSERT_TRUE(report.cracked);
+  EXPECT_TRUE(report.cracked->converged);
+  double most = 0.0;
+  for (const SimulationRow& row : report.rows) most = std::max(most, std::abs(row.torque));
+  EXPECT_EQ(report.intact.largest_torque, most);
+  EXPECT_GT(*report.largest_difference, 0.0);
+  EXPECT_TRUE(has_note(report.notes, "motion.breathing"));
+  const std::string csv = simulation_csv(report);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1002);
+}
+
+TEST(SimulationReport, BehaviourNotesSayWhatAMotionLeavesOut) {
+  GearSet gear = curve_joint();
+  gear.drivetrain->coupling_stiffness = 2000;
+  CircularSplineRingCrack ring;
+  ring.depth = 1e-3;
+  gear.circular_spline->crack.emplace_back(ring);
+  const DriveJoint made = drive_joint(gear);
+  EXPECT_TRUE(has_note(made.notes, "motion.rigid_coupling"));
+  EXPECT_TRUE(has_note(made.notes, "motion.contact_crack"));
+  const DriveJoint sound = drive_joint(without_cracks(curve_joint()));
+  EXPECT_FALSE(has_note(sound.notes, "motion.contact_crack"));
+  EXPECT_FALSE(has_note(sound.notes, "motion.breathing"));
+  EXPECT_FALSE(simulation_report(without_cracks(summed_joint())).cracked);
+  // A motion that cannot be finished returns what it has.
+  GearSet moved = summed_joint();
+  moved.manoeuvre[0].input_speed = 100;
+  const SimulationReport stopped = simulation_report(moved, {.tolerance = 1e-60});
+  EXPECT_FALSE(stopped.intact.converged);
+  EXPECT_TRUE(has_note(stopped.notes, "motion.not_finished"));
+  EXPECT_GE(stopped.rows.size(), 1U);
+}
+
+TEST(SimulationReport, InputEachRuleBrokenOnce) {
+  const auto broken = [](const GearSet& gear, const SimulationSettings& settings = {}) {
+    return test::broken_rule([&] { (void)simulation_report(gear, settings); });
+  };
+  GearSet gear = summed_joint();
+  EXPECT_EQ(broken(gear), "no error");
+  EXPECT_NE(broken(gear, {.output_step = 1e-12}).find("millionth"), std::string::npos);
+  EXPECT_NE(broken(gear, {.output_step = -1}).find("step"), std::string::npos);
+  EXPECT_NE(broken(gear, {.output_step = 1}).find("at most the time of the motion"),
+            std::string::npos);
+  EXPECT_NE(broken(gear, {.tolerance = 0}).find("tolerance"), std::string::npos);
+  gear.manoeuvre.clear();
+  EXPECT_NE(broken(gear).find("[[manoeuvre]]"), std::string::npos);
+  gear = summed_joint();
+  gear.drivetrain.reset();
+  EXPECT_NE(broken(gear).find("[drivetrain]"), std::string::npos);
+  EXPECT_NE(test::broken_rule([&] {
+              gear.manoeuvre.clear();
+              (void)drive_joint(gear);
+            }).find("motor_inertia"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
