@@ -19,6 +19,8 @@ struct MemberSum {
   double shaft = 0.0;            ///< [rad/(N*m)]
 };
 
+/// Positive torque of the stiffness model acts on the output's end of the drive, so it is negative
+/// as the torque of the drive on its load (MO-14).
 void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& member, double step) {
   for (const CrackReport& crack : member.cracks) {
     const double positive = step * step * crack.positive.at_output.value;
@@ -29,10 +31,10 @@ void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& mem
     }
     if (positive > 0)
       cracks.push_back(
-          {.path = crack.path, .compliance = positive, .sense = OpeningSense::positive});
+          {.path = crack.path, .compliance = positive, .sense = OpeningSense::negative});
     if (negative > 0)
       cracks.push_back(
-          {.path = crack.path, .compliance = negative, .sense = OpeningSense::negative});
+          {.path = crack.path, .compliance = negative, .sense = OpeningSense::positive});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -105,12 +106,17 @@ TEST(BreathingCrack, InputEachRuleBrokenOnce) {
   EXPECT_NE(broken({.compliance = -1e-6}).find("crack[0].compliance"), std::string::npos);
   EXPECT_NE(broken({.opening = AngleOpening{.order = 0}}).find("crack[0].order"),
             std::string::npos);
-  EXPECT_NE(broken({.opening = AngleOpening{.order = 1, .phase = NAN}}).find("crack[0].phase"),
+  EXPECT_NE(broken({.opening = AngleOpening{.order = 1,
+                                            .phase = std::numeric_limits<double>::quiet_NaN()}})
+                .find("crack[0].phase"),
             std::string::npos);
   EXPECT_NE(broken({.opening = AngleOpening{.order = 1, .coefficients = {}}}).find("at least one"),
             std::string::npos);
-  EXPECT_NE(broken({.opening = AngleOpening{.order = 1, .coefficients = {NAN}}}).find("finite"),
-            std::string::npos);
+  EXPECT_NE(
+      broken({.opening = AngleOpening{.order = 1,
+                                      .coefficients = {std::numeric_limits<double>::quiet_NaN()}}})
+          .find("finite"),
+      std::string::npos);
   EXPECT_NE(
       broken({.opening = AngleOpening{.order = 1, .coefficients = {0.5, 0.6}}}).find("0 to 1"),
       std::string::npos);

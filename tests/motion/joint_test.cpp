@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -127,19 +128,30 @@ TEST(Joint, InputEachRuleBrokenOnce) {
   names([](Joint& j) { j.input_inertia = 0; }, "input_inertia");
   names([](Joint& j) { j.output_inertia = -1; }, "output_inertia");
   names([](Joint& j) { j.damping = -1; }, "damping");
-  names([](Joint& j) { j.input_damping = NAN; }, "input_damping");
+  names([](Joint& j) { j.input_damping = std::numeric_limits<double>::quiet_NaN(); },
+        "input_damping");
   names([](Joint& j) { j.output_damping = -1; }, "output_damping");
-  names([](Joint& j) { j.gravity_torque = INFINITY; }, "gravity_torque");
-  names([](Joint& j) { j.gravity_angle = NAN; }, "gravity_angle");
+  names([](Joint& j) { j.gravity_torque = std::numeric_limits<double>::infinity(); },
+        "gravity_torque");
+  names([](Joint& j) { j.gravity_angle = std::numeric_limits<double>::quiet_NaN(); },
+        "gravity_angle");
   names([](Joint& j) { j.spring = LinearSpring{0}; }, "stiffness");
   names([](Joint& j) { j.hysteresis = dahl(0, 1); }, "hysteresis");
   names([](Joint& j) { j.input_friction = LuGre{}; }, "friction");
   names([](Joint& j) { j.kinematic_error.orders[1].order = 0; }, "kinematic_error[1].order");
   names([](Joint& j) { j.kinematic_error.orders[1].amplitude = 0.02; }, "amplitude");
-  names([](Joint& j) { j.kinematic_error.orders[0].phase = NAN; }, "phase");
+  names(
+      [](Joint& j) {
+        j.kinematic_error.orders[0].phase = std::numeric_limits<double>::quiet_NaN();
+      },
+      "phase");
   names([](Joint& j) { j.cracks[0].compliance = -1; }, "crack[0].compliance");
   names([](Joint& j) { j.input = GivenTorque{}; }, "input.torque");
-  names([](Joint& j) { j.input = GivenTorque{{.value = {NAN}}}; }, "input.torque[0]");
+  names(
+      [](Joint& j) {
+        j.input = GivenTorque{{.value = {std::numeric_limits<double>::quiet_NaN()}}};
+      },
+      "input.torque[0]");
   names(
       [](Joint& j) {
         j.input = GivenSpeed{{.time = {0, 1}, .value = {1}}};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -368,7 +369,7 @@ TEST(Simulate, InputEachRuleBrokenOnce) {
                                      {&JointState::hysteresis, "hysteresis"},
                                      {&JointState::bristle, "bristle"}}) {
     JointState start;
-    start.*member = NAN;
+    start.*member = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(broken(sound, start).find(name), std::string::npos) << name;
   }
   EXPECT_NE(test::broken_rule([&] {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "strainwave/core/roots.hpp"
@@ -85,7 +86,9 @@ TEST(Spring, InputEachRuleBrokenOnce) {
   EXPECT_NE(broken(LinearSpring{0.0}).find("stiffness"), std::string::npos);
   EXPECT_NE(broken(CatalogueSpring{{0, 1, 1}, {1, 2}}).find("K1"), std::string::npos);
   EXPECT_NE(broken(CatalogueSpring{{1, -1, 1}, {1, 2}}).find("K2"), std::string::npos);
-  EXPECT_NE(broken(CatalogueSpring{{1, 1, NAN}, {1, 2}}).find("K3"), std::string::npos);
+  EXPECT_NE(
+      broken(CatalogueSpring{{1, 1, std::numeric_limits<double>::quiet_NaN()}, {1, 2}}).find("K3"),
+      std::string::npos);
   EXPECT_NE(broken(CatalogueSpring{{1, 1, 1}, {0, 2}}).find("T1"), std::string::npos);
   EXPECT_NE(broken(CatalogueSpring{{1, 1, 1}, {2, 2}}).find("larger than T1"), std::string::npos);
   EXPECT_NE(broken(CubicSpring{-1, 1}).find("stiffness"), std::string::npos);

@@ -73,8 +73,8 @@ bool has_note(const std::vector<Note>& notes, const std::string& code) {
 
 TEST(SimulationReport, CrosscheckRestsWhereTheStiffnessSays) {
   // (MO-5, MO-14): under a constant torque with the input at rest, the output stands at T_ext/K of
-  // the series model, for either sense, sound and cracked.  The load's torque on the drive is
-  // -T_ext.  The sum of the compliances is the same number; 1e-10 is the
+  // the series model, for either sense, sound and cracked.  Torque about +z on the output is
+  // positive in both.  The sum of the compliances is the same number; 1e-10 is the
   // tolerance of the quadrature.
   for (const double torque : {100.0, -100.0}) {
     GearSet gear = summed_joint();
@@ -84,7 +84,7 @@ TEST(SimulationReport, CrosscheckRestsWhereTheStiffnessSays) {
     const StiffnessResult cracked = torsional_stiffness(gear);
     const StiffnessResult sound = torsional_stiffness(without_cracks(gear));
     const auto stiffness = [&](const StiffnessResult& of) {
-      return (torque < 0 ? of.positive : of.negative).stiffness.value;
+      return (torque > 0 ? of.positive : of.negative).stiffness.value;
     };
     for (const std::size_t n : {std::size_t{0}, report.rows.size() - 1}) {
       const SimulationRow& row = report.rows[n];
@@ -119,12 +119,12 @@ TEST(SimulationReport, CrosscheckFixedFlexspline) {
   // (MO-14, DY-10): the output is the circular spline; both twists at rest are those of the
   // stiffness at the output that the modes use.
   GearSet gear = summed_joint("fixed = \"flexspline\"\n");
-  gear.manoeuvre[0].output_torque = -100.0;
+  gear.manoeuvre[0].output_torque = 100.0;
   const SimulationReport report = simulation_report(gear);
   const ModesReport modes = modes_report(gear);
   EXPECT_EQ(report.signed_ratio, 101.0);
-  test::expect_relative(report.rows[0].output_angle, -100 / modes.intact_stiffness, 1e-12);
-  test::expect_relative(*report.rows[0].cracked_output_angle, -100 / *modes.cracked_stiffness,
+  test::expect_relative(report.rows[0].output_angle, 100 / modes.intact_stiffness, 1e-12);
+  test::expect_relative(*report.rows[0].cracked_output_angle, 100 / *modes.cracked_stiffness,
                         1e-12);
 }
 
@@ -143,11 +143,11 @@ TEST(SimulationReport, CrosscheckMakersLinesOfTheCurve) {
     for (const auto& [torque, twist] :
          {std::pair{torques.T1, lines.phi1}, {torques.T2, lines.phi2}, {torques.T3, lines.phi3}}) {
       gear.kinematic_error.clear();
-      gear.manoeuvre = {{.duration = 0.01, .input_speed = 0.0, .output_torque = -torque / step}};
+      gear.manoeuvre = {{.duration = 0.01, .input_speed = 0.0, .output_torque = torque / step}};
       const SimulationReport report = simulation_report(gear);
       EXPECT_EQ(report.springs, SpringModel::coupled_drive);
       const double expected = step * (twist - shaft * torque) + shaft * torque / step;
-      test::expect_relative(-report.rows[0].output_angle, expected, 1e-9);
+      test::expect_relative(report.rows[0].output_angle, expected, 1e-9);
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -194,7 +195,9 @@ TEST(HysteresisInverse, InputTwistBeyondTheEnvelopes) {
   };
   EXPECT_NE(broken(0.1).find("within the twists of the envelopes"), std::string::npos);
   EXPECT_NE(broken(-0.1).find("within the twists of the envelopes"), std::string::npos);
-  EXPECT_NE(broken(NAN).find("within the twists of the envelopes"), std::string::npos);
+  EXPECT_NE(
+      broken(std::numeric_limits<double>::quiet_NaN()).find("within the twists of the envelopes"),
+      std::string::npos);
   EXPECT_EQ(memory.twist, 0.0);  // a refused twist changes nothing
 }
 
