@@ -193,7 +193,7 @@ GearInertias gear_inertias(const GearSet& gear) {
 }
 
 double flexspline_torque(FixedMember fixed, double ratio) {
-  return fixed == FixedMember::circular_spline ? 1.0 : ratio / (ratio + 1);  // (DY-10)
+  return fixed == FixedMember::circular_spline ? 1.0 : -ratio / (ratio + 1);  // (DY-10)
 }
 
 DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
@@ -218,7 +218,7 @@ DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
         {{motor, 1.0}, {wave, -1.0}});
   }
   const bool circular_spline_fixed = drivetrain.fixed == FixedMember::circular_spline;
-  const double step = circular_spline_fixed ? 1.0 : ratio / (ratio + 1);
+  const double step = flexspline_torque(drivetrain.fixed, ratio);
   // The drive has one time constant, c times its compliance at the output.
   const double time =
       drivetrain.gear_damping * (step * step * (springs.mesh + springs.body) + springs.shaft);
@@ -241,7 +241,7 @@ DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
     made.join(spring("body", springs.body), body, {{rim, 1.0}, {output, -1.0}});
   } else {
     made.join(spring("mesh", springs.mesh), mesh,
-              {{wave, 1 / ratio}, {rim, 1.0}, {output, -1 / step}});
+              {{wave, 1 / ratio}, {rim, 1.0}, {output, 1 / step}});
     made.join(spring("body", springs.body), body, {{rim, 1.0}});
   }
   made.join(spring("shaft", springs.shaft), shaft, {{output, 1.0}, {load, -1.0}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/drive_joint.hpp"
 
-#include <fmt/format.h>
+#include <cmath>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/dynamics/drivetrain_chain.hpp"
@@ -19,9 +19,13 @@ struct MemberSum {
   double shaft = 0.0;            ///< [rad/(N*m)]
 };
 
-/// Positive torque of the stiffness model acts on the output's end of the drive, so it is negative
-/// as the torque of the drive on its load (MO-14).
+/// @param step  torque of the member over the torque on the output, with sign [-].  The torque of
+/// the
+///              drive on its load has the opposite sign (MO-14)
 void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& member, double step) {
+  const bool turned = step < 0;
+  const OpeningSense under_positive = turned ? OpeningSense::positive : OpeningSense::negative;
+  const OpeningSense under_negative = turned ? OpeningSense::negative : OpeningSense::positive;
   for (const CrackReport& crack : member.cracks) {
     const double positive = step * step * crack.positive.at_output.value;
     const double negative = step * step * crack.negative.at_output.value;
@@ -30,12 +34,22 @@ void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& mem
       continue;
     }
     if (positive > 0)
-      cracks.push_back(
-          {.path = crack.path, .compliance = positive, .sense = OpeningSense::negative});
+      cracks.push_back({.path = crack.path, .compliance = positive, .sense = under_positive});
     if (negative > 0)
-      cracks.push_back(
-          {.path = crack.path, .compliance = negative, .sense = OpeningSense::positive});
+      cracks.push_back({.path = crack.path, .compliance = negative, .sense = under_negative});
   }
+}
+
+Note contact_note(const std::string& path) {
+  return {
+      .code = "motion.contact_crack",
+      .text =
+          "this crack acts through the contacts of balls and teeth, and a motion leaves it "
+          "out",
+      .path = path,
+      .equation = "MO-14",
+      .severity = Severity::care,
+      .next_step = "Run strainwave torsion --compare, whose coupled drive contains this crack."};
 }
 
 /// The maker's lines as pieces at the output (MO-14).
@@ -46,7 +60,7 @@ CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, 
   for (std::size_t i = 0; i < stiffness.size(); ++i)
     spring.stiffness[i] = 1 / (step * step * (1 / stiffness[i] - shaft) + shaft);  // (MO-14)
   const MakersTorques torques = makers_torques(gear);
-  spring.torque = {torques.T1 / step, torques.T2 / step};  // (MO-14)
+  spring.torque = {torques.T1 / std::abs(step), torques.T2 / std::abs(step)};  // (MO-14)
   return spring;
 }
 
@@ -64,30 +78,34 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
   const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
   MemberSum sum;
   const auto take = [&](const std::optional<MemberCompliance>& member, double& side,
-                        double member_step) {
+                        double member_step, bool cracks_in_contacts) {
     if (!member) return;
     if (!member->unusable_because.empty()) throw SolverError(member->unusable_because);
     side += member->intact;
-    add_cracks(joint.cracks, *member, member_step);
+    if (!cracks_in_contacts) {
+      add_cracks(joint.cracks, *member, member_step);
+      return;
+    }
+    for (const CrackReport& crack : member->cracks) made.notes.push_back(contact_note(crack.path));
   };
+  const bool coupled = missing_for_torsion_curve(gear).empty();
+  made.notes = coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
   std::optional<MemberCompliance> wave_generator;
   std::optional<MemberCompliance> flexspline;
   std::optional<MemberCompliance> shaft;
   if (gear.wave_generator) wave_generator = wave_generator_compliance(gear);
   if (gear.flexspline) flexspline = flexspline_compliance(gear);
   if (gear.output_shaft) shaft = output_shaft_compliance(gear);
-  take(wave_generator, sum.flexspline_side, step);
-  take(flexspline, sum.flexspline_side, step);
-  take(shaft, sum.shaft, 1.0);
+  take(wave_generator, sum.flexspline_side, step, coupled);
+  take(flexspline, sum.flexspline_side, step, false);
+  take(shaft, sum.shaft, 1.0, false);
   progress.at(0.1);
-  if (missing_for_torsion_curve(gear).empty()) {
+  if (coupled) {
     made.springs = SpringModel::coupled_drive;
     joint.spring = pieces_at_output(gear, makers_lines(without_cracks(gear)), sum.shaft);
   } else {
     joint.spring = LinearSpring{1 / (step * step * sum.flexspline_side + sum.shaft)};  // (MO-14)
   }
-  made.notes = made.springs == SpringModel::coupled_drive ? AssembledDrive(gear).notes()
-                                                          : torsional_stiffness(gear).notes;
   const GearInertias own = gear_inertias(gear);
   const bool spline_turns = train.fixed == FixedMember::flexspline;
   joint.ratio = signed_ratio(arrangement_of(train.fixed), gear.drive.ratio);
@@ -112,17 +130,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
          .severity = Severity::care,
          .next_step = "Compare with strainwave modes, which contains the coupling."});
   for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack&) {
-    if constexpr (ContactCrack<Crack>)
-      made.notes.push_back(
-          {.code = "motion.contact_crack",
-           .text =
-               "this crack acts through the contacts of balls and teeth, and a motion leaves it "
-               "out",
-           .path = path,
-           .equation = "MO-14",
-           .severity = Severity::care,
-           .next_step = "Run strainwave torsion --compare, whose coupled drive contains this "
-                        "crack."});
+    if constexpr (ContactCrack<Crack>) made.notes.push_back(contact_note(path));
   });
   if (!joint.cracks.empty())
     made.notes.push_back(

@@ -19,18 +19,18 @@ namespace strainwave {
 namespace {
 
 /// The three springs of a drive.
-enum class Spring { mesh, body, shaft };
+enum class SpringPlace { mesh, body, shaft };
 
 /// A crack that is a spring of its own.
 struct SeriesCrack {
   std::string path;
-  Spring spring = Spring::mesh;
+  SpringPlace spring = SpringPlace::mesh;
   double compliance = 0.0;  ///< at the output, circular spline fixed [rad/(N*m)]; > 0
 };
 
 struct Member {
   std::string name;
-  Spring spring = Spring::mesh;
+  SpringPlace spring = SpringPlace::mesh;
   double compliance = 0.0;  ///< at the output, circular spline fixed [rad/(N*m)]
 };
 
@@ -40,7 +40,7 @@ struct Members {
   std::vector<SeriesCrack> cracks;
 };
 
-double sum_of(const std::vector<Member>& members, Spring spring) {
+double sum_of(const std::vector<Member>& members, SpringPlace spring) {
   double sum = 0.0;
   for (const Member& member : members)
     if (member.spring == spring) sum += member.compliance;
@@ -48,25 +48,26 @@ double sum_of(const std::vector<Member>& members, Spring spring) {
 }
 
 DriveSprings springs_of(const std::vector<Member>& members) {
-  return {.mesh = sum_of(members, Spring::mesh),
-          .body = sum_of(members, Spring::body),
-          .shaft = sum_of(members, Spring::shaft)};
+  return {.mesh = sum_of(members, SpringPlace::mesh),
+          .body = sum_of(members, SpringPlace::body),
+          .shaft = sum_of(members, SpringPlace::shaft)};
 }
 
-double part_of(const DrivetrainChain::Parts& parts, Spring spring) {
+double part_of(const DrivetrainChain::Parts& parts, SpringPlace spring) {
   switch (spring) {
-    case Spring::mesh:
+    case SpringPlace::mesh:
       return parts.mesh;
-    case Spring::body:
+    case SpringPlace::body:
       return parts.body;
-    case Spring::shaft:
+    case SpringPlace::shaft:
       break;
   }
   return parts.shaft;
 }
 
 /// The cracks of a member that are open under the sense of a torque.
-std::vector<SeriesCrack> open_cracks(const MemberCompliance& member, Spring spring, double torque) {
+std::vector<SeriesCrack> open_cracks(const MemberCompliance& member, SpringPlace spring,
+                                     double torque) {
   std::vector<SeriesCrack> open;
   for (const CrackReport& crack : member.cracks) {
     const double compliance = (torque >= 0 ? crack.positive : crack.negative).at_output.value;
@@ -82,30 +83,34 @@ double sum_of(const std::vector<SeriesCrack>& cracks) {
 }
 
 /// The members by the sum.
-Members summed_members(const GearSet& gear, double torque) {
+/// @param torque  of the flexspline; @param output_torque  of the output shaft [N*m]
+Members summed_members(const GearSet& gear, double torque, double output_torque) {
   Members made;
-  const auto add = [&](std::string_view name, Spring spring, const MemberCompliance& of) {
+  const auto add = [&](std::string_view name, SpringPlace spring, double torque_of,
+                       const MemberCompliance& of) {
     if (!of.unusable_because.empty()) throw SolverError(of.unusable_because);
-    const std::vector<SeriesCrack> open = open_cracks(of, spring, torque);
+    const std::vector<SeriesCrack> open = open_cracks(of, spring, torque_of);
     made.members.push_back({std::string(name), spring, of.intact + sum_of(open)});
     made.cracks.insert(made.cracks.end(), open.begin(), open.end());
   };
-  if (gear.wave_generator) add("wave generator", Spring::mesh, wave_generator_compliance(gear));
-  if (gear.flexspline) add("flexspline", Spring::body, flexspline_compliance(gear));
-  if (gear.output_shaft) add("output shaft", Spring::shaft, output_shaft_compliance(gear));
+  if (gear.wave_generator)
+    add("wave generator", SpringPlace::mesh, torque, wave_generator_compliance(gear));
+  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(gear));
+  if (gear.output_shaft)
+    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(gear));
   return made;
 }
 
-Spring spring_of(CurveMember member) {
+SpringPlace spring_of(CurveMember member) {
   switch (member) {
     case CurveMember::barrel:
     case CurveMember::diaphragm:
     case CurveMember::rim_shear:
     case CurveMember::boss_and_flange:
     case CurveMember::series_cracks:
-      return Spring::body;
+      return SpringPlace::body;
     case CurveMember::output_shaft:
-      return Spring::shaft;
+      return SpringPlace::shaft;
     case CurveMember::balls:
     case CurveMember::rim_bending:
     case CurveMember::outer_ring_bending:
@@ -116,11 +121,11 @@ Spring spring_of(CurveMember member) {
     case CurveMember::circular_spline:
       break;
   }
-  return Spring::mesh;
+  return SpringPlace::mesh;
 }
 
 /// The members by the tangent of the torsion curve.
-Members coupled_members(const AssembledDrive& drive, double torque) {
+Members coupled_members(const AssembledDrive& drive, double torque, double output_torque) {
   const TorsionCurve curve = torsion_curve(drive, std::array{torque});
   if (!curve.usable()) throw SolverError(curve.unusable_because);
   const CurvePoint& at = curve.points.front();
@@ -140,10 +145,11 @@ Members coupled_members(const AssembledDrive& drive, double torque) {
     made.members.push_back({std::move(name), spring_of(member), compliance});
   }
   // The cracks in line are those of flexspline and shaft, and each acts where it is.
-  if (gear.flexspline) made.cracks = open_cracks(flexspline_compliance(gear), Spring::body, torque);
+  if (gear.flexspline)
+    made.cracks = open_cracks(flexspline_compliance(gear), SpringPlace::body, torque);
   if (gear.output_shaft) {
     const std::vector<SeriesCrack> of_shaft =
-        open_cracks(output_shaft_compliance(gear), Spring::shaft, torque);
+        open_cracks(output_shaft_compliance(gear), SpringPlace::shaft, output_torque);
     for (Member& member : made.members) {
       if (member.name == "series cracks") member.compliance -= sum_of(of_shaft);
       if (member.name == "output shaft") member.compliance += sum_of(of_shaft);
@@ -157,13 +163,13 @@ Members coupled_members(const AssembledDrive& drive, double torque) {
   return made;
 }
 
-double compliance_of(const DriveSprings& springs, Spring spring) {
+double compliance_of(const DriveSprings& springs, SpringPlace spring) {
   switch (spring) {
-    case Spring::mesh:
+    case SpringPlace::mesh:
       return springs.mesh;
-    case Spring::body:
+    case SpringPlace::body:
       return springs.body;
-    case Spring::shaft:
+    case SpringPlace::shaft:
       break;
   }
   return springs.shaft;
@@ -172,7 +178,7 @@ double compliance_of(const DriveSprings& springs, Spring spring) {
 /// Share of the elastic energy of a mode in a part of a spring of the drive (DY-4) [-].
 /// @param compliance  of the part [rad/(N*m)]
 double share_of(const DrivetrainChain& made, const std::vector<Member>& members,
-                const ChainMode& mode, Spring spring, double compliance) {
+                const ChainMode& mode, SpringPlace spring, double compliance) {
   double share = 0.0;
   for (std::size_t s = 0; s < made.parts.size(); ++s)
     share += mode.energy_share[s] * part_of(made.parts[s], spring);
@@ -427,8 +433,8 @@ ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
     const double at_flexspline =
         flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio) * report.torque;
     return vibrating(gear, report.springs == SpringModel::coupled_drive
-                               ? coupled_members(AssembledDrive(of), at_flexspline)
-                               : summed_members(of, at_flexspline));
+                               ? coupled_members(AssembledDrive(of), at_flexspline, report.torque)
+                               : summed_members(of, at_flexspline, report.torque));
   };
   const Vibrating intact = vibrating_drive(without_any_crack(gear));
   report.intact_stiffness = stiffness_at_output(gear, intact.members);

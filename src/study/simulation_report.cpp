@@ -17,7 +17,10 @@ namespace strainwave {
 namespace {
 
 constexpr double kRowsByDefault = 1000;
-constexpr double kFarTwist = 0.5;  // bracket of the equilibrium, far beyond any drive [rad]
+constexpr double kFirstTwist = 1e-3;        // half of the first bracket of the equilibrium [rad]
+constexpr double kFarTwist = 1.0;           // beyond it the equilibrium is not looked for [rad]
+constexpr double kLargestTolerance = 1e-5;  // [rad]
+constexpr double kLargestImbalance = 1e-4;  // of the energy of a usable motion [-]
 
 /// Input and load of a joint over the manoeuvres of a drive.
 void apply(const std::vector<Manoeuvre>& manoeuvres, Joint& joint) {
@@ -51,7 +54,20 @@ JointState equilibrium(const Joint& joint) {
   const auto accelerates = [&](double angle) {
     return joint_rate(joint, 0.0, {.output_angle = angle}).output_acceleration;
   };
-  return {.output_angle = bracketed_root(accelerates, -kFarTwist, kFarTwist)};
+  double far = kFirstTwist;
+  while (far < kFarTwist && !(accelerates(-far) > 0 && accelerates(far) < 0)) far *= 2;
+  if (far >= kFarTwist)
+    throw InputError("manoeuvre[0].output_torque",
+                     fmt::format("twists the drive at rest by more than {:g} rad, together with "
+                                 "gravity; give a torque that the drive can bear",
+                                 kFarTwist / 2));
+  return {.output_angle = bracketed_root(accelerates, -far, far)};
+}
+
+/// Begins a given torque with the one that holds the load.
+void hold(Joint& joint, const JointState& start) {
+  if (auto* const given = std::get_if<GivenTorque>(&joint.input))
+    given->torque.value.front() = -joint_rate(joint, 0.0, start).forces.reaction;
 }
 
 MotionSummary summary_of(const Motion& motion, const std::vector<MotionSample>& samples,
@@ -95,18 +111,21 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
                                                ? settings.output_step
                                                : report.duration / kRowsByDefault,
                             .tolerance = settings.tolerance};
+  require(settings.tolerance > 0 && settings.tolerance <= kLargestTolerance, "--tolerance",
+          settings.tolerance, "rad", "> 0 and <= 1e-5 rad");
   require(options.output_step <= report.duration, "step", options.output_step, "s",
           "at most the time of the motion");
-  require(options.output_step * kMostRows >= report.duration, "step", options.output_step, "s",
-          "at least a millionth of the motion");
+  require(options.output_step * kMostRows >= report.duration * (1 - 1e-9), "step",
+          options.output_step, "s", "at least a millionth of the motion");
   const auto error_of = [&](const JointState& state) {
     return state.output_angle - state.input_angle / joint.ratio;
   };
-  const auto run = [&](const Joint& of, const Progress& part) {
+  const auto run = [&](Joint of, const Progress& part) {
     std::vector<MotionSample> samples;
+    const JointState start = equilibrium(of);
+    hold(of, start);
     const Motion motion = simulate(
-        of, equilibrium(of), options,
-        [&](const MotionSample& sample) { samples.push_back(sample); }, part);
+        of, start, options, [&](const MotionSample& sample) { samples.push_back(sample); }, part);
     return std::pair(motion, std::move(samples));
   };
   const bool cracked = !joint.cracks.empty();
@@ -137,7 +156,19 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   }
   report.notes = std::move(made.notes);
   const auto demand_end = [&](const MotionSummary& of, std::string_view words) {
-    if (of.converged) return;
+    if (of.converged) {
+      if (of.imbalance <= kLargestImbalance) return;
+      report.notes.push_back(
+          {.code = "motion.imbalance",
+           .text = fmt::format("the energy of the {} drive does not balance: {} of what was "
+                               "exchanged is missing",
+                               words, shown_number(of.imbalance, 2)),
+           .path = "manoeuvre",
+           .equation = "MO-12",
+           .severity = Severity::critical,
+           .next_step = "Choose a smaller --tolerance."});
+      return;
+    }
     report.notes.push_back({.code = "motion.not_finished",
                             .text = fmt::format("the motion of the {} drive ends at {}: {}", words,
                                                 shown_quantity(of.time_reached, "s", 4), of.reason),

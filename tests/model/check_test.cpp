@@ -935,6 +935,9 @@ TEST(Check, InputAMotion) {
             "kinematic_error[0].order = 0 violates: > 0");
   EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].duration = 0; }),
             "manoeuvre[1].duration = 0 s violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].duration = 1e-20; }),
+            "manoeuvre[1].duration = 1e-20 s violates: long enough to move the time of the pieces "
+            "before");
   EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[0].input_torque = 1.0; }),
             "manoeuvre[0]: must have either input_speed or input_torque");
   EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].input_speed.reset(); }),

@@ -285,6 +285,23 @@ TEST(Simulate, BehaviourFrictionSticksAndSlips) {
   EXPECT_GT(motion.energy.lost, 0.0);
 }
 
+TEST(Simulate, ConvergenceOfAStiffBristle) {
+  // The error of a bristle counts as the angle that its torque causes, so a stiff one is as exact.
+  Joint joint{
+      .ratio = 100, .input_inertia = 1e-4, .output_inertia = 1, .spring = LinearSpring{5e4}};
+  joint.input_friction = LuGre{.bristle_stiffness = 1e4,
+                               .bristle_damping = 0.5,
+                               .coulomb = 0.03,
+                               .breakaway = 0.05,
+                               .stribeck_speed = 2};
+  joint.output_torque = {.time = {0.0, 0.01}, .value = {0.0, 2.0}};
+  const auto lost = [&](double tolerance) {
+    return simulate(joint, {}, {.duration = 0.05, .output_step = 0.05, .tolerance = tolerance})
+        .energy.lost;
+  };
+  test::expect_relative(lost(1e-9), lost(1e-12), 1e-2);
+}
+
 TEST(Simulate, ConvergenceWithTheTolerance) {
   // (MO-13): Each decade of the tolerance of a step of fifth order takes 10^(1/5) = 1.58 times the
   // steps.

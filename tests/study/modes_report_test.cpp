@@ -88,10 +88,12 @@ TEST(ModesReport, CrosscheckTwoInertiasOnTheSumOfTheMembers) {
     EXPECT_EQ(report.springs, SpringModel::members);
     EXPECT_EQ(report.signed_ratio, 101.0);
     const StiffnessResult sum = torsional_stiffness(gear);
-    const Compliances& of = (sense > 0 ? sum.positive : sum.negative).compliance;
+    // The housing holds the flexspline with the opposite torque (DY-10).
+    const Compliances& hub = (sense > 0 ? sum.negative : sum.positive).compliance;
+    const Compliances& shaft = (sense > 0 ? sum.positive : sum.negative).compliance;
     const double step = 100.0 / 101;
-    const double K =
-        1 / (step * step * (of.wave_generator.value + of.flexspline.value) + of.output_shaft.value);
+    const double K = 1 / (step * step * (hub.wave_generator.value + hub.flexspline.value) +
+                          shaft.output_shaft.value);
     test::expect_relative(*report.cracked_stiffness, K, 1e-9);
     test::expect_relative(first(report, MotorGives::torque).cracked->frequency,
                           free_frequency(K, 9.13e-5, 1.2, 101), 1e-9);

@@ -128,6 +128,36 @@ TEST(SimulationReport, CrosscheckFixedFlexspline) {
                         1e-12);
 }
 
+TEST(SimulationReport, IdentityOfTheSenseThatOpensACrack) {
+  // (DY-10, MO-14): positive torque on the hub of the flexspline opens a crack at +45 degrees. With
+  // the flexspline fixed, the housing holds the hub with the opposite torque.
+  for (const bool spline_fixed : {true, false}) {
+    GearSet gear = summed_joint(spline_fixed ? "" : "fixed = \"flexspline\"\n");
+    gear.output_shaft->crack.clear();
+    for (const double torque : {100.0, -100.0}) {
+      gear.manoeuvre[0].output_torque = torque;
+      const SimulationReport report = simulation_report(gear);
+      const bool opens = (torque > 0) == spline_fixed;
+      EXPECT_EQ(*report.largest_difference > 1e-9, opens) << spline_fixed << torque;
+      const ModesReport modes = modes_report(gear, torque);
+      EXPECT_EQ(modes.conditions[1].modes.front().change.value() < -1e-6, opens);
+    }
+  }
+}
+
+TEST(SimulationReport, IdentityAGivenTorqueBeginsByHoldingTheLoad) {
+  GearSet gear = summed_joint();
+  // The circular spline is fixed, so the ratio is -100 and the motor holds T_ext/100.
+  gear.manoeuvre = {{.duration = 0.1, .input_torque = 0.4, .output_torque = 40.0}};
+  const SimulationReport report = simulation_report(gear);
+  for (const SimulationRow& row : report.rows) {
+    EXPECT_NEAR(row.input_torque, 0.4, 1e-9);
+    EXPECT_NEAR(row.output_angle, report.rows.front().output_angle, 1e-12);
+    EXPECT_NEAR(row.input_angle, 0.0, 1e-9);
+  }
+  EXPECT_LT(report.intact.imbalance, 1e-4);
+}
+
 TEST(SimulationReport, CrosscheckMakersLinesOfTheCurve) {
   // (MO-2, MO-14): at T1, T2 and T3 the sound drive stands at the twists of the torsion curve; with
   // the flexspline fixed, at step times the twist under step times the torque, apart from the
@@ -164,6 +194,9 @@ TEST(SimulationReport, BehaviourOfTheExample) {
   for (const SimulationRow& row : report.rows) most = std::max(most, std::abs(row.torque));
   EXPECT_EQ(report.intact.largest_torque, most);
   EXPECT_GT(*report.largest_difference, 0.0);
+  // The motor brakes to the end, and the last row shows this too.
+  const auto end = report.rows.end();
+  EXPECT_NEAR(end[-1].input_torque, 2 * end[-2].input_torque - end[-3].input_torque, 2e-3);
   EXPECT_TRUE(has_note(report.notes, "motion.breathing"));
   const std::string csv = simulation_csv(report);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1002);
@@ -189,6 +222,21 @@ TEST(SimulationReport, BehaviourNotesSayWhatAMotionLeavesOut) {
   EXPECT_FALSE(stopped.intact.converged);
   EXPECT_TRUE(has_note(stopped.notes, "motion.not_finished"));
   EXPECT_GE(stopped.rows.size(), 1U);
+  EXPECT_FALSE(has_note(stopped.notes, "motion.imbalance"));
+  // A race crack acts in the contacts of the coupled drive.
+  GearSet race = curve_joint();
+  RaceSurfaceCrack crack;
+  crack.depth = 1e-4;
+  crack.aspect_ratio = 0.5;
+  race.wave_generator->crack.emplace_back(crack);
+  const DriveJoint raced = drive_joint(race);
+  EXPECT_TRUE(has_note(raced.notes, "motion.contact_crack"));
+  EXPECT_EQ(raced.joint.cracks.size(), drive_joint(curve_joint()).joint.cracks.size());
+  // A load far too light for the tolerance: steps of a whole period lose the energy.
+  GearSet light = without_cracks(summed_joint());
+  light.manoeuvre = {{.duration = 0.2, .input_speed = 300.0}};
+  light.kinematic_error = {{.order = 2, .amplitude = 2e-6}};
+  EXPECT_TRUE(has_note(simulation_report(light, {.tolerance = 1e-5}).notes, "motion.imbalance"));
 }
 
 TEST(SimulationReport, InputEachRuleBrokenOnce) {
@@ -202,6 +250,9 @@ TEST(SimulationReport, InputEachRuleBrokenOnce) {
   EXPECT_NE(broken(gear, {.output_step = 1}).find("at most the time of the motion"),
             std::string::npos);
   EXPECT_NE(broken(gear, {.tolerance = 0}).find("tolerance"), std::string::npos);
+  EXPECT_NE(broken(gear, {.tolerance = 1.1e-5}).find("<= 1e-5 rad"), std::string::npos);
+  gear.manoeuvre[0].output_torque = 1e9;
+  EXPECT_NE(broken(gear).find("manoeuvre[0].output_torque: twists the drive"), std::string::npos);
   gear.manoeuvre.clear();
   EXPECT_NE(broken(gear).find("[[manoeuvre]]"), std::string::npos);
   gear = summed_joint();

@@ -34,7 +34,8 @@ struct GearInertias {
 /// part whose material has no density has no inertia.
 [[nodiscard]] GearInertias gear_inertias(const GearSet& gear);
 
-/// Torque of the flexspline over that of the output [-]; (DY-10).
+/// Torque of the flexspline over that of the output, with sign [-]; (DY-10).  Torques act about +z
+/// on the output of the gear, and on the hub of the flexspline.
 /// @param ratio  i, without sign [-]; > 0
 [[nodiscard]] double flexspline_torque(FixedMember fixed, double ratio);
 

@@ -11,7 +11,7 @@ namespace strainwave {
 /// Hysteresis torque parallel to the spring, z' = A v - beta |v| |z|^(n-1) z - gamma v |z|^n, by
 /// Bouc and Wen (MO-8).  v is the rate of the twist.
 struct BoucWen {
-  double stiffness = 0.0;  ///< A, slope after a reversal [N*m/rad]; > 0
+  double stiffness = 0.0;  ///< A, slope where z is zero [N*m/rad]; > 0
   double limit = 0.0;      ///< F_c, largest torque, (A/(beta + gamma))^(1/n) [N*m]; > 0
   double exponent = 1.0;   ///< n [-]; >= 1
   /// gamma/(beta + gamma) [-]; <= 1/2, so that every closed path loses energy; 0 and n = 1: Dahl
@@ -24,7 +24,8 @@ struct BoucWen {
   static void describe(Visitor&& field) {
     field(Field{.name = "stiffness",
                 .unit = "N*m/rad",
-                .doc = "slope of the torque over the twist behind a reversal",
+                .doc = "slope over the twist where the torque of the hysteresis is zero; behind a "
+                       "full reversal Dahl's model is twice as stiff",
                 .range = kPositive,
                 .example = R"("1e5 N*m/rad")"},
           &BoucWen::stiffness);

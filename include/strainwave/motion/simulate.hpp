@@ -55,9 +55,10 @@ struct MotionEnergy {
   double at_end = 0.0;    ///< stored [J]
   double supplied = 0.0;  ///< work of the input and of T_ext [J]
   double lost = 0.0;      ///< in damping and friction, or stored in the hysteresis [J]
-  /// absolute powers over time: what the balance is compared with [J]
+  /// kinetic energy that came and went, with supplied and lost: what the balance is compared with
+  /// [J]
   double exchanged = 0.0;
-  /// |at_end - at_start - supplied + lost|/exchanged [-]; 0 if nothing was exchanged
+  /// |at_end - at_start - supplied + lost| over `exchanged` and 1e-9 of the stored energy [-]
   double imbalance = 0.0;
 };
 

@@ -26,7 +26,6 @@ struct SimulateOptions {
 SimulationReport simulation_of(const Request& request, const SimulateOptions& options) {
   SimulationSettings settings;
   settings.tolerance = parse_quantity("--tolerance", options.tolerance, "rad");
-  require(settings.tolerance > 0, "--tolerance", settings.tolerance, "rad", "> 0");
   if (options.step) {
     settings.output_step = parse_quantity("--step", *options.step, "s");
     require(settings.output_step > 0, "--step", settings.output_step, "s", "> 0");

@@ -119,12 +119,16 @@ void check_drivetrain(const GearSet& gear) {
 
 void check_manoeuvres(const GearSet& gear) {
   const FieldPath pieces("manoeuvre");
+  double time = 0.0;
   if (!gear.manoeuvre.empty() && !gear.drivetrain)
     throw InputError(pieces[0].text(),
                      "needs [drivetrain], the inertias that the manoeuvres move; give it");
   for (std::size_t i = 0; i < gear.manoeuvre.size(); ++i) {
     const Manoeuvre& piece = gear.manoeuvre[i];
     const FieldPath at = pieces[i];
+    require(time + piece.duration > time, (at / "duration").text(), piece.duration, "s",
+            "long enough to move the time of the pieces before");
+    time += piece.duration;
     if (piece.input_speed.has_value() == piece.input_torque.has_value())
       throw InputError(at.text(), "must have either input_speed or input_torque");
     if (piece.input_speed.has_value() != gear.manoeuvre.front().input_speed.has_value())

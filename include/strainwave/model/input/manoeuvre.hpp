@@ -31,7 +31,7 @@ struct Manoeuvre {
     field(Field{.name = "input_torque",
                 .unit = "N*m",
                 .doc = "torque of the motor at the end of the piece, in place of input_speed; the "
-                       "motion begins without torque",
+                       "motion begins with the torque that holds the load",
                 .example = R"("0.5 N*m")",
                 .in_template = InTemplate::commented},
           &Manoeuvre::input_torque);
