@@ -6,8 +6,8 @@
     benchmarks/compare.py
 
 Prints the time of one full corrected evaluation of the article's three-crack drive by both, and of
-the torsion curve of a drive of size 25, and of a life by Paris' law against scipy's `quad`, their ratios, whether they agree, and how long the program
-takes to start.  The exit status is 1 if a goal of `GOALS` is missed.  Run the script on a quiet machine.
+the torsion curve of a drive of size 25, of a life by Paris' law against scipy's `quad`, and of the motion of a joint
+against four methods of scipy, their ratios, whether they agree, and how long the program takes to start.  The exit status is 1 if a goal of `GOALS` is missed.  Run the script on a quiet machine.
 """
 import json
 import os
@@ -22,13 +22,15 @@ PROGRAM = ROOT / "build/fe/apps/cli/strainwave"
 BENCHMARKS = ROOT / "build/benchmark/benchmarks/strainwave_benchmarks"
 PEER = ROOT / "benchmarks/peer/three_crack_drive.py"
 LIFE_PEER = ROOT / "benchmarks/peer/crack_life_peer.py"
+MOTION_PEER = ROOT / "benchmarks/peer/joint_motion_peer.py"
 CURVE_PEER = ROOT / "benchmarks/peer/coupled_drive_peer.py"
 GOALS = {"evaluation [us]": ("<=", 50.0), "peer / strainwave": (">=", 50.0),
          "--version [ms]": ("<", 20.0), "stiffness article.toml [ms]": ("<", 50.0),
          "curve of 11 points [ms]": ("<=", 5.0), "curve of 200 points [ms]": ("<=", 60.0),
          "peer / strainwave, 11 points": (">=", 5.0), "peer / strainwave, 200 points": (">=", 5.0),
          "life, quad in numpy / strainwave": (">=", 100.0),
-         "life, quad in Python / strainwave": (">=", 12.0)}
+         "life, quad in Python / strainwave": (">=", 12.0),
+         "motion / real time": (">=", 250.0), "motion, best of scipy / strainwave": (">=", 60.0)}
 
 
 def benchmark(name, counter):
@@ -50,6 +52,25 @@ def curve_peer():
 
 def life_peer():
     return json.loads(subprocess.check_output(["/usr/bin/python3", LIFE_PEER]))
+
+
+def motion_peer():
+    """The best simulated time over CPU time of scipy's methods, and the exact angle."""
+    answer = json.loads(subprocess.check_output(["/usr/bin/python3", MOTION_PEER]))
+    exact = answer.pop("exact")
+    return max(method["real_time"] for method in answer.values()), exact
+
+
+def motion():
+    """Simulated time over CPU time with the loosest tolerance that is within 1e-6 rad, and the angle."""
+    for digits in range(6, 11):
+        out = subprocess.check_output(
+            [BENCHMARKS, f"--benchmark_filter=^joint_motion/{digits}$", "--benchmark_format=json"],
+            text=True, stderr=subprocess.DEVNULL)
+        row = json.loads(out)["benchmarks"][0]
+        if row["error_rad"] <= 1e-6:
+            return row["real_time"], row["output_angle"]
+    raise RuntimeError("no tolerance of joint_motion is within 1e-6 rad")
 
 
 def peer():
@@ -75,6 +96,8 @@ def main():
     curve_other = curve_peer()
     life, life_error = benchmark("growth_life", "error")  # [ns]
     life_other = life_peer()
+    moved, angle = motion()
+    moved_other, angle_other = motion_peer()
     measured = {"evaluation [us]": own, "peer / strainwave": other / own,
                 "--version [ms]": program("--version"),
                 "stiffness article.toml [ms]": program("stiffness", ROOT / "examples/article.toml"),
@@ -82,7 +105,8 @@ def main():
                 "peer / strainwave, 11 points": 1e3 * curve_other["seconds_11"] / curve_11,
                 "peer / strainwave, 200 points": 1e3 * curve_other["seconds_200"] / curve_200,
                 "life, quad in numpy / strainwave": 1e9 * life_other["numpy"]["seconds"] / life,
-                "life, quad in Python / strainwave": 1e9 * life_other["python"]["seconds"] / life}
+                "life, quad in Python / strainwave": 1e9 * life_other["python"]["seconds"] / life,
+                "motion / real time": moved, "motion, best of scipy / strainwave": moved / moved_other}
     print(f"{'peer evaluation [us]':30} {other:10.1f}")
     missed = 0
     for name, value in measured.items():
@@ -95,7 +119,9 @@ def main():
     turned = abs(curve_other["twist_at_T3"] / twist - 1)
     print(f"{'twist, relative difference':30} {turned:10.1e}   goal < 1e-07")
     print(f"{'life, relative error':30} {abs(life_error):10.1e}   goal < 1e-09")
-    agree = difference < 1e-7 and turned < 1e-7 and abs(life_error) < 1e-9
+    print(f"{'motion, difference [rad]':30} {abs(angle - angle_other):10.1e}   goal < 2e-06")
+    agree = (difference < 1e-7 and turned < 1e-7 and abs(life_error) < 1e-9
+             and abs(angle - angle_other) < 2e-6)
     return 1 if missed or not agree else 0
 
 

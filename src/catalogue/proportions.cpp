@@ -421,10 +421,8 @@ constexpr double kLeastInertia = 0.2;
 constexpr double kMostInertia = 5.0;
 
 /// A row with the maker's inertia of the wave generator, which is the same for all ratios of a
-/// size; null if the table lacks the size, or the drive is no short cup.
-const RatingRow* inertia_row(int size, const DriveType& type) {
-  if (type.form != FlexsplineForm::cup || type.length != FlexsplineLength::short_length)
-    return nullptr;
+/// size; null for a size that the table does not have.
+const RatingRow* inertia_row(int size) {
   const auto row = std::ranges::find(rating_rows(), size, &RatingRow::size);
   return row != rating_rows().end() ? &*row : nullptr;
 }
@@ -432,11 +430,13 @@ const RatingRow* inertia_row(int size, const DriveType& type) {
 /// Adds motor and load to a starting drive, with ranges and comments.
 void add_drivetrain(CommentedDrive& drive, int size, const DriveType& type) {
   const auto inertia = [](double value) { return rounded(value, 1.0, "kg*m^2", "kg*m^2"); };
-  const RatingRow* const catalogue = inertia_row(size, type);
-  // Inertias of similar parts are in proportion to d^5; size 25 has 0.413e-4 kg*m^2.
+  const bool short_cup =
+      type.form == FlexsplineForm::cup && type.length == FlexsplineLength::short_length;
+  const RatingRow* const catalogue = short_cup ? inertia_row(size) : nullptr;
+  // Inertias of similar parts are in proportion to d^5.
+  const auto by_size = [size] { return inertia_row(25)->input_inertia * std::pow(size / 25.0, 5); };
   Drivetrain of;
-  of.motor_inertia = inertia(catalogue != nullptr ? catalogue->input_inertia
-                                                  : 0.413e-4 * std::pow(size / 25.0, 5));
+  of.motor_inertia = inertia(catalogue != nullptr ? catalogue->input_inertia : by_size());
   if (catalogue != nullptr) of.wave_generator_inertia = of.motor_inertia;
   const double input = of.motor_inertia + of.wave_generator_inertia.value_or(0.0);
   of.load_inertia = inertia(drive.gear.drive.ratio * drive.gear.drive.ratio * input);

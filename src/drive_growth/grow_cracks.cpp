@@ -17,6 +17,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
@@ -55,6 +56,7 @@ class Growing {
         report_(report),
         step_factor_(step_factor),
         history_(duty_history(gear)),
+        at_flexspline_(at_flexspline(history_)),
         first_stiffness_(stiffness_at(gear)) {
     take_cracks();
     const double factor = amplification(start(0.0));
@@ -224,14 +226,21 @@ class Growing {
     const std::vector<DutyStep> steps = heaviest();
     const bool axial =
         std::ranges::any_of(steps, [](const DutyStep& step) { return step.axial_force != 0; });
+    const double of_flexspline = flexspline_torque(arrangement_of(history_.fixed), history_.ratio);
+    const auto assess = [&](double torque, const auto& counts) {
+      // The assessment asks for a torque; a step without one takes a negligible torque.
+      gear.load.torque = torque != 0 ? torque * factor : kNoTorque * gear_.load.torque;
+      for (const CrackStrength& crack : crack_strength(gear))
+        if (counts(crack.path.starts_with("output_shaft")))
+          take(crack.path, crack.breaks(),
+               ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
+    };
     for (const DutyStep& step : steps) {
       if (axial) gear.load.axial_force = step.axial_force * factor;
       if (step.torque != 0 || step.axial_force != 0) {
-        // The assessment asks for a torque; a step without one takes a negligible torque.
-        gear.load.torque = step.torque != 0 ? step.torque * factor : kNoTorque * gear_.load.torque;
-        for (const CrackStrength& crack : crack_strength(gear))
-          take(crack.path, crack.breaks(),
-               ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
+        const bool alike = of_flexspline == 1;  // all members bear the torque of the output
+        assess(of_flexspline * step.torque, [&](bool shaft) { return alike || !shaft; });
+        if (!alike) assess(step.torque, [](bool shaft) { return shaft; });
       }
       if (step.bending_moment == 0) continue;
       for (std::size_t k = 0; k < cracks_.size(); ++k) {
@@ -257,7 +266,7 @@ class Growing {
     };
     if (!coupled_[k]) return any(cracks_[k], factor * amplification);
     // K of the coupled drive is not proportional to the torque.
-    DutyHistory scaled = history_;
+    DutyHistory scaled = history_of(cracks_[k].crack());
     for (DutyStep& step : scaled.steps) step = times(step, factor);
     for (DutyMomentaryPeak& peak : scaled.peaks) peak.step = times(peak.step, factor);
     CoupledCrack crack = coupled_crack(gear_, drive_cracks(gear_)[in_drive_[k]], scaled);
@@ -319,6 +328,12 @@ class Growing {
     return step;
   }
 
+  /// The duty with the torque that a crack bears: the output shaft that of the output, all other
+  /// members that of the flexspline.
+  [[nodiscard]] const DutyHistory& history_of(const DriveCrack& crack) const {
+    return crack.turning == TurningLoad::bending ? history_ : at_flexspline_;
+  }
+
   void take_cracks() {
     cracks_.clear();
     coupled_.clear();
@@ -334,7 +349,7 @@ class Growing {
       // A table of K over a turn needs no coupled drive.
       const bool coupled_drive = all[i].acts_in_coupled_drive && !all[i].turn_table;
       if (all[i].acts_in_coupled_drive) {
-        CoupledCrack coupled = coupled_crack(gear_, all[i], history_);
+        CoupledCrack coupled = coupled_crack(gear_, all[i], history_of(all[i]));
         if (first_time) take_evidence(coupled);
         if (!coupled.known) continue;
         all[i] = std::move(coupled.crack);
@@ -348,7 +363,8 @@ class Growing {
       }
       in_drive_.push_back(i);
       coupled_.push_back(coupled_drive);
-      cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate, std::move(at_torque));
+      const DutyHistory& history = history_of(all[i]);
+      cracks_.emplace_back(gear_, std::move(all[i]), history, options_.rate, std::move(at_torque));
       if (first_time) check_first(cracks_.back());
       first_.push_back(at);
       at += cracks_.back().tips().size();
@@ -389,7 +405,8 @@ class Growing {
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
-  DutyHistory history_;
+  DutyHistory history_;        ///< with the torque of the output
+  DutyHistory at_flexspline_;  ///< with the torque of the flexspline
   double first_stiffness_;
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;     // first tip of each crack in the state

@@ -192,10 +192,6 @@ GearInertias gear_inertias(const GearSet& gear) {
   return own;
 }
 
-double flexspline_torque(FixedMember fixed, double ratio) {
-  return fixed == FixedMember::circular_spline ? 1.0 : -ratio / (ratio + 1);  // (DY-10)
-}
-
 DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
                                  const DriveSprings& springs, const GearInertias& own) {
   require(ratio > 0 && std::isfinite(ratio), "ratio", ratio, "1", "> 0");
@@ -218,7 +214,7 @@ DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
         {{motor, 1.0}, {wave, -1.0}});
   }
   const bool circular_spline_fixed = drivetrain.fixed == FixedMember::circular_spline;
-  const double step = flexspline_torque(drivetrain.fixed, ratio);
+  const double step = flexspline_torque(arrangement_of(drivetrain.fixed), ratio);
   // The drive has one time constant, c times its compliance at the output.
   const double time =
       drivetrain.gear_damping * (step * step * (springs.mesh + springs.body) + springs.shaft);

@@ -8,6 +8,16 @@
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
+namespace {
+
+/// (DY-1): w = (i + 1) c - i f; the coefficient of each part with all parts on one side.
+double weight(DrivePart part, double ratio) {
+  return part == DrivePart::wave_generator ? 1.0
+         : part == DrivePart::flexspline   ? ratio
+                                           : -(ratio + 1);
+}
+
+}  // namespace
 
 DrivePart Arrangement::output() const {
   if (fixed == input)
@@ -40,14 +50,8 @@ double PartTurns::of(DrivePart part) const {
 
 PartTurns part_turns(const Arrangement& arrangement, double ratio) {
   require(ratio > 0 && std::isfinite(ratio), "ratio", ratio, "1", "> 0");
-  // (DY-1): w = (i + 1) c - i f; the coefficient of each part with all parts on one side.
-  const auto weight = [&](DrivePart part) {
-    return part == DrivePart::wave_generator ? 1.0
-           : part == DrivePart::flexspline   ? ratio
-                                             : -(ratio + 1);
-  };
   const DrivePart output = arrangement.output();
-  const double turned = -weight(arrangement.input) / weight(output);
+  const double turned = -weight(arrangement.input, ratio) / weight(output, ratio);
   const auto of = [&](DrivePart part) {
     return part == arrangement.input ? 1.0 : part == output ? turned : 0.0;
   };
@@ -58,6 +62,11 @@ PartTurns part_turns(const Arrangement& arrangement, double ratio) {
 
 double signed_ratio(const Arrangement& arrangement, double ratio) {
   return 1 / part_turns(arrangement, ratio).of(arrangement.output());
+}
+
+double flexspline_torque(const Arrangement& arrangement, double ratio) {
+  require(ratio > 0 && std::isfinite(ratio), "ratio", ratio, "1", "> 0");
+  return weight(DrivePart::flexspline, ratio) / weight(arrangement.output(), ratio);  // (DY-1)
 }
 
 WaveOrders wave_orders(const Arrangement& arrangement, double ratio, int wave_number) {

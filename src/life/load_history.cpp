@@ -78,6 +78,13 @@ DutyHistory duty_history(const GearSet& gear) {
   return history;
 }
 
+DutyHistory at_flexspline(DutyHistory history) {
+  const double share = flexspline_torque(arrangement_of(history.fixed), history.ratio);  // (DY-1)
+  for (DutyStep& step : history.steps) step.torque *= share;
+  for (DutyMomentaryPeak& peak : history.peaks) peak.step.torque *= share;
+  return history;
+}
+
 std::optional<double> cycles_per_output_turn(const GearSet& gear, DutyPlace place) {
   const Arrangement arrangement =
       arrangement_of(gear.duty ? gear.duty->fixed : FixedMember::circular_spline);

@@ -310,7 +310,9 @@ class Simulation {
       earliest = root;
       first = n;
     }
-    fresh_.clear();
+    // Events at one time each end a step once: after its own, a guard stays fresh until time moves
+    // on.
+    if (!first || earliest > behind) fresh_.clear();
     if (!first) {
       std::swap(guard_values_, guard_values_at_end_);
       return first;

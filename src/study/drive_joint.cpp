@@ -19,9 +19,8 @@ struct MemberSum {
   double shaft = 0.0;            ///< [rad/(N*m)]
 };
 
-/// @param step  torque of the member over the torque on the output, with sign [-].  The torque of
-/// the
-///              drive on its load has the opposite sign (MO-14)
+/// The torque of the drive on its load is the negative of that on the output (MO-14).
+/// @param step  torque of the member over that on the output, with sign [-]
 void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& member, double step) {
   const bool turned = step < 0;
   const OpeningSense under_positive = turned ? OpeningSense::positive : OpeningSense::negative;
@@ -44,8 +43,8 @@ Note contact_note(const std::string& path) {
   return {
       .code = "motion.contact_crack",
       .text =
-          "this crack acts through the contacts of balls and teeth, and a motion leaves it "
-          "out",
+          "a motion leaves this crack out, because it acts through the contacts of balls and "
+          "teeth",
       .path = path,
       .equation = "MO-14",
       .severity = Severity::care,
@@ -54,7 +53,7 @@ Note contact_note(const std::string& path) {
 
 /// The maker's lines as pieces at the output (MO-14).
 CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, double shaft) {
-  const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   CatalogueSpring spring;
   const std::array<double, 3> stiffness{lines.K1, lines.K2, lines.K3};
   for (std::size_t i = 0; i < stiffness.size(); ++i)
@@ -75,30 +74,23 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
   const Drivetrain& train = *gear.drivetrain;
   DriveJoint made;
   Joint& joint = made.joint;
-  const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   MemberSum sum;
-  const auto take = [&](const std::optional<MemberCompliance>& member, double& side,
-                        double member_step, bool cracks_in_contacts) {
-    if (!member) return;
-    if (!member->unusable_because.empty()) throw SolverError(member->unusable_because);
-    side += member->intact;
-    if (!cracks_in_contacts) {
-      add_cracks(joint.cracks, *member, member_step);
-      return;
-    }
-    for (const CrackReport& crack : member->cracks) made.notes.push_back(contact_note(crack.path));
+  const auto take = [&](const MemberCompliance& member, double& side, double member_step) {
+    if (!member.unusable_because.empty()) throw SolverError(member.unusable_because);
+    side += member.intact;
+    add_cracks(joint.cracks, member, member_step);
   };
   const bool coupled = missing_for_torsion_curve(gear).empty();
   made.notes = coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
-  std::optional<MemberCompliance> wave_generator;
-  std::optional<MemberCompliance> flexspline;
-  std::optional<MemberCompliance> shaft;
-  if (gear.wave_generator) wave_generator = wave_generator_compliance(gear);
-  if (gear.flexspline) flexspline = flexspline_compliance(gear);
-  if (gear.output_shaft) shaft = output_shaft_compliance(gear);
-  take(wave_generator, sum.flexspline_side, step, coupled);
-  take(flexspline, sum.flexspline_side, step, false);
-  take(shaft, sum.shaft, 1.0, false);
+  // In the coupled drive, all cracks of the wave generator act inside the contacts.
+  if (gear.wave_generator && coupled)
+    for (const CrackReport& crack : wave_generator_compliance(gear).cracks)
+      made.notes.push_back(contact_note(crack.path));
+  if (gear.wave_generator && !coupled)
+    take(wave_generator_compliance(gear), sum.flexspline_side, step);
+  if (gear.flexspline) take(flexspline_compliance(gear), sum.flexspline_side, step);
+  if (gear.output_shaft) take(output_shaft_compliance(gear), sum.shaft, 1.0);
   progress.at(0.1);
   if (coupled) {
     made.springs = SpringModel::coupled_drive;

@@ -265,7 +265,7 @@ std::vector<std::size_t> same_modes(const TorsionalChain& chain, const std::vect
 
 double stiffness_at_output(const GearSet& gear, const std::vector<Member>& members) {
   const DriveSprings springs = springs_of(members);
-  const double step = flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio);
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   return 1 / (step * step * (springs.mesh + springs.body) + springs.shaft);  // (DY-10)
 }
 
@@ -431,7 +431,7 @@ ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
   const auto vibrating_drive = [&](const GearSet& of) {
     progress.at(done++ / drives);
     const double at_flexspline =
-        flexspline_torque(gear.drivetrain->fixed, gear.drive.ratio) * report.torque;
+        flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio) * report.torque;
     return vibrating(gear, report.springs == SpringModel::coupled_drive
                                ? coupled_members(AssembledDrive(of), at_flexspline, report.torque)
                                : summed_members(of, at_flexspline, report.torque));

@@ -70,22 +70,37 @@ void hold(Joint& joint, const JointState& start) {
     given->torque.value.front() = -joint_rate(joint, 0.0, start).forces.reaction;
 }
 
-MotionSummary summary_of(const Motion& motion, const std::vector<MotionSample>& samples,
-                         const auto& error_of) {
-  MotionSummary summary{.last_error = error_of(motion.last),
-                        .lost_energy = motion.energy.lost,
-                        .imbalance = motion.energy.imbalance,
-                        .steps = static_cast<double>(motion.steps),
-                        .events = static_cast<double>(motion.event_count),
-                        .converged = motion.converged,
-                        .reason = motion.reason,
-                        .time_reached = motion.time_reached};
-  for (const MotionSample& sample : samples) {
-    const auto raise = [](double& most, double value) { most = std::max(most, std::abs(value)); };
-    raise(summary.largest_torque, sample.forces.torque);
-    raise(summary.largest_error, error_of(sample.state));
-    raise(summary.largest_input_torque, sample.forces.input_torque);
-  }
+/// Angle of the output beyond that of an ideal stiff gear [rad].
+double output_error(const Joint& joint, const JointState& state) {
+  return state.output_angle - state.input_angle / joint.ratio;
+}
+
+/// Moves a joint from its equilibrium and hands each sample on.
+MotionSummary moved(Joint joint, const SimulationOptions& options, const SampleSink& sink,
+                    const Progress& progress) {
+  const JointState start = equilibrium(joint);
+  hold(joint, start);
+  MotionSummary summary;
+  const Motion motion = simulate(
+      joint, start, options,
+      [&](const MotionSample& sample) {
+        const auto raise = [](double& most, double value) {
+          most = std::max(most, std::abs(value));
+        };
+        raise(summary.largest_torque, sample.forces.torque);
+        raise(summary.largest_error, output_error(joint, sample.state));
+        raise(summary.largest_input_torque, sample.forces.input_torque);
+        sink(sample);
+      },
+      progress);
+  summary.last_error = output_error(joint, motion.last);
+  summary.lost_energy = motion.energy.lost;
+  summary.imbalance = motion.energy.imbalance;
+  summary.steps = static_cast<double>(motion.steps);
+  summary.events = static_cast<double>(motion.event_count);
+  summary.converged = motion.converged;
+  summary.reason = motion.reason;
+  summary.time_reached = motion.time_reached;
   return summary;
 }
 
@@ -117,41 +132,33 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
           "at most the time of the motion");
   require(options.output_step * kMostRows >= report.duration * (1 - 1e-9), "step",
           options.output_step, "s", "at least a millionth of the motion");
-  const auto error_of = [&](const JointState& state) {
-    return state.output_angle - state.input_angle / joint.ratio;
-  };
-  const auto run = [&](Joint of, const Progress& part) {
-    std::vector<MotionSample> samples;
-    const JointState start = equilibrium(of);
-    hold(of, start);
-    const Motion motion = simulate(
-        of, start, options, [&](const MotionSample& sample) { samples.push_back(sample); }, part);
-    return std::pair(motion, std::move(samples));
-  };
   const bool cracked = !joint.cracks.empty();
-  const auto [sound_motion, sound] = run(made.sound(), progress.part(0.1, cracked ? 0.55 : 1.0));
-  report.intact = summary_of(sound_motion, sound, error_of);
-  for (const MotionSample& at : sound)
-    report.rows.push_back({.time = at.time,
-                           .input_angle = at.state.input_angle,
-                           .input_speed = at.state.input_speed,
-                           .output_angle = at.state.output_angle,
-                           .output_speed = at.state.output_speed,
-                           .output_error = error_of(at.state),
-                           .torque = at.forces.torque,
-                           .input_torque = at.forces.input_torque});
+  report.intact = moved(
+      made.sound(), options,
+      [&](const MotionSample& at) {
+        report.rows.push_back({.time = at.time,
+                               .input_angle = at.state.input_angle,
+                               .input_speed = at.state.input_speed,
+                               .output_angle = at.state.output_angle,
+                               .output_speed = at.state.output_speed,
+                               .output_error = output_error(joint, at.state),
+                               .torque = at.forces.torque,
+                               .input_torque = at.forces.input_torque});
+      },
+      progress.part(0.1, cracked ? 0.55 : 1.0));
   if (cracked) {
-    const auto [motion, samples] = run(joint, progress.part(0.55, 1.0));
-    report.cracked = summary_of(motion, samples, error_of);
     double most = 0.0;
-    for (std::size_t n = 0; n < std::min(samples.size(), report.rows.size()); ++n) {
-      SimulationRow& row = report.rows[n];
-      row.cracked_output_angle = samples[n].state.output_angle;
-      row.cracked_output_error = error_of(samples[n].state);
-      row.cracked_torque = samples[n].forces.torque;
-      row.cracked_input_torque = samples[n].forces.input_torque;
-      most = std::max(most, std::abs(*row.cracked_output_angle - row.output_angle));
-    }
+    std::size_t n = 0;
+    const auto take = [&](const MotionSample& at) {
+      if (n == report.rows.size()) return;  // the sound drive stopped before
+      SimulationRow& row = report.rows[n++];
+      row.cracked_output_angle = at.state.output_angle;
+      row.cracked_output_error = output_error(joint, at.state);
+      row.cracked_torque = at.forces.torque;
+      row.cracked_input_torque = at.forces.input_torque;
+      most = std::max(most, std::abs(at.state.output_angle - row.output_angle));
+    };
+    report.cracked = moved(joint, options, take, progress.part(0.55, 1.0));
     report.largest_difference = most;
   }
   report.notes = std::move(made.notes);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <random>
+#include <string_view>
 
 #include "drawn_drive.hpp"
 #include "strainwave/core/error.hpp"
@@ -195,11 +196,16 @@ struct Limits {
   double upper = 0.0;
 };
 
-/// The ranges of numbers that enter the curve.  Motor and load turn at its ends.
+/// The ranges of numbers that enter the curve: not those of the sections that say how a drive
+/// moves.
 std::vector<InputRange> ranges_of_curve(const GearSet& gear) {
+  constexpr std::array<std::string_view, 3> kMotion = {"drivetrain.", "kinematic_error[",
+                                                       "manoeuvre["};
   std::vector<InputRange> ranges;
   for (const InputRange& range : gear.range)
-    if (!range.path.starts_with("drivetrain.")) ranges.push_back(range);
+    if (std::ranges::none_of(
+            kMotion, [&](std::string_view section) { return range.path.starts_with(section); }))
+      ranges.push_back(range);
   return ranges;
 }
 

@@ -95,6 +95,25 @@ TEST(GrowCracks, ReferenceThroughCrackOfSheet) {  // GR-21 to GR-25
   test::expect_relative(added, 8.73947231e-10 - 3.49578893e-11, 4e-3);
 }
 
+TEST(GrowCracks, IdentityAFixedFlexsplineBearsTheOtherSense) {
+  // (DY-1): with the flexspline fixed, its torque is -i/(i + 1) times that of the output.  So the
+  // opposite torque, by 101/100 larger, opens its crack as much, and the same torque closes it.
+  GearSet gear = sheet();
+  const GrowthOptions until = test::until_size("flexspline.crack[0]", 4e-3);
+  const double repetitions = grow_cracks(gear, until).repetitions;
+  gear.duty->fixed = FixedMember::flexspline;
+  gear.duty->block[0].torque = -8000 * 101.0 / 100;
+  test::expect_relative(grow_cracks(gear, until).repetitions, repetitions, 1e-9);
+  gear.duty->block[0].torque = 8000;
+  const GrowthReport closed = grow_cracks(gear, until);
+  EXPECT_DOUBLE_EQ(closed.cracks[0].series.back().size, 2e-3);
+  // The shaft bears the torque of the output, whichever part is fixed.
+  GearSet of_shaft = shaft();
+  const double before = grow_cracks(of_shaft, until_depth(2e-3)).repetitions;
+  of_shaft.duty->fixed = FixedMember::flexspline;
+  EXPECT_EQ(grow_cracks(of_shaft, until_depth(2e-3)).repetitions, before);
+}
+
 TEST(GrowCracks, ReferenceCoupledResonance) {  // GR-28
   // The shaft under a torque range of 1200 N*m times the amplification, zeta 0.02, from 0.5 to
   // 10 mm: lives of an independent quadrature with 5 digits; the first one is that of a constant

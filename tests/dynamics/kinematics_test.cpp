@@ -43,6 +43,25 @@ TEST(Kinematics, IdentityTeethThatMeshDoNotSlip) {
       }
 }
 
+TEST(Kinematics, IdentityTorqueOfTheFlexsplineByPowerAndBalance) {
+  // (DY-1): A torque of 1 on the output; the input's torque follows from the power, and the torque
+  // on the fixed part from the balance of all three.
+  for (const double ratio : {30.0, 100.0})
+    for (const DrivePart fixed : {wave_generator, flexspline, circular_spline})
+      for (const DrivePart input : {wave_generator, flexspline, circular_spline}) {
+        if (input == fixed) continue;
+        const Arrangement arrangement{fixed, input};
+        const DrivePart output = arrangement.output();
+        const double of_input = -part_turns(arrangement, ratio).of(output);
+        const double of_fixed = -1 - of_input;
+        const double expected = output == flexspline  ? 1.0
+                                : input == flexspline ? of_input
+                                                      : of_fixed;
+        EXPECT_NEAR(flexspline_torque(arrangement, ratio), expected, 1e-12 * ratio);
+      }
+  EXPECT_DOUBLE_EQ(flexspline_torque({flexspline, wave_generator}, 100), -100.0 / 101);
+}
+
 TEST(Kinematics, ReferenceOrdersOfABearing) {
   // (DY-2): Kinematics of a bearing whose outer ring turns by -1/i: 14 balls, d/D = 0.08, i = 100.
   const BallSet bearing{.balls = 14, .diameter_ratio = 0.08};
@@ -69,6 +88,8 @@ TEST(Kinematics, InputEachRuleBrokenOnce) {
   EXPECT_EQ(waves({}), "no error");
   EXPECT_NE(waves({flexspline, flexspline}).find("both fixed and the input"), std::string::npos);
   EXPECT_NE(waves({}, 0).find("ratio"), std::string::npos);
+  EXPECT_NE(test::broken_rule([] { return flexspline_torque({}, -1); }).find("ratio"),
+            std::string::npos);
   EXPECT_NE(waves({}, 100, 0).find("wave_number"), std::string::npos);
   const auto balls = [](const BallSet& bearing) {
     return test::broken_rule([&] { return ball_orders({}, 100, bearing); });

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -283,6 +284,30 @@ TEST(Simulate, BehaviourFrictionSticksAndSlips) {
   }
   EXPECT_LT(motion.energy.imbalance, 1e-7);
   EXPECT_GT(motion.energy.lost, 0.0);
+}
+
+TEST(Simulate, BehaviourEventsAtOneTimeEndTheStepOnceEach) {
+  // The output is so heavy that it stands, so twist and input turn back at one time.
+  Joint joint{
+      .ratio = 100, .input_inertia = 1e-4, .output_inertia = 1e15, .spring = LinearSpring{5e4}};
+  joint.hysteresis = dahl(1e3, 0.1);
+  joint.input_friction =
+      LuGre{.bristle_stiffness = 0.1, .coulomb = 1e-3, .breakaway = 1e-3, .stribeck_speed = 1};
+  joint.cracks = {{.compliance = 1e-7, .sense = OpeningSense::positive}};
+  const Motion motion =
+      simulate(joint, {.input_angle = 0.1},
+               {.duration = 0.5, .output_step = 0.5, .tolerance = 1e-12, .max_steps = 1'000'000});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  // Half a period is pi sqrt(J_m i^2/K) = 14.05 ms.  One of two events at one time may be passed in
+  // the step of the other, but none comes twice.
+  EXPECT_LT(motion.steps, 100'000U);
+  std::size_t most = 0;
+  for (const MotionEvent event : {MotionEvent::twist_reversal, MotionEvent::speed_reversal}) {
+    const std::vector<double> times = times_of(motion, event);
+    for (std::size_t n = 1; n < times.size(); ++n) EXPECT_GT(times[n] - times[n - 1], 0.014);
+    most = std::max(most, times.size());
+  }
+  EXPECT_EQ(most, 35U);
 }
 
 TEST(Simulate, ConvergenceOfAStiffBristle) {

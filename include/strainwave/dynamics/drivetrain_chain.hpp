@@ -34,11 +34,6 @@ struct GearInertias {
 /// part whose material has no density has no inertia.
 [[nodiscard]] GearInertias gear_inertias(const GearSet& gear);
 
-/// Torque of the flexspline over that of the output, with sign [-]; (DY-10).  Torques act about +z
-/// on the output of the gear, and on the hub of the flexspline.
-/// @param ratio  i, without sign [-]; > 0
-[[nodiscard]] double flexspline_torque(FixedMember fixed, double ratio);
-
 /// The chain of a drive, with the place of each spring of the drive in it.
 struct DrivetrainChain {
   TorsionalChain chain;

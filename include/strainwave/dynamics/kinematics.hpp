@@ -50,6 +50,12 @@ struct PartTurns {
 /// Turns of the input in one turn of the output, with sign (DY-1) [-].
 [[nodiscard]] double signed_ratio(const Arrangement& arrangement, double ratio);
 
+/// Torque that acts on the flexspline from outside over that on the output, with sign (DY-1) [-].
+/// It is 1 if the flexspline is the output, and -i/(i + 1) if the circular spline is.
+/// @param ratio  as in `part_turns` [-]
+/// @throws InputError  as `part_turns`
+[[nodiscard]] double flexspline_torque(const Arrangement& arrangement, double ratio);
+
 /// Number of times in one turn of the input that the wave passes a fixed point of the material of a
 /// part (DY-2) [-]; the orders of the lines that a crack there adds to a spectrum.
 struct WaveOrders {

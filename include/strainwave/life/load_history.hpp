@@ -45,6 +45,10 @@ struct DutyHistory {
 /// @throws InputError  if the drive has no duty, if its history was not read, or if nothing moves
 [[nodiscard]] DutyHistory duty_history(const GearSet& gear);
 
+/// The same duty with the torques that act on the flexspline in place of those on the output
+/// (DY-1).
+[[nodiscard]] DutyHistory at_flexspline(DutyHistory history);
+
 /// A part of the drive, as far as its loads turn differently.
 enum class DutyPlace {
   flexspline,       ///< wall, rim and teeth: wave passes

@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-/// Amplitudes reach up to this bound; what is larger is no error [rad].
+/// Every amplitude is below this bound, which is far above that of a drive in order [rad].
 inline constexpr double kLargestError = 0.5 * units::deg;
 
 /// One line of the kinematic error.

@@ -23,7 +23,7 @@ class BasicKassirSih {
   /// K_III / (tau sqrt(pi a)) [-].
   [[nodiscard]] Real factor_III(double phi) const;
 
-  /// Square roots of the means of the squares of both factors along the front [-].
+  /// Root mean square of each factor along the front [-].
   struct FrontMeans {
     Real II{};
     Real III{};

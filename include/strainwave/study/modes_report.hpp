@@ -143,8 +143,9 @@ struct ModePair {
   DriveMode intact;
   std::optional<DriveMode> cracked = {};  ///< absent: no crack
   std::optional<double> change = {};      ///< f cracked/sound - 1 [-]
-  std::optional<double> likeness =
-      {};  ///< MAC of both shapes by their inertias, 0 to 1 (DY-11) [-]
+  /// modal assurance criterion (MAC) of the two shapes, weighted by the inertias, 0 to 1 (DY-11)
+  /// [-]
+  std::optional<double> likeness = {};
   std::vector<CrackOnMode> cracks = {};
   std::vector<ModeSpeed> critical_speeds = {};
 
@@ -154,7 +155,8 @@ struct ModePair {
     field({"intact", "", "the sound drive"}, &ModePair::intact);
     field({"cracked", "", "the drive with its cracks"}, &ModePair::cracked);
     field({"change", "1", "f cracked/sound - 1"}, &ModePair::change);
-    field({"likeness", "1", "likeness of both shapes (MAC), 1 if they are the same"},
+    field({"likeness", "1",
+           "modal assurance criterion (MAC) of the two shapes; 1 if the shapes are the same"},
           &ModePair::likeness);
     field({"cracks", "", "what each crack changes"}, &ModePair::cracks);
     field({"critical_speeds", "", "speeds of the input at which an order meets the frequency"},
