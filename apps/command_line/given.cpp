@@ -12,7 +12,7 @@ bool has(const Given& given, Role role) {
 }
 
 std::string as_typed(const OptionError& error, const std::vector<Argument>& arguments) {
-  const std::string message = error.what();
+  std::string message = error.what();
   for (const Argument& argument : arguments)
     if (argument.name == "--" + error.field() ||
         (argument.role == Role::option && argument.key == error.field()))

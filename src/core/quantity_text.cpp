@@ -349,7 +349,7 @@ std::string plain_digits(std::string_view text) {
 }  // namespace
 
 std::string number_in(double value, const Unit& unit) {
-  const std::string si = fmt::format("{}", value);
+  std::string si = fmt::format("{}", value);
   if (value == 0.0 || !std::isfinite(value)) return si;
   if (unit.power_of_ten) {
     const std::string exact = shifted_text(si, -*unit.power_of_ten);

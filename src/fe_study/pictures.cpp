@@ -109,7 +109,9 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
   const double outer = shaft.outer_diameter / 2;
   const double inner = shaft.inner_diameter / 2;
   const double z = shaft.crack->position;
-  const auto [mouth, tip] = crack_radii(shaft);
+  const std::array<double, 2> radii = crack_radii(shaft);
+  const double mouth = radii[0];
+  const double tip = radii[1];
   const SectionView whole = fitted(0, shaft.length, 0, outer, {24, 110}, 700, 150);
   const double room = std::min(2.2 * shaft.crack->depth, 0.5 * shaft.length);
   const SectionView part =

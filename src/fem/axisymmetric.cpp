@@ -40,7 +40,6 @@ using Matrix = Eigen::MatrixXd;
 using Column = Eigen::VectorXd;
 using Array = Eigen::ArrayXd;
 
-constexpr dealii::types::boundary_id kFree = 0;
 constexpr dealii::types::boundary_id kHeld = 1;
 constexpr dealii::types::boundary_id kLoaded = 2;
 constexpr dealii::types::boundary_id kAxis = 3;
@@ -237,7 +236,7 @@ class Solver {
       elements.push_back(unknowns.back().free);
     }
     const auto matrix = [&](std::size_t c) -> Matrix {
-      const Matrix k = stiffness(c);
+      Matrix k = stiffness(c);
       if (unknowns[c].all_free) return k;
       const Matrix whole = k.selfadjointView<Eigen::Lower>();
       return unknowns[c].gathered(unknowns[c].gathered(whole).transpose());

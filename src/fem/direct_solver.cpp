@@ -13,6 +13,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/memory_error.hpp"
 
+// NOLINTBEGIN(readability-identifier-naming): names of LAPACK
 extern "C" {
 void dsyrk_(const char*, const char*, const int*, const int*, const double*, const double*,
             const int*, const double*, double*, const int*);
@@ -20,6 +21,7 @@ void dtrsm_(const char*, const char*, const char*, const char*, const int*, cons
             const double*, const double*, const int*, double*, const int*);
 void dpotrf_(const char*, const int*, double*, const int*, int*);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace strainwave::fem {
 namespace {

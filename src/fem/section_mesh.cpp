@@ -105,9 +105,8 @@ std::vector<double> grid_lines(const LineSpacing& spacing) {
   std::vector<double> breaks = spacing.breaks;
   std::ranges::sort(breaks);
   const double extent = breaks.empty() ? 0.0 : breaks.back() - breaks.front();
-  const auto [first, last] = std::ranges::unique(
-      breaks, [&](double a, double b) { return std::abs(a - b) <= kSame * extent; });
-  breaks.erase(first, last);
+  const auto same = [&](double a, double b) { return std::abs(a - b) <= kSame * extent; };
+  breaks.erase(std::unique(breaks.begin(), breaks.end(), same), breaks.end());
   const auto size = [&](double x) {
     double smallest = spacing.coarse;
     for (const LineFocus& focus : spacing.focus)

@@ -32,10 +32,12 @@ void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress, double
     add(kTop, {0, stress, 0});
     add(kBottom, {0, -stress, 0});
   } else if (load == BlockLoad::bending) {
-    for (const auto& [tag, sign] : {std::pair{kTop, 1.0}, std::pair{kBottom, -1.0}})
+    for (const int tag : {kTop, kBottom}) {
+      const double outward = tag == kTop ? 1.0 : -1.0;
       problem.tractions.push_back({.tag = tag, .value = [=](const fem::Point3& p) {
-                                     return fem::Point3{0, sign * stress * p[0] / width, 0};
+                                     return fem::Point3{0, outward * stress * p[0] / width, 0};
                                    }});
+    }
   } else {
     add(kTop, {stress, 0, 0});
     add(kBottom, {-stress, 0, 0});

@@ -129,7 +129,7 @@ class Drawing {
     const std::vector<PlanCell> flat = crack_plan(plan);
     for (int k = 0; k < s_.segments; ++k)
       for (const PlanCell& source : flat) {
-        const auto angle = [=, this, from = phi(k), to = phi(k + 1)](double w) {
+        const auto angle = [from = phi(k), to = phi(k + 1)](double w) {
           return (1 - w) * from + w * to;
         };
         fem::TemplateCell cell;
@@ -160,7 +160,7 @@ class Drawing {
     constexpr double kInner = 0.5;  // size of the square in the middle over the ellipse's axes
     const PlanPoint e = confocal_.axes(1 - half_square_);
     for (int k = 0; k < s_.segments; ++k)
-      add_prisms([=, this, from = phi(k), to = phi(k + 1), p0 = on_box(k, kInner, kInner),
+      add_prisms([e, from = phi(k), to = phi(k + 1), p0 = on_box(k, kInner, kInner),
                   p1 = on_box(k + 1, kInner, kInner)](double u, double v) {
         const double angle = (1 - v) * from + v * to;
         const PlanPoint f = between(between(p0, p1, v), {std::cos(angle), std::sin(angle)}, u);

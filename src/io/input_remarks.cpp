@@ -80,7 +80,7 @@ class Remarks {
     for (std::size_t i = source.begin.line - 1; i-- > 0;) {
       const std::string_view comment = comment_line(lines_[i]);
       if (comment.empty()) break;
-      above = std::string(comment) + (above.empty() ? "" : " ") + above;
+      above.insert(0, above.empty() ? std::string(comment) : std::string(comment).append(" "));
     }
     return above;
   }

@@ -50,9 +50,10 @@ std::string solve_text(const SolveResult& result) {
   for (const Excluded& part : result.excluded) {
     const std::string from = input(part.from);
     const std::string to = input(part.to);
-    text += paragraph(fmt::format("{}: {}: {}", from == to ? "at " + from : from + " to " + to,
-                                  part.refused ? "refused" : "not usable", part.reason),
-                      2);
+    text += paragraph(
+        fmt::format("{}: {}: {}", from == to ? "at " + from : fmt::format("{} to {}", from, to),
+                    part.refused ? "refused" : "not usable", part.reason),
+        2);
   }
   if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
     text += result.solutions.size() > 1 ? "\nNotes on the first solution\n" : "\nNotes\n";

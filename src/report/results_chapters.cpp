@@ -197,7 +197,7 @@ ReportSection intensities_chapter(const Draft& draft) {
     const std::string& path = crack.path;
     const auto row = [&](std::string_view where, const StressIntensities& K,
                          const std::string& name, bool first) {
-      const std::string at = path + ".stress_intensity." + name;
+      const std::string at = fmt::format("{}.stress_intensity.{}", path, name);
       const double largest = std::abs(K.largest().value);
       // A mode that is only rounding compared with the largest mode counts as zero.
       const auto mode = [&](const char* which, const Quantity& K_mode) {

@@ -87,11 +87,10 @@ std::optional<SumOutput> sum_output(const StiffnessResult& result, std::string_v
   };
   const auto& curve = result.curve;
   const MemberUncertainty& alone = *result.members_alone;
-  if (const auto found =
-          of("intact.", result.intact, alone.intact, curve ? &curve->intact : nullptr))
+  if (auto found = of("intact.", result.intact, alone.intact, curve ? &curve->intact : nullptr))
     return found;
-  if (const auto found = of("cracked.positive.", result.positive, alone.positive,
-                            curve ? &curve->positive : nullptr))
+  if (auto found = of("cracked.positive.", result.positive, alone.positive,
+                      curve ? &curve->positive : nullptr))
     return found;
   return of("cracked.negative.", result.negative, alone.negative,
             curve ? &curve->negative : nullptr);

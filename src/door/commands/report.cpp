@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 
 #include "commands/method_option.hpp"
@@ -47,8 +46,8 @@ ResultEvidence evidence_of(const ReportedDrive& drive) { return evidence_of(driv
 /// @throws OptionError  if the text is not a date of the form YYYY-MM-DD
 std::string date_of(const std::string& text) {
   constexpr std::string_view kForm = "dddd-dd-dd";
-  const bool formed = std::ranges::equal(text, kForm, [](unsigned char c, char of_form) {
-    return of_form == 'd' ? std::isdigit(c) != 0 : c == of_form;
+  const bool formed = std::ranges::equal(text, kForm, [](char c, char of_form) {
+    return of_form == 'd' ? c >= '0' && c <= '9' : c == of_form;
   });
   const auto number = [&](std::size_t at, std::size_t length) {
     return std::stoi(text.substr(at, length));

@@ -76,7 +76,8 @@ std::vector<CrackFacePatch> crack_face_patches(const Space& space, const Vector&
     });
     if (twin == lower.end()) throw InputError("mesh", "has a crack face without its other side");
     const std::vector<Tensor<1, 3>> below = displacements(*twin);
-    const std::vector<Point<3>> place_below = values.get_quadrature_points();
+    // A copy, because the next face overwrites the points.
+    std::vector<Point<3>> place_below = values.get_quadrature_points();
     const std::vector<Tensor<1, 3>> above = displacements(face);
     Space::reinit(normals, face.cell, face.number);
     CrackFacePatch& patch = patches.emplace_back();
