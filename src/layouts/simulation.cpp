@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/layouts/words.hpp"
@@ -32,6 +35,9 @@ TitledTable summary_table(const SimulationReport& report) {
   number("largest torque on the load", torque, &MotionSummary::largest_torque);
   number("largest error of the output", angle, &MotionSummary::largest_error);
   number("error of the output at the end", angle, &MotionSummary::last_error);
+  if (report.intact.largest_lag)
+    row(with_unit("largest lag of the input", display_unit({}, "rad")),
+        [](const MotionSummary& of) { return shown_number(of.largest_lag.value_or(0.0), 5); });
   number("largest torque of the input", torque, &MotionSummary::largest_input_torque);
   number("lost energy", display_unit({}, "J"), &MotionSummary::lost_energy);
   row("imbalance of the energy",
@@ -42,8 +48,55 @@ TitledTable summary_table(const SimulationReport& report) {
           .table = std::move(table),
           .remark =
               "The error of the output is its angle beyond that of an ideal stiff gear. The "
-              "largest values are those among the printed times. Lost energy contains what "
+              "largest values are those among the sampled times. Lost energy contains what "
               "the hysteresis stores."};
+}
+
+TitledTable orders_table(const MotionOrders& orders) {
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit angle = display_unit("wind_up", "rad");
+  const bool cracked = orders.cracked_error_floor.has_value();
+  Table table{.head = {"order", with_unit("error", angle), with_unit("torque", torque)},
+              .align = "rrrl"};
+  if (cracked) {
+    table.head = {"order", with_unit("error", angle), "cracked", with_unit("torque", torque),
+                  "cracked"};
+    table.align = "rrrrrl";
+  }
+  table.head.emplace_back("cause");
+  const auto line = [&](std::string label, const std::string& cause, const auto& error,
+                        const auto& cracked_error, const auto& of_torque,
+                        const auto& cracked_torque, const std::string& missing) {
+    const auto shown = [&](const std::optional<double>& value, const DisplayUnit& unit) {
+      return value ? shown_number(*value / unit.in_si, 4) : missing;
+    };
+    auto& row = table.rows.emplace_back(cells(std::move(label), shown(error, angle)));
+    if (cracked) row.push_back(shown(cracked_error, angle));
+    row.push_back(shown(of_torque, torque));
+    if (cracked) row.push_back(shown(cracked_torque, torque));
+    row.push_back(cause);
+  };
+  for (const OrderRow& of : orders.lines) {
+    std::string cause = of.cause;
+    if (!of.error)
+      cause += std::isfinite(of.turns_needed)
+                   ? fmt::format(" (needs {} turns)", shown_number(std::ceil(of.turns_needed), 9))
+                   : " (not separate)";
+    line(shown_number(of.order, 6), cause, of.error, of.cracked_error, of.torque, of.cracked_torque,
+         "-");
+  }
+  line("others", "median at orders without a name", std::optional(orders.error_floor),
+       orders.cracked_error_floor, std::optional(orders.torque_floor), orders.cracked_torque_floor,
+       "-");
+  return {.title = "Lines over the angle of the input (MO-20)",
+          .table = std::move(table),
+          .remark = fmt::format(
+              "Amplitudes of the output's error and of the torque on the load from {} to {}, in {} "
+              "turns of the input at {}. Two lines are separate if "
+              "their orders differ by at least 2 over the number of turns.",
+              number_and_unit(orders.from, display_unit({}, "s")),
+              number_and_unit(orders.to, display_unit({}, "s")), shown_number(orders.turns, 4),
+              number_and_unit(orders.speed, display_unit({}, "rad/s")))};
 }
 
 }  // namespace
@@ -63,7 +116,9 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
 }
 
 std::vector<TitledTable> simulation_tables(const SimulationReport& report) {
-  return {summary_table(report)};
+  std::vector<TitledTable> tables = {summary_table(report)};
+  if (report.orders) tables.push_back(orders_table(*report.orders));
+  return tables;
 }
 
 std::vector<PlotPanel> simulation_panels(const SimulationReport& report) {

@@ -47,13 +47,21 @@ double gravity(const Joint& joint, double output_angle) {
 struct InputAt {
   double torque = 0.0;
   double acceleration = 0.0;
+  double servo = 0.0;  ///< rate of the controller's integral [rad/s]
 };
 
 /// Torque and acceleration of the input, whichever of the two is given.
-InputAt input_at(const Joint& joint, double time, double reaction, double friction) {
-  if (const auto* const given = std::get_if<GivenTorque>(&joint.input)) {
-    const double torque = given->torque.at(time);
-    return {torque, (torque - friction + reaction) / joint.input_inertia};
+InputAt input_at(const Joint& joint, double time, const JointState& x, double reaction,
+                 double friction) {
+  const auto driven = [&](double torque, double servo = 0.0) -> InputAt {
+    return {torque, (torque - friction + reaction) / joint.input_inertia, servo};
+  };
+  if (const auto* const given = std::get_if<GivenTorque>(&joint.input))
+    return driven(given->torque.at(time));
+  if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) {
+    if (drive->servo.sample_time) return driven(x.held_torque);
+    const ServoTorque of = servo_torque(*drive, time, x);
+    return driven(of.torque, of.rate);
   }
   const double acceleration = std::get<GivenSpeed>(joint.input).speed.slope(time);
   return {joint.input_inertia * acceleration + friction - reaction, acceleration};
@@ -89,6 +97,33 @@ double Profile::slope(double t) const {
   return (value[i] - value[i - 1]) / (time[i] - time[i - 1]);
 }
 
+double Profile::integral(double t) const {
+  if (time.empty() || t <= time.front()) return value.front() * t;
+  double sum = value.front() * time.front();
+  for (std::size_t i = 1; i < time.size() && time[i - 1] < t; ++i) {
+    const double end = std::min(time[i], t);
+    sum += (at(time[i - 1]) + at(end)) / 2 * (end - time[i - 1]);
+  }
+  return sum + (t > time.back() ? value.back() * (t - time.back()) : 0.0);
+}
+
+ServoTorque servo_torque(const ServoDrive& drive, double time, const JointState& x) {
+  const Servo& servo = drive.servo;
+  const Servo::At at =
+      servo.at(drive.speed.integral(time) - x.input_angle, drive.speed.at(time) - x.input_speed,
+               x.servo, drive.holding_torque);
+  return {.torque = servo.limited(at.torque),
+          .excess = servo.torque_limit ? std::abs(at.torque) - *servo.torque_limit : 0.0,
+          .rate = at.rate};
+}
+
+JointState after_sample(const ServoDrive& drive, double time, JointState state) {
+  const ServoTorque at = servo_torque(drive, time, state);
+  state.held_torque = at.torque;
+  state.servo += at.rate * *drive.servo.sample_time;
+  return state;
+}
+
 JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   const ElasticState at = elastic_state(joint, x);
   const double T = at.spring.torque;
@@ -105,7 +140,8 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   // A crack that opens with an angle pushes the shaft of this angle.
   f.reaction = -at.input_arm * f.torque + T * T / 2 * at.open.by_input;  // (MO-11)
   const double friction = friction_torque(joint, x, rate.bristle);
-  const InputAt input = input_at(joint, time, f.reaction, friction);
+  const InputAt input = input_at(joint, time, x, f.reaction, friction);
+  rate.servo = input.servo;
   f.input_torque = input.torque;
   const double external = joint.output_torque.at(time);
   rate.input_acceleration = input.acceleration;
@@ -152,8 +188,15 @@ void require_constants(const Joint& joint) {
   require_constants(joint.cracks);
   if (const auto* const given = std::get_if<GivenTorque>(&joint.input))
     check(given->torque, "input.torque");
-  else
-    check(std::get<GivenSpeed>(joint.input).speed, "input.speed");
+  else if (const auto* const speed = std::get_if<GivenSpeed>(&joint.input))
+    check(speed->speed, "input.speed");
+  else {
+    const ServoDrive& drive = std::get<ServoDrive>(joint.input);
+    require_constants(drive.servo, joint.input_inertia);
+    check(drive.speed, "input.speed");
+    require(std::isfinite(drive.holding_torque), "input.holding_torque", drive.holding_torque,
+            "N*m", "a finite number");
+  }
   check(joint.output_torque, "output_torque");
 }
 

@@ -25,6 +25,8 @@ enum Entry : std::size_t {
   kOutputSpeed,
   kHysteresis,
   kBristle,
+  kServo,
+  kHeldTorque,
   kSupplied,
   kLost,
   kEntries
@@ -48,7 +50,9 @@ JointState unpacked(const Joint& joint, const State& x) {
           .output_angle = x[kInputAngle] / joint.ratio - x[kWindUp],
           .output_speed = x[kOutputSpeed],
           .hysteresis = x[kHysteresis],
-          .bristle = x[kBristle]};
+          .bristle = x[kBristle],
+          .servo = x[kServo],
+          .held_torque = x[kHeldTorque]};
 }
 
 State packed(const Joint& joint, const JointState& s) {
@@ -59,6 +63,8 @@ State packed(const Joint& joint, const JointState& s) {
   x[kOutputSpeed] = s.output_speed;
   x[kHysteresis] = s.hysteresis;
   x[kBristle] = s.bristle;
+  x[kServo] = s.servo;
+  x[kHeldTorque] = s.held_torque;
   return x;
 }
 
@@ -72,10 +78,13 @@ class Guards {
       events_.push_back(MotionEvent::torque_sense);
     if (joint.hysteresis) events_.push_back(MotionEvent::twist_reversal);
     if (joint.input_friction) events_.push_back(MotionEvent::speed_reversal);
+    servo_ = std::get_if<ServoDrive>(&joint.input);
+    if (servo_ != nullptr && servo_->servo.torque_limit && !servo_->servo.sample_time)
+      events_.push_back(MotionEvent::torque_limit);
   }
 
   [[nodiscard]] const std::vector<MotionEvent>& events() const { return events_; }
-  [[nodiscard]] double value(std::size_t n, const JointForces& forces,
+  [[nodiscard]] double value(std::size_t n, double time, const JointForces& forces,
                              const JointState& state) const {
     switch (events_[n]) {
       case MotionEvent::spring_corner:
@@ -86,6 +95,8 @@ class Guards {
         return forces.twist_rate;
       case MotionEvent::speed_reversal:
         return state.input_speed;
+      case MotionEvent::torque_limit:
+        return servo_torque(*servo_, time, state).excess;
     }
     return 0.0;
   }
@@ -93,6 +104,7 @@ class Guards {
  private:
   std::vector<double> corners_;  // the first guards
   std::vector<MotionEvent> events_;
+  const ServoDrive* servo_ = nullptr;  // of the joint
 };
 
 /// Times at which the slope of a given profile jumps.
@@ -140,6 +152,13 @@ class Simulation {
     to_angle_[kOutputSpeed] = 1 / omega_;
     to_angle_[kHysteresis] = 1 / K;
     to_angle_[kBristle] = 1 / i;
+    to_angle_[kServo] = 1 / i;
+    if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) {
+      servo_ = drive->servo.sample_time ? drive : nullptr;
+      if (drive->servo.integral_time)
+        to_angle_[kServo] =
+            std::max(1 / i, drive->servo.speed_gain / *drive->servo.integral_time * i / K);
+    }
     if (joint.input_friction)
       to_angle_[kBristle] = std::max(1 / i, joint.input_friction->bristle_stiffness * i / K);
     for (const ErrorOrder& line : joint.kinematic_error.orders)
@@ -164,7 +183,19 @@ class Simulation {
     std::size_t next_sample = 1;
     State slope{};
     double step = std::min(0.01 / omega_, options_.duration);
-    for (const double corner : corners_) {
+    double next_sampling = 0.0;  // time of the next sample of the controller
+    for (std::size_t next_corner = 0; next_corner < corners_.size();) {
+      double corner = corners_[next_corner];
+      if (servo_ != nullptr) {
+        if (t >= next_sampling) {
+          const JointState after = after_sample(*servo_, t, unpacked(joint_, x));
+          x[kServo] = after.servo;
+          x[kHeldTorque] = after.held_torque;
+          next_sampling = static_cast<double>(++samplings_) * *servo_->servo.sample_time;
+        }
+        corner = std::min(corner, next_sampling);
+      }
+      if (corner == corners_[next_corner]) ++next_corner;
       segment_end_ = corner;
       slope = rate(t, x);
       while (t < corner) {
@@ -238,6 +269,7 @@ class Simulation {
     dx[kOutputSpeed] = r.output_acceleration;
     dx[kHysteresis] = r.hysteresis;
     dx[kBristle] = r.bristle;
+    dx[kServo] = r.servo;
     dx[kSupplied] = r.supplied;
     dx[kLost] = r.lost;
     return dx;
@@ -282,9 +314,9 @@ class Simulation {
     return inner;
   }
 
-  [[nodiscard]] double guard(std::size_t n, const State& x) const {
+  [[nodiscard]] double guard(std::size_t n, double time, const State& x) const {
     const JointState s = unpacked(joint_, x);
-    return guards_.value(n, joint_rate(joint_, 0.0, s).forces, s);
+    return guards_.value(n, inside(time), joint_rate(joint_, inside(time), s).forces, s);
   }
 
   /// Shortens the step to the first event in it.
@@ -294,17 +326,20 @@ class Simulation {
     const double behind = t + kJustBehind * trial.length;
     if (!fresh_.empty()) {
       const State inner = between(t, x, slope, trial, behind);
-      for (const std::size_t n : fresh_) guard_values_[n] = guard(n, inner);
+      for (const std::size_t n : fresh_) guard_values_[n] = guard(n, behind, inner);
     }
     std::optional<std::size_t> first;
     double earliest = t + trial.length;
     const JointState end = unpacked(joint_, trial.state);
     std::vector<double>& at_end = guard_values_at_end_;
-    for (std::size_t n = 0; n < at_end.size(); ++n) at_end[n] = guards_.value(n, trial.forces, end);
+    for (std::size_t n = 0; n < at_end.size(); ++n)
+      at_end[n] = guards_.value(n, inside(t + trial.length), trial.forces, end);
     for (std::size_t n = 0; n < at_end.size(); ++n) {
       if (guard_values_[n] * at_end[n] >= 0) continue;
       const bool begins_here = std::ranges::find(fresh_, n) != fresh_.end();
-      const auto at = [&](double time) { return guard(n, between(t, x, slope, trial, time)); };
+      const auto at = [&](double time) {
+        return guard(n, time, between(t, x, slope, trial, time));
+      };
       const double root = bracketed_root(at, begins_here ? behind : t, t + trial.length);
       if (root >= earliest) continue;
       earliest = root;
@@ -321,7 +356,7 @@ class Simulation {
     trial = try_step(t, x, slope, earliest - t);
     const JointState there = unpacked(joint_, trial.state);
     for (std::size_t n = 0; n < guard_values_.size(); ++n)
-      guard_values_[n] = guards_.value(n, trial.forces, there);
+      guard_values_[n] = guards_.value(n, inside(earliest), trial.forces, there);
     fresh_.push_back(*first);
     return first;
   }
@@ -359,6 +394,8 @@ class Simulation {
   std::vector<double> corners_;
   Stepper stepper_;
   State to_angle_{};
+  const ServoDrive* servo_ = nullptr;  ///< a controller that takes samples
+  std::uint64_t samplings_ = 0;
   double omega_ = 0.0;
   double fastest_order_ = 0.0;
   double exchanged_ = 0.0;            ///< kinetic energy that came and went [J]
@@ -392,6 +429,8 @@ Motion simulate(const Joint& joint, const JointState& start, const SimulationOpt
   finite("output_speed", start.output_speed, "rad/s");
   finite("hysteresis", start.hysteresis, "N*m");
   finite("bristle", start.bristle, "rad");
+  finite("servo", start.servo, "rad");
+  finite("held_torque", start.held_torque, "N*m");
   return Simulation(joint, options, sink).run(start, progress);
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/drive_joint.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <type_traits>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/dynamics/drivetrain_chain.hpp"
@@ -20,23 +23,73 @@ struct MemberSum {
 };
 
 /// The torque of the drive on its load is the negative of that on the output (MO-14).
-/// @param step  torque of the member over that on the output, with sign [-]
-void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& member, double step) {
+/// @param step        torque of the member over that on the output, with sign [-]
+/// @param opening_of  opening over an angle of the crack with a path
+void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& member, double step,
+                const std::function<std::optional<AngleOpening>(const std::string&)>& opening_of) {
   const bool turned = step < 0;
   const OpeningSense under_positive = turned ? OpeningSense::positive : OpeningSense::negative;
   const OpeningSense under_negative = turned ? OpeningSense::negative : OpeningSense::positive;
   for (const CrackReport& crack : member.cracks) {
     const double positive = step * step * crack.positive.at_output.value;
     const double negative = step * step * crack.negative.at_output.value;
+    const auto add = [&](double compliance, std::optional<OpeningSense> sense) {
+      if (compliance > 0)
+        cracks.push_back({.path = crack.path,
+                          .compliance = compliance,
+                          .sense = sense,
+                          .opening = opening_of(crack.path)});
+    };
     if (positive == negative) {
-      if (positive > 0) cracks.push_back({.path = crack.path, .compliance = positive});
+      add(positive, {});
       continue;
     }
-    if (positive > 0)
-      cracks.push_back({.path = crack.path, .compliance = positive, .sense = under_positive});
-    if (negative > 0)
-      cracks.push_back({.path = crack.path, .compliance = negative, .sense = under_negative});
+    add(positive, under_positive);
+    add(negative, under_negative);
   }
+}
+
+/// A crack of the flexspline opens with the wave (DY-2, MO-6).
+std::optional<AngleOpening> opening_by_wave(const GearSet& gear) {
+  if (gear.drivetrain->breathing == CrackBreathing::torque) return std::nullopt;
+  return AngleOpening{.shaft = BreathingShaft::input,
+                      .order = wave_orders(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio,
+                                           gear.drive.wave_number)
+                                   .flexspline};
+}
+
+/// A surface crack of the output shaft opens once in a turn under a moment that is fixed in space.
+std::optional<AngleOpening> opening_by_moment(const GearSet& gear, const std::string& path) {
+  if (gear.drivetrain->breathing == CrackBreathing::torque) return std::nullopt;
+  const bool bent = gear.duty && std::ranges::any_of(gear.duty->block, [](const DutyBlock& block) {
+                      return block.bending_moment > 0;
+                    });
+  bool at_surface = false;
+  for_each_crack(gear, [&]<class Crack>(const std::string& of, const Crack&) {
+    if constexpr (std::is_same_v<Crack, ShaftSurfaceCrack>) at_surface |= of == path;
+  });
+  if (!bent || !at_surface) return std::nullopt;
+  return AngleOpening{.shaft = BreathingShaft::output, .order = 1.0};
+}
+
+Note breathing_note(CrackBreathing breathing) {
+  Note note{
+      .code = "motion.breathing",
+      .text =
+          "cracks open with the sense of the torque; that the wave opens and closes them "
+          "in each turn is left out",
+      .path = "drivetrain.breathing",
+      .equation = "MO-5",
+      .severity = Severity::care,
+      .next_step = "Give drivetrain.breathing = \"turn\" for cracks that open with the wave."};
+  if (breathing == CrackBreathing::turn) {
+    note.text =
+        "the opening of cracks over a turn is Mayes' law, which is assumed: open at the "
+        "major axis, closed at the minor axis, and half of the compliance on average";
+    note.equation = "MO-6";
+    note.next_step = "Compare with drivetrain.breathing = \"torque\", where cracks stay open.";
+  }
+  return note;
 }
 
 Note contact_note(const std::string& path) {
@@ -76,10 +129,11 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
   Joint& joint = made.joint;
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   MemberSum sum;
-  const auto take = [&](const MemberCompliance& member, double& side, double member_step) {
+  const auto take = [&](const MemberCompliance& member, double& side, double member_step,
+                        const auto& opening_of) {
     if (!member.unusable_because.empty()) throw SolverError(member.unusable_because);
     side += member.intact;
-    add_cracks(joint.cracks, member, member_step);
+    add_cracks(joint.cracks, member, member_step, opening_of);
   };
   const bool coupled = missing_for_torsion_curve(gear).empty();
   made.notes = coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
@@ -88,9 +142,15 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
     for (const CrackReport& crack : wave_generator_compliance(gear).cracks)
       made.notes.push_back(contact_note(crack.path));
   if (gear.wave_generator && !coupled)
-    take(wave_generator_compliance(gear), sum.flexspline_side, step);
-  if (gear.flexspline) take(flexspline_compliance(gear), sum.flexspline_side, step);
-  if (gear.output_shaft) take(output_shaft_compliance(gear), sum.shaft, 1.0);
+    take(wave_generator_compliance(gear), sum.flexspline_side, step, [](const std::string&) {
+      return std::optional<AngleOpening>();
+    });  // it turns with the wave
+  if (gear.flexspline)
+    take(flexspline_compliance(gear), sum.flexspline_side, step,
+         [&](const std::string&) { return opening_by_wave(gear); });
+  if (gear.output_shaft)
+    take(output_shaft_compliance(gear), sum.shaft, 1.0,
+         [&](const std::string& path) { return opening_by_moment(gear, path); });
   progress.at(0.1);
   if (coupled) {
     made.springs = SpringModel::coupled_drive;
@@ -124,14 +184,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
   for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack&) {
     if constexpr (ContactCrack<Crack>) made.notes.push_back(contact_note(path));
   });
-  if (!joint.cracks.empty())
-    made.notes.push_back(
-        {.code = "motion.breathing",
-         .text = "cracks open with the sense of the torque; that the wave opens and closes them in "
-                 "each turn is left out",
-         .path = "drivetrain",
-         .equation = "MO-5",
-         .severity = Severity::care});
+  if (!joint.cracks.empty()) made.notes.push_back(breathing_note(train.breathing));
   return made;
 }
 

@@ -13,6 +13,7 @@
 #include "strainwave/dynamics/drivetrain_chain.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/drive_orders.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
@@ -269,43 +270,12 @@ double stiffness_at_output(const GearSet& gear, const std::vector<Member>& membe
   return 1 / (step * step * (springs.mesh + springs.body) + springs.shaft);  // (DY-10)
 }
 
-/// An excitation with its order in turns of the input.
-struct Excitation {
-  std::string_view words;
-  double order = 0.0;  ///< [-]; > 0
-};
-
-/// Orders of the kinematic error, of cracks, of the output and of the bearing (DY-1, DY-2).
-std::vector<Excitation> excitations(const GearSet& gear) {
-  const Arrangement arrangement = arrangement_of(gear.drivetrain->fixed);
-  const double ratio = gear.drive.ratio;
-  const WaveOrders waves = wave_orders(arrangement, ratio, gear.drive.wave_number);
-  const double output = 1 / std::abs(signed_ratio(arrangement, ratio));
-  std::vector<Excitation> all = {{"kinematic error, once in a turn of the input", 1.0},
-                                 {"kinematic error, twice in a turn of the input", 2.0},
-                                 {"kinematic error, four times in a turn of the input", 4.0},
-                                 {"crack of flexspline, tooth or outer ring", waves.flexspline},
-                                 {"crack of the circular spline", waves.circular_spline},
-                                 {"once in a turn of the output", output},
-                                 {"twice in a turn of the output", 2 * output}};
-  if (!gear.wave_generator || !gear.wave_generator->bearing) return all;
-  const Bearing& bearing = *gear.wave_generator->bearing;
-  if (!bearing.ball_count) return all;
-  const double pitch = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
-  const BallOrders balls =
-      ball_orders(arrangement, ratio,
-                  {.balls = *bearing.ball_count, .diameter_ratio = bearing.ball_diameter / pitch});
-  all.push_back({"balls pass a point of the inner ring", balls.inner_ring});
-  all.push_back({"balls pass a point of the outer ring", balls.outer_ring});
-  return all;
-}
-
 std::vector<ModeSpeed> critical_speeds(const GearSet& gear, double intact,
                                        std::optional<double> cracked) {
   std::vector<ModeSpeed> speeds;
-  for (const Excitation& excitation : excitations(gear)) {
+  for (const DriveOrder& excitation : drive_orders(gear)) {
     ModeSpeed& of =
-        speeds.emplace_back(ModeSpeed{.excitation = std::string(excitation.words),
+        speeds.emplace_back(ModeSpeed{.excitation = excitation.words,
                                       .order = excitation.order,
                                       .intact = critical_speed(intact, excitation.order)});
     if (cracked) of.cracked = critical_speed(*cracked, excitation.order);

@@ -462,6 +462,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[drivetrain]", "accepted", nothing},
       {"[drivetrain.hysteresis]", "drivetrain", with_drivetrain},
       {"[drivetrain.friction]", "drivetrain", with_drivetrain},
+      {"[drivetrain.servo]", "drivetrain", with_drivetrain},
       {"[[kinematic_error]]", "accepted", nothing},
       {"[[manoeuvre]]", "manoeuvre[0]: needs [drivetrain]", with_speed},
       {"[rating]", "accepted", nothing},
@@ -681,7 +682,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 58);
+  EXPECT_EQ(n, 59);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -846,7 +847,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 58);
+  EXPECT_EQ(tables, 59);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

@@ -933,6 +933,40 @@ TEST(Check, InputAMotion) {
             "kinematic_error[0].amplitude = 0.01745 rad violates: >= 0 and < 0.5 deg");
   EXPECT_EQ(refused([](GearSet& g) { g.kinematic_error[0].order = 0; }),
             "kinematic_error[0].order = 0 violates: > 0");
+  const Servo servo{.speed_gain = 0.05, .torque_limit = 0.05};
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->servo = servo;
+              g.drivetrain->servo->speed_gain = 0;
+            }),
+            "drivetrain.servo.speed_gain = 0 N*m*s/rad violates: > 0");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->servo = servo;
+              g.drivetrain->servo->sample_time = 0.1;
+            }),
+            "drivetrain.servo.sample_time = 0.1 s violates: below 2*(inertia of the "
+            "input)/speed_gain");
+  // J_m + J_L/101^2 = 1.98e-4 kg*m^2 and 10 rad/s in 10 ms are 0.198 N*m.
+  const auto fast = [&](GearSet& g) {
+    g.drivetrain->servo = servo;
+    g.manoeuvre[0].duration = 0.01;
+  };
+  EXPECT_EQ(refused(fast),
+            "manoeuvre[0].input_speed: needs at least 0.198 N*m to speed the drive up or down "
+            "within the piece, more than drivetrain.servo.torque_limit; give the piece more time");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              fast(g);
+              g.manoeuvre[0].output_torque = 1.0;  // it may help the motor
+            }),
+            ": accepted");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->servo = servo;
+              for (Manoeuvre& piece : g.manoeuvre) {
+                piece.input_speed.reset();
+                piece.input_torque = 0.1;
+              }
+            }),
+            "manoeuvre[0].input_torque: contradicts drivetrain.servo, which follows input_speed; "
+            "give input_speed, or leave out the servo");
   EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].duration = 0; }),
             "manoeuvre[1].duration = 0 s violates: > 0");
   EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].duration = 1e-20; }),

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -237,6 +240,129 @@ TEST(SimulationReport, BehaviourNotesSayWhatAMotionLeavesOut) {
   light.manoeuvre = {{.duration = 0.2, .input_speed = 300.0}};
   light.kinematic_error = {{.order = 2, .amplitude = 2e-6}};
   EXPECT_TRUE(has_note(simulation_report(light, {.tolerance = 1e-5}).notes, "motion.imbalance"));
+}
+
+const OrderRow& line_at(const SimulationReport& report, double order) {
+  for (const OrderRow& of : report.orders->lines)
+    if (std::abs(of.order - order) < 1e-9) return of;
+  throw std::out_of_range("no such order");
+}
+
+/// A drive at 300 rpm under 100 N*m for 250 turns.
+GearSet turning_joint(const std::string& more = {}) {
+  GearSet gear = summed_joint("gear_damping = \"400 N*m*s/rad\"\n" + more);
+  gear.manoeuvre = {{.duration = 1, .input_speed = 300 * units::rpm, .output_torque = 100.0},
+                    {.duration = 50, .input_speed = 300 * units::rpm}};
+  return gear;
+}
+
+TEST(SimulationReport, CrosscheckLineOfTheKinematicError) {
+  // (MO-20, DY-7): at a given speed theta_L/theta_k = (c s + K)/(J s^2 + c s + K).  1e-6 is the
+  // tolerance of the motion over the amplitude.
+  GearSet gear = without_cracks(turning_joint());
+  gear.kinematic_error = {{.order = 2, .amplitude = 1e-4, .phase = 0.4},
+                          {.order = 7, .amplitude = 2e-5}};
+  const SimulationReport report = simulation_report(gear, {.tolerance = 1e-12});
+  ASSERT_TRUE(report.orders);
+  EXPECT_NEAR(report.orders->turns, 125, 0.05);  // whole samples
+  EXPECT_EQ(report.orders->from, 26.0);
+  EXPECT_EQ(report.orders->to, 51.0);
+  const Joint joint = drive_joint(gear).joint;
+  const double K = tangent_stiffness(joint.spring, 0.0);
+  for (const ErrorOrder& of : gear.kinematic_error) {
+    const std::complex<double> s(0.0, of.order * 300 * units::rpm);
+    const std::complex<double> stiff = joint.damping * s + K;
+    const double gain = std::abs(stiff / (joint.output_inertia * s * s + stiff));
+    const OrderRow& line = line_at(report, of.order);
+    test::expect_relative(*line.error, of.amplitude * gain, 1e-6);
+    test::expect_relative(*line.torque, joint.output_inertia * std::norm(s) * *line.error, 1e-6);
+    EXPECT_FALSE(line.cracked_error);
+  }
+  EXPECT_LT(report.orders->error_floor, 1e-9);
+  EXPECT_FALSE(report.orders->cracked_error_floor);
+  // An order of the output needs 200 turns.
+  EXPECT_FALSE(line_at(report, 0.01).error);
+  EXPECT_NEAR(line_at(report, 0.01).turns_needed, 200, 1e-6);
+}
+
+TEST(SimulationReport, CrosscheckLineOfACrackThatTheWaveOpens) {
+  // (MO-6, MO-20): a crack with b = (1 + cos(o theta_m))/2 moves the output by
+  // K T dlambda/2/|K - J w^2 + i c w| to the first order in dlambda, here 1 % of 1/K;
+  // 2 % is twice the next order.
+  GearSet gear = turning_joint("breathing = \"turn\"\n");
+  gear.output_shaft->crack.clear();
+  const SimulationReport report = simulation_report(gear, {.tolerance = 1e-12});
+  const Joint joint = drive_joint(gear).joint;
+  ASSERT_EQ(joint.cracks.size(), 1U);
+  const double K = tangent_stiffness(joint.spring, 0.0);
+  ASSERT_LT(joint.cracks[0].compliance * K, 0.01);
+  EXPECT_NEAR(joint.cracks[0].opening->order, 2.02, 1e-12);
+  const double w = 2.02 * 300 * units::rpm;
+  const double expected =
+      K * 100 * joint.cracks[0].compliance / 2 /
+      std::abs(std::complex<double>(K - joint.output_inertia * w * w, joint.damping * w));
+  const OrderRow& line = line_at(report, 2.02);
+  test::expect_relative(*line.cracked_error, expected, 0.02);
+  EXPECT_LT(*line.error, 1e-4 * expected);
+  EXPECT_LT(*report.orders->cracked_error_floor, 0.01 * expected);
+  EXPECT_TRUE(has_note(report.notes, "motion.breathing"));
+  // Without the wave the open crack adds no line.
+  gear.drivetrain->breathing = CrackBreathing::torque;
+  EXPECT_LT(*line_at(simulation_report(gear, {.tolerance = 1e-12}), 2.02).cracked_error,
+            1e-4 * expected);
+}
+
+TEST(SimulationReport, BehaviourOpeningByAMoment) {
+  // A surface crack of the shaft opens once in a turn of the output under a moment fixed in space;
+  // without the moment, and a crack all round, it does not.
+  GearSet gear = summed_joint("breathing = \"turn\"\n");
+  gear.flexspline->crack.clear();
+  ShaftSurfaceCrack surface;
+  surface.depth = 5e-3;
+  surface.half_length = 6e-3;
+  gear.output_shaft->crack.emplace_back(surface);
+  const auto openings = [&] {
+    std::vector<std::optional<double>> orders;
+    for (const BreathingCrack& crack : drive_joint(gear).joint.cracks)
+      orders.push_back(crack.opening ? std::optional(crack.opening->order) : std::nullopt);
+    return orders;
+  };
+  for (const std::optional<double>& order : openings()) EXPECT_FALSE(order);
+  gear.duty.emplace().block = {
+      {.duration = 1, .output_speed = 1.0, .torque = 50, .bending_moment = 100}};
+  int turning = 0;
+  for (const BreathingCrack& crack : drive_joint(gear).joint.cracks) {
+    EXPECT_EQ(crack.opening.has_value(), crack.path == "output_shaft.crack[1]");
+    if (!crack.opening) continue;
+    ++turning;
+    EXPECT_EQ(crack.opening->shaft, BreathingShaft::output);
+    EXPECT_EQ(crack.opening->order, 1.0);
+  }
+  EXPECT_GT(turning, 0);
+}
+
+TEST(SimulationReport, BehaviourOfTheServo) {
+  // (MO-21): the controller brings the input to its angle; a limit of the torque makes it lag.
+  GearSet gear = without_cracks(summed_joint());
+  gear.manoeuvre = {{.duration = 0.1, .input_speed = 50.0},
+                    {.duration = 0.1, .input_speed = 0.0},
+                    {.duration = 1.0, .input_speed = 0.0}};
+  gear.drivetrain->servo = Servo{.speed_gain = 0.05, .position_time = 0.02};
+  const SimulationReport free = simulation_report(gear);
+  EXPECT_NEAR(free.rows.back().input_angle, 5.0, 1e-6);
+  ASSERT_TRUE(free.intact.largest_lag);
+  gear.drivetrain->servo->torque_limit = 0.1;
+  const SimulationReport limited = simulation_report(gear);
+  EXPECT_NEAR(limited.intact.largest_input_torque, 0.1, 1e-12);
+  EXPECT_GT(*limited.intact.largest_lag, *free.intact.largest_lag);
+  EXPECT_GT(limited.intact.events, free.intact.events);
+  // An input that sticks has no lines over its angle.
+  gear.drivetrain->servo = Servo{.speed_gain = 1e-3};
+  gear.drivetrain->friction = LuGre{.bristle_stiffness = 100, .coulomb = 1, .breakaway = 1};
+  gear.manoeuvre = {{.duration = 0.1, .input_speed = 50.0}, {.duration = 2, .input_speed = 50.0}};
+  const SimulationReport stuck = simulation_report(gear);
+  EXPECT_TRUE(has_note(stuck.notes, "motion.no_orders"));
+  EXPECT_FALSE(stuck.orders);
 }
 
 TEST(SimulationReport, InputEachRuleBrokenOnce) {

@@ -9,6 +9,7 @@
 #include "strainwave/motion/breathing_crack.hpp"
 #include "strainwave/motion/kinematic_error.hpp"
 #include "strainwave/motion/losses.hpp"
+#include "strainwave/motion/servo.hpp"
 #include "strainwave/motion/spring.hpp"
 
 /// @file
@@ -24,6 +25,8 @@ struct Profile {
 
   [[nodiscard]] double at(double time) const;
   [[nodiscard]] double slope(double time) const;  ///< behind the time [1/s]
+  /// From the time 0; the value's unit times [s].
+  [[nodiscard]] double integral(double time) const;
 };
 
 /// The input is driven by a torque over time [N*m].
@@ -34,7 +37,13 @@ struct GivenTorque {
 struct GivenSpeed {
   Profile speed;
 };
-using InputDrive = std::variant<GivenTorque, GivenSpeed>;
+/// A controlled motor follows a speed over time [rad/s] and its angle, which begins at 0.
+struct ServoDrive {
+  Servo servo;
+  Profile speed;
+  double holding_torque = 0.0;  ///< T_0, with which the controller begins [N*m]
+};
+using InputDrive = std::variant<GivenTorque, GivenSpeed, ServoDrive>;
 
 /// A joint of a motor, a strain wave gear and a load.
 ///
@@ -65,6 +74,8 @@ struct JointState {
   double output_speed = 0.0;  ///< [rad/s]
   double hysteresis = 0.0;    ///< z [N*m]
   double bristle = 0.0;       ///< u of the input's friction [rad]
+  double servo = 0.0;         ///< q, integral of the controller's error [rad]
+  double held_torque = 0.0;   ///< of the motor since the last sample of its controller [N*m]
 };
 
 /// Torques of a joint at one time.
@@ -84,12 +95,25 @@ struct JointRate {
   double output_acceleration = 0.0;  ///< [rad/s^2]
   double hysteresis = 0.0;           ///< dz/dt [N*m/s]
   double bristle = 0.0;              ///< du/dt [rad/s]
+  double servo = 0.0;                ///< rate of the controller's integral [rad/s]
   double supplied = 0.0;             ///< power of the input and of T_ext [W]
   double lost = 0.0;                 ///< power lost in damping and friction, or stored in z [W]
 };
 
 /// Equations of motion of a joint (MO-11).
 [[nodiscard]] JointRate joint_rate(const Joint& joint, double time, const JointState& state);
+
+/// Torque of a controller at one time (MO-21).
+struct ServoTorque {
+  double torque = 0.0;  ///< T_m, within its limit [N*m]
+  double excess = 0.0;  ///< the torque before the limit less the limit [N*m]; 0: no limit
+  double rate = 0.0;    ///< of the integral [rad/s]
+};
+/// @param time  [s]; @param state  of the joint
+[[nodiscard]] ServoTorque servo_torque(const ServoDrive& drive, double time,
+                                       const JointState& state);
+/// The state behind a sample of the controller: its integral and its torque are new.
+[[nodiscard]] JointState after_sample(const ServoDrive& drive, double time, JointState state);
 
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
 [[nodiscard]] double stored_energy(const Joint& joint, const JointState& state);

@@ -36,11 +36,12 @@ enum class MotionEvent {
   torque_sense,    ///< the elastic torque changes its sign, which opens or closes cracks
   twist_reversal,  ///< the twist begins to fall or to rise, which turns the hysteresis
   speed_reversal,  ///< the input begins to turn backward or forward
+  torque_limit,    ///< the controller of the motor meets or leaves its limit
 };
 template <>
 struct EnumNames<MotionEvent> {
-  static constexpr std::array<std::string_view, 4> names = {"spring_corner", "torque_sense",
-                                                            "twist_reversal", "speed_reversal"};
+  static constexpr std::array<std::string_view, 5> names = {
+      "spring_corner", "torque_sense", "twist_reversal", "speed_reversal", "torque_limit"};
 };
 
 /// Time of an event.
@@ -81,8 +82,8 @@ using SampleSink = std::function<void(const MotionSample&)>;
 /// Motion of a joint over time (MO-13).
 ///
 /// Steps of Dormand and Prince with an error estimate end exactly at the corners of the spring, at
-/// changes of the sense of torque, at reversals of twist and speed, and at the points of the
-/// profiles.  Cost grows with the time and memory does not.
+/// changes of the sense of torque, at reversals of twist and speed, at the points of the
+/// profiles, and at the samples of a controller.  Cost grows with the time and memory does not.
 ///
 /// A motion that cannot be finished has `converged` false, the reason, and the last good state.
 /// @throws InputError  if a number is out of range

@@ -70,8 +70,10 @@ struct MotionSummary {
   double largest_error = 0.0;         ///< magnitude of the output's error [rad]
   double largest_input_torque = 0.0;  ///< magnitude [N*m]
   double last_error = 0.0;            ///< error of the output at the end [rad]
-  double lost_energy = 0.0;           ///< [J]
-  double imbalance = 0.0;             ///< of the energy, over that exchanged [-]
+  /// largest magnitude of the input's angle behind the given one; absent: no controller [rad]
+  std::optional<double> largest_lag = {};
+  double lost_energy = 0.0;  ///< [J]
+  double imbalance = 0.0;    ///< of the energy, over that exchanged [-]
   double steps = 0.0;
   double events = 0.0;
   bool converged = false;
@@ -82,18 +84,21 @@ struct MotionSummary {
   static void describe(Visitor&& field) {
     field({.name = "largest_torque",
            .unit = "N*m",
-           .doc = "largest magnitude of the torque of the drive on the load, among the rows",
+           .doc = "largest magnitude of the torque of the drive on the load, among the samples",
            .headline = true},
           &MotionSummary::largest_torque);
     field({.name = "largest_error",
            .unit = "rad",
-           .doc = "largest magnitude of the output's error, among the rows",
+           .doc = "largest magnitude of the output's error, among the samples",
            .headline = true},
           &MotionSummary::largest_error);
     field({"largest_input_torque", "N*m",
-           "largest magnitude of the torque of the input, among the rows"},
+           "largest magnitude of the torque of the input, among the samples"},
           &MotionSummary::largest_input_torque);
     field({"last_error", "rad", "error of the output at the end"}, &MotionSummary::last_error);
+    field({"largest_lag", "rad",
+           "largest magnitude of the angle of the input behind the given one, with a controller"},
+          &MotionSummary::largest_lag);
     field({"lost_energy", "J", "energy lost in damping and friction, or stored in the hysteresis"},
           &MotionSummary::lost_energy);
     field({"imbalance", "1", "imbalance of the energy over the energy that was exchanged"},
@@ -106,6 +111,69 @@ struct MotionSummary {
   }
 };
 
+/// The line of a motion at one order.
+struct OrderRow {
+  std::string cause;
+  double order = 0.0;         ///< periods in one turn of the input [-]
+  double turns_needed = 0.0;  ///< turns that separate the line from the others [-]
+  /// amplitude of the output's error [rad], of the torque on the load [N*m]; absent: the motion
+  /// does not separate the line
+  std::optional<double> error = {};
+  std::optional<double> torque = {};
+  std::optional<double> cracked_error = {};
+  std::optional<double> cracked_torque = {};
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"cause", "", "what passes"}, &OrderRow::cause);
+    field({"order", "1", "periods in one turn of the input"}, &OrderRow::order);
+    field({"turns_needed", "1", "turns of the input that separate the line from the others"},
+          &OrderRow::turns_needed);
+    field({"error", "rad",
+           "amplitude of the output's error, sound; absent if the motion does not separate the "
+           "line"},
+          &OrderRow::error);
+    field({"torque", "N*m", "amplitude of the torque on the load, sound"}, &OrderRow::torque);
+    field({"cracked_error", "rad", "amplitude of the output's error, cracked"},
+          &OrderRow::cracked_error);
+    field({"cracked_torque", "N*m", "amplitude of the torque on the load, cracked"},
+          &OrderRow::cracked_torque);
+  }
+};
+
+/// Lines of a motion while the input turns at a constant speed (MO-20).
+struct MotionOrders {
+  double from = 0.0;   ///< time [s]
+  double to = 0.0;     ///< time [s]
+  double speed = 0.0;  ///< given speed of the input [rad/s]
+  double turns = 0.0;  ///< of the input [-]
+  /// median amplitude at orders without a name: of the output's error [rad], of the torque [N*m]
+  double error_floor = 0.0;
+  double torque_floor = 0.0;
+  std::optional<double> cracked_error_floor = {};
+  std::optional<double> cracked_torque_floor = {};
+  std::vector<OrderRow> lines = {};  ///< by rising order
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"from", "s", "begin of the part that is analysed"}, &MotionOrders::from);
+    field({"to", "s", "end of the part that is analysed"}, &MotionOrders::to);
+    field({"speed", "rad/s", "given speed of the input"}, &MotionOrders::speed);
+    field({"turns", "1", "turns of the input in this part"}, &MotionOrders::turns);
+    field({"error_floor", "rad",
+           "median amplitude of the output's error at orders without a name, sound"},
+          &MotionOrders::error_floor);
+    field({"torque_floor", "N*m", "median amplitude of the torque at orders without a name, sound"},
+          &MotionOrders::torque_floor);
+    field({"cracked_error_floor", "rad", "the same of the output's error, cracked"},
+          &MotionOrders::cracked_error_floor);
+    field({"cracked_torque_floor", "N*m", "the same of the torque, cracked"},
+          &MotionOrders::cracked_torque_floor);
+    field({"lines", "", "the lines by rising order"}, &MotionOrders::lines);
+  }
+};
+
 /// The result of `strainwave simulate`.
 struct SimulationReport {
   double duration = 0.0;  ///< [s]
@@ -113,8 +181,10 @@ struct SimulationReport {
   SpringModel springs = SpringModel::members;
   MotionSummary intact;
   std::optional<MotionSummary> cracked = {};  ///< absent: no crack that a motion contains
-  /// largest difference of the output's angle between both motions, among the rows [rad]
+  /// largest difference of the output's angle between both motions, among the samples [rad]
   std::optional<double> largest_difference = {};
+  /// absent: the input never turns four times at one given speed, in the half of that time
+  std::optional<MotionOrders> orders = {};
   std::vector<SimulationRow> rows = {};
   std::vector<Note> notes = {};
   std::vector<std::string> equations = {};
@@ -130,9 +200,12 @@ struct SimulationReport {
     field({"cracked", "", "the drive with its cracks"}, &SimulationReport::cracked);
     field({.name = "largest_difference",
            .unit = "rad",
-           .doc = "largest difference of the output's angle, cracked against sound, among the rows",
+           .doc =
+               "largest difference of the output's angle, cracked against sound, among the samples",
            .headline = true},
           &SimulationReport::largest_difference);
+    field({"orders", "", "lines of the motion while the input turns at a constant speed"},
+          &SimulationReport::orders);
     field({"rows", "", "the motion over time"}, &SimulationReport::rows);
   }
 };

@@ -115,11 +115,33 @@ void check_drivetrain(const GearSet& gear) {
   if (of.friction)
     require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
             of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");
+  if (of.servo)
+    require_constants(*of.servo, of.motor_inertia + of.wave_generator_inertia.value_or(0.0),
+                      FieldPath("drivetrain") / "servo");
+}
+
+/// A motor with a limit must be able to speed up itself and the load that hangs on it.
+void check_reachable(const GearSet& gear, const FieldPath& at, double before,
+                     const Manoeuvre& piece) {
+  const Drivetrain& train = *gear.drivetrain;
+  if (!train.servo || !train.servo->torque_limit || train.gravity_torque != 0) return;
+  const double limit = *train.servo->torque_limit;
+  const double inertia = train.motor_inertia + train.wave_generator_inertia.value_or(0.0) +
+                         train.load_inertia / std::pow(gear.drive.ratio + 1, 2);
+  const double torque = inertia * std::abs(*piece.input_speed - before) / piece.duration;
+  if (torque > limit)
+    throw InputError((at / "input_speed").text(),
+                     fmt::format("needs at least {} to speed the drive up or down within the "
+                                 "piece, more than drivetrain.servo.torque_limit; give the piece "
+                                 "more time",
+                                 shown_quantity(torque, "N*m", 4)));
 }
 
 void check_manoeuvres(const GearSet& gear) {
   const FieldPath pieces("manoeuvre");
   double time = 0.0;
+  double before = 0.0;  // speed at the beginning of the piece
+  bool loaded = false;  // an external torque may help the motor
   if (!gear.manoeuvre.empty() && !gear.drivetrain)
     throw InputError(pieces[0].text(),
                      "needs [drivetrain], the inertias that the manoeuvres move; give it");
@@ -135,6 +157,13 @@ void check_manoeuvres(const GearSet& gear) {
       throw InputError(at.text(),
                        "must give what the pieces before give: input_speed in all, or input_torque "
                        "in all");
+    if (piece.input_torque && gear.drivetrain->servo)
+      throw InputError((at / "input_torque").text(),
+                       "contradicts drivetrain.servo, which follows input_speed; give "
+                       "input_speed, or leave out the servo");
+    if (piece.output_torque && *piece.output_torque != 0) loaded = true;
+    if (piece.input_speed && !loaded) check_reachable(gear, at, before, piece);
+    before = piece.input_speed.value_or(0.0);
   }
 }
 

@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/duty.hpp"
 #include "strainwave/motion/losses.hpp"
+#include "strainwave/motion/servo.hpp"
 
 namespace strainwave {
+
+/// What opens and closes the cracks in a motion.
+enum class CrackBreathing {
+  torque,  ///< the sense of the torque
+  turn,    ///< the sense of the torque, and the turn: the wave, or a moment that is fixed in space
+};
+template <>
+struct EnumNames<CrackBreathing> {
+  static constexpr std::array<std::string_view, 2> names = {"torque", "turn"};
+};
 
 /// What turns the wave generator, and what the output turns: for the vibration of the drive.
 struct Drivetrain {
@@ -25,6 +38,8 @@ struct Drivetrain {
   double gravity_angle = 0.0;   ///< angle of the output at which the arm hangs down [rad]
   std::optional<BoucWen> hysteresis = {};  ///< at the output, parallel to the drive
   std::optional<LuGre> friction = {};      ///< at the input
+  std::optional<Servo> servo = {};         ///< controller of the motor; absent: given speed
+  CrackBreathing breathing = CrackBreathing::torque;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -103,6 +118,21 @@ struct Drivetrain {
                 .doc = "friction of the input in a motion, with sticking",
                 .in_template = InTemplate::commented},
           &Drivetrain::friction);
+    field(Field{.name = "servo",
+                .unit = "",
+                .doc = "controller of the motor, which follows input_speed in a motion; if left "
+                       "out, the motor has this speed",
+                .in_template = InTemplate::commented},
+          &Drivetrain::servo);
+    field(Field{.name = "breathing",
+                .unit = "",
+                .doc = "what opens cracks in a motion: \"torque\", its sense; or \"turn\", also "
+                       "the wave for cracks of the flexspline, and a bending_moment of the duty "
+                       "for surface cracks of the output shaft",
+                .example = R"("torque")",
+                .fallback = R"("torque")",
+                .in_template = InTemplate::commented},
+          &Drivetrain::breathing);
   }
 };
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/motion/order_spectrum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "strainwave/core/counter_random.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// Angles of a number of turns whose speed swings by 20 %, in steps of about 0.01 turn.
+std::vector<double> angles(double turns, double direction = 1.0) {
+  std::vector<double> made;
+  const auto n = static_cast<int>(turns * 100);
+  for (int k = 0; k <= n; ++k) {
+    const double even = 2 * pi * turns * k / n;
+    made.push_back(direction * (even + 0.2 / 3 * std::sin(3 * even)));
+  }
+  return made;
+}
+
+std::vector<double> signal_of(const std::vector<double>& at, auto f) {
+  std::vector<double> made;
+  for (const double angle : at) made.push_back(f(angle));
+  return made;
+}
+
+TEST(OrderSpectrum, IdentityLinesMeanAndDrift) {
+  // (MO-20): the fit contains the signal, so amplitudes and phases return; 1e-10 is the rounding of
+  // the normal equations.  Falling angles give the lines of the same function.
+  for (const double direction : {1.0, -1.0}) {
+    const std::vector<double> at = angles(120, direction);
+    const auto f = [](double angle) {
+      return 3.0 + 1e-3 * angle + 0.5 * std::cos(2 * angle - 0.4) +
+             0.02 * std::cos(2.02 * angle + 1.3) + 1e-3 * std::cos(6.5 * angle);
+    };
+    const std::vector<double> orders = {2, 2.02, 6.5, 1};
+    const OrderSpectrum made = order_spectrum(at, signal_of(at, f), orders);
+    EXPECT_NEAR(made.turns, 120, 1e-9);
+    ASSERT_EQ(made.lines.size(), 4U);
+    const std::vector<double> amplitude = {0.5, 0.02, 1e-3, 0.0};
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_TRUE(made.lines[k].separate);
+      EXPECT_EQ(made.lines[k].order, orders[k]);
+      EXPECT_NEAR(made.lines[k].amplitude, amplitude[k], 1e-10);
+    }
+    EXPECT_NEAR(made.lines[0].phase, 0.4, 1e-9);
+    EXPECT_NEAR(made.lines[1].phase, -1.3, 1e-8);
+    EXPECT_LT(made.floor, 1e-10);
+  }
+}
+
+TEST(OrderSpectrum, BehaviourLinesThatTheTurnsDoNotSeparate) {
+  // 2 and 2.02 need 2/0.02 = 100 turns, an order of 0.01 needs 200; order 2 twice is one line.
+  const std::vector<double> at = angles(99);
+  const std::vector<double> signal = signal_of(at, [](double a) { return std::cos(2 * a); });
+  const std::vector<double> orders = {2, 2.02, 0.01, 2};
+  const OrderSpectrum made = order_spectrum(at, signal, orders);
+  EXPECT_TRUE(made.lines[0].separate);
+  EXPECT_NEAR(made.lines[0].turns_needed, 1.0, 1e-12);
+  EXPECT_NEAR(made.lines[0].amplitude, 1.0, 1e-10);
+  for (const std::size_t k : {1U, 2U, 3U}) {
+    EXPECT_FALSE(made.lines[k].separate);
+    EXPECT_EQ(made.lines[k].amplitude, 0.0);
+  }
+  EXPECT_NEAR(made.lines[1].turns_needed, 100.0, 1e-9);
+  EXPECT_NEAR(made.lines[2].turns_needed, 200.0, 1e-9);
+  EXPECT_EQ(made.lines[3].turns_needed, std::numeric_limits<double>::infinity());
+  // One turn more is enough.
+  const std::vector<double> longer = angles(100);
+  EXPECT_TRUE(
+      order_spectrum(longer, signal_of(longer, [](double a) { return std::cos(a); }), orders)
+          .lines[1]
+          .separate);
+}
+
+TEST(OrderSpectrum, IdentityFloorOfNoise) {
+  // Independent noise of a standard deviation s has, at any order, an amplitude by Rayleigh's
+  // distribution with the median 2 s sqrt(ln 2 * sum of w^2)/(sum of w); for Hann's weights
+  // the sum of w^2 is 3/8 N and that of w is N/2.  The median of about 90 probes, of which about
+  // every second one is independent, scatters by 15 %; 40 % is more than two of these.
+  const std::vector<double> at = angles(40);
+  const double s = 0.01;
+  std::vector<double> signal;
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    signal.push_back(std::cos(2 * at[n]) + s * counter_normal(7, n, 0));
+  }
+  const double n = static_cast<double>(at.size());
+  const double expected = 2 * s * std::sqrt(std::numbers::ln2 * 0.375 * n) / (n / 2);
+  const OrderSpectrum made = order_spectrum(at, signal, std::vector<double>{2.0, 5.0});
+  EXPECT_NEAR(made.floor, expected, 0.4 * expected);
+  EXPECT_NEAR(made.lines[0].amplitude, 1.0, 10 * expected);
+  // Twice the noise has twice the floor.
+  for (std::size_t k = 0; k < at.size(); ++k) signal[k] = 2 * signal[k] - std::cos(2 * at[k]);
+  test::expect_relative(order_spectrum(at, signal, std::vector<double>{2.0, 5.0}).floor,
+                        2 * made.floor, 1e-9);
+}
+
+TEST(OrderSpectrum, InputEachRuleBrokenOnce) {
+  const std::vector<double> at = angles(10);
+  const std::vector<double> orders = {2};
+  const auto broken = [&](std::vector<double> angle, std::vector<double> signal,
+                          const std::vector<double>& lines) {
+    return test::broken_rule([&] { (void)order_spectrum(angle, signal, lines); });
+  };
+  const std::vector<double> signal(at.size(), 1.0);
+  EXPECT_EQ(broken(at, signal, orders), "no error");
+  EXPECT_NE(broken(at, {1.0}, orders).find("signal: must have as many"), std::string::npos);
+  EXPECT_NE(broken({0, 1, 2}, {0, 1, 2}, orders).find("angle: must have at least four"),
+            std::string::npos);
+  std::vector<double> turned = at;
+  turned[5] = turned[4];
+  EXPECT_NE(broken(turned, signal, orders).find("angle: must rise"), std::string::npos);
+  std::vector<double> unknown = signal;
+  unknown[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(broken(at, unknown, orders).find("signal: must have finite"), std::string::npos);
+  EXPECT_NE(broken(at, signal, {0.0}).find("order"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
