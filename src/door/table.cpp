@@ -9,6 +9,7 @@ Command calibrate_command();
 Command catalogue_command();
 Command diff_command();
 Command duty_command();
+Command frf_command();
 Command grow_command();
 Command life_command();
 Command material_list_command();
@@ -38,6 +39,7 @@ std::span<const Command> commands() {
       life_command(),
       grow_command(),
       modes_command(),
+      frf_command(),
       simulate_command(),
       require_command(),
       report_command(),

@@ -32,13 +32,19 @@ class Assembly {
     made_.parts.push_back(parts);
   }
 
-  DrivetrainChain finished(std::size_t motor, std::size_t load) && {
+  /// @param follows  inertias that turn as the output does while the input stands and nothing
+  /// twists
+  DrivetrainChain finished(std::size_t motor, std::size_t load,
+                           std::initializer_list<std::size_t> follows) && {
     made_.motor = motor;
     made_.load = load;
     for (ChainSpring& spring : made_.chain.springs)
       spring.twist_of.resize(made_.chain.inertias.size());
+    follows_.assign(made_.chain.inertias.size(), 0.0);
+    for (const std::size_t at : follows) follows_[at] = 1.0;
     while (join_rigid() || join_massless()) {
     }
+    place_error();
     return std::move(made_);
   }
 
@@ -51,6 +57,7 @@ class Assembly {
   void remove_inertia(std::size_t at) {
     const auto offset = static_cast<std::ptrdiff_t>(at);
     made_.chain.inertias.erase(made_.chain.inertias.begin() + offset);
+    follows_.erase(follows_.begin() + offset);
     for (ChainSpring& spring : made_.chain.springs)
       spring.twist_of.erase(spring.twist_of.begin() + offset);
     if (made_.motor > at) --made_.motor;
@@ -119,7 +126,24 @@ class Assembly {
     return false;
   }
 
+  /// The kinematic error turns the output while the input stands and no spring bears a torque, so
+  /// it is minus what the output's turn twists in the spring (DY-12).
+  void place_error() {
+    const auto first_with = [&](double DrivetrainChain::Parts::*part) {
+      for (std::size_t s = 0; s < made_.parts.size(); ++s)
+        if (made_.parts[s].*part > 0) return s;
+      return made_.parts.size();
+    };
+    std::size_t at = first_with(&DrivetrainChain::Parts::mesh);
+    if (at == made_.parts.size()) at = first_with(&DrivetrainChain::Parts::body);
+    if (at == made_.parts.size()) at = first_with(&DrivetrainChain::Parts::shaft);
+    made_.error_spring = at;
+    for (std::size_t n = 0; n < follows_.size(); ++n)
+      made_.error_twist -= made_.chain.springs[at].twist_of[n] * follows_[n];  // (DY-12)
+  }
+
   DrivetrainChain made_;
+  std::vector<double> follows_;  ///< turn of each inertia per turn of the output, input held [-]
 };
 
 /// J of a tube about its axis [kg*m^2].
@@ -241,7 +265,9 @@ DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
     made.join(spring("body", springs.body), body, {{rim, 1.0}});
   }
   made.join(spring("shaft", springs.shaft), shaft, {{output, 1.0}, {load, -1.0}});
-  return std::move(made).finished(motor, load);
+  // The rim of a flexspline that is fixed stands.
+  if (circular_spline_fixed) return std::move(made).finished(motor, load, {rim, output, load});
+  return std::move(made).finished(motor, load, {output, load});
 }
 
 }  // namespace strainwave

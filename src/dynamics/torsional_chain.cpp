@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/dynamics/torsional_chain.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "free_chain.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
@@ -16,15 +16,6 @@ using std::numbers::pi;
 
 /// Squares of frequencies below this share of the largest one are those of a free turn.
 constexpr double kFreeTurn = 1e-12;
-
-/// The matrices of the inertias that are free to turn.
-struct FreeChain {
-  std::vector<std::size_t> inertia;  ///< index in the chain of each free inertia
-  Eigen::VectorXd mass;              ///< J
-  Eigen::MatrixXd stiffness;         ///< sum of g g^T/lambda
-  Eigen::MatrixXd damping;           ///< sum of c g g^T, and B
-  Eigen::MatrixXd twist;             ///< g of each spring as a row
-};
 
 void check(const TorsionalChain& chain, std::span<const std::size_t> held) {
   if (chain.inertias.empty()) throw InputError("inertias", "must not be empty");
@@ -48,6 +39,26 @@ void check(const TorsionalChain& chain, std::span<const std::size_t> held) {
     if (at >= chain.inertias.size())
       throw InputError("held", "must be indices of inertias of the chain");
 }
+
+/// Angles under torques of one frequency; (DY-6).
+ChainResponse solved(const TorsionalChain& chain, const FreeChain& of, double frequency,
+                     const Eigen::VectorXcd& torque) {
+  require(frequency > 0 && std::isfinite(frequency), "frequency", frequency, "Hz", "> 0");
+  const double omega = 2 * pi * frequency;
+  Eigen::MatrixXcd dynamic =
+      of.stiffness.cast<std::complex<double>>() + std::complex<double>(0, omega) * of.damping;
+  dynamic.diagonal() -= omega * omega * of.mass;
+  const Eigen::VectorXcd angle = dynamic.partialPivLu().solve(torque);
+  ChainResponse response(chain.inertias.size());
+  for (std::size_t j = 0; j < of.inertia.size(); ++j) {
+    const std::complex<double> at = angle(static_cast<Eigen::Index>(j));
+    if (!std::isfinite(at.real()) || !std::isfinite(at.imag())) refuse_infinite_response();
+    response[of.inertia[j]] = at;
+  }
+  return response;
+}
+
+}  // namespace
 
 FreeChain free_chain(const TorsionalChain& chain, std::span<const std::size_t> held) {
   check(chain, held);
@@ -79,28 +90,11 @@ FreeChain free_chain(const TorsionalChain& chain, std::span<const std::size_t> h
   return made;
 }
 
-/// Angles under torques of one frequency; (DY-6).
-ChainResponse solved(const TorsionalChain& chain, const FreeChain& of, double frequency,
-                     const Eigen::VectorXcd& torque) {
-  require(frequency > 0 && std::isfinite(frequency), "frequency", frequency, "Hz", "> 0");
-  const double omega = 2 * pi * frequency;
-  Eigen::MatrixXcd dynamic =
-      of.stiffness.cast<std::complex<double>>() + std::complex<double>(0, omega) * of.damping;
-  dynamic.diagonal() -= omega * omega * of.mass;
-  const Eigen::VectorXcd angle = dynamic.partialPivLu().solve(torque);
-  ChainResponse response(chain.inertias.size());
-  for (std::size_t j = 0; j < of.inertia.size(); ++j) {
-    const std::complex<double> at = angle(static_cast<Eigen::Index>(j));
-    if (!std::isfinite(at.real()) || !std::isfinite(at.imag()))
-      throw InputError("frequency",
-                       "is that of a resonance without damping, where the response is infinite; "
-                       "give a damping");
-    response[of.inertia[j]] = at;
-  }
-  return response;
+void refuse_infinite_response() {
+  throw InputError("frequency",
+                   "is that of a resonance without damping, where the response is infinite; "
+                   "give a damping");
 }
-
-}  // namespace
 
 std::vector<ChainMode> chain_modes(const TorsionalChain& chain, std::span<const std::size_t> held) {
   const FreeChain of = free_chain(chain, held);

@@ -47,6 +47,7 @@ struct Draft {
 [[nodiscard]] ReportSection life_chapter(Draft& draft);
 /// Of a drive with a drivetrain.
 [[nodiscard]] ReportSection modes_chapter(Draft& draft);
+[[nodiscard]] ReportSection frf_chapter(Draft& draft);
 /// Of a drive with manoeuvres.
 [[nodiscard]] ReportSection motion_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);

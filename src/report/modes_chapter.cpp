@@ -20,7 +20,7 @@ ReportSection modes_chapter(Draft& draft) {
     return section;
   }
   try {
-    const ModesReport modes = modes_report(draft.gear, {}, draft.progress.part(0.9, 0.92));
+    const ModesReport modes = modes_report(draft.gear, {}, draft.progress.part(0.9, 0.91));
     for (const std::string& sentence : modes_sentences(modes)) section.html += paragraph(sentence);
     section.html += figures(modes_panels(modes)) + tables(modes_tables(modes));
     draft.add(modes.notes);

@@ -240,7 +240,10 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   if (gear.duty && draft.corrected() && !draft.cracks.empty())
     for (ReportSection& section : growth_chapters(draft))
       made.sections.push_back(std::move(section));
-  if (gear.drivetrain) made.sections.push_back(modes_chapter(draft));
+  if (gear.drivetrain) {
+    made.sections.push_back(modes_chapter(draft));
+    made.sections.push_back(frf_chapter(draft));
+  }
   if (!gear.manoeuvre.empty() && draft.corrected()) made.sections.push_back(motion_chapter(draft));
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));

@@ -240,6 +240,7 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"life", {"life_size25.toml", ""}},
       {"grow", {"growing_shaft.toml", R"({"until": "300 h"})"}},
       {"modes", {"joint_size25.toml", ""}},
+      {"frf", {"joint_size25.toml", ""}},
       {"simulate", {"joint_size25.toml", ""}},
       {"require", {"article.toml", R"({"requirements": ["intact.stiffness >= 1 N*m/rad"]})"}},
       {"report", {"article.toml", R"({"date": "2026-01-01"})"}},

@@ -57,6 +57,7 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"grow", R"({"interaction": "wheeler", "zone_factor": 2, "wheeler_exponent": 1.5})"},
       {"modes", "{}"},
       {"modes", R"({"torque": "20 N*m"})"},
+      {"frf", R"({"torque": "20 N*m", "from": "1 Hz", "to": "100 Hz", "points": 30})"},
       {"simulate", R"({"step": "10 ms", "tolerance": "1e-8 rad"})"},
       {"require", R"({"requirements": ["intact.stiffness > 1 N*m/rad",
                                         "cracked.positive.stiffness_change >= 1 %"]})"},

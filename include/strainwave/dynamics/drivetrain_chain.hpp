@@ -47,6 +47,11 @@ struct DrivetrainChain {
     double shaft = 0.0;
   };
   std::vector<Parts> parts = {};  ///< as many as the chain has springs
+  /// Index of the spring in which the kinematic error acts: the mesh, or the first spring behind it
+  /// if the mesh is rigid.
+  std::size_t error_spring = 0;
+  /// Error of the twist of this spring per kinematic error at the output, with sign (DY-12) [-].
+  double error_twist = 0.0;
 };
 
 /// Implements theory manual eq. (DY-10).  Inertias are motor, wave generator (behind a coupling),
