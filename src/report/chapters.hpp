@@ -50,6 +50,8 @@ struct Draft {
 [[nodiscard]] ReportSection frf_chapter(Draft& draft);
 /// Of a drive with manoeuvres.
 [[nodiscard]] ReportSection motion_chapter(Draft& draft);
+/// Of a drive with a drivetrain: the budget of its error.
+[[nodiscard]] ReportSection budget_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);

@@ -147,11 +147,6 @@ void note_inertias(const GearSet& gear, std::vector<Note>& notes) {
     missing("output shaft", gear.output_shaft->material, "output_shaft.material");
 }
 
-GearSet without_any_crack(GearSet gear) {
-  for_each_cracked_member(gear, [](std::string_view, auto& member) { member.crack.clear(); });
-  return gear;
-}
-
 }  // namespace
 
 DriveSprings springs_of(const std::vector<VibratingMember>& members) {
@@ -187,6 +182,24 @@ GearSet without_crack(GearSet gear, const std::string& path) {
   return gear;
 }
 
+GearSet without_any_crack(GearSet gear) {
+  for_each_cracked_member(gear, [](std::string_view, auto& member) { member.crack.clear(); });
+  return gear;
+}
+
+VibratingDrive vibrating_drive(const GearSet& gear, double torque) {
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
+  VibratingParts parts = missing_for_torsion_curve(gear).empty()
+                             ? coupled_members(AssembledDrive(gear), step * torque, torque)
+                             : summed_members(gear, step * torque, torque);
+  DrivetrainChain made = drivetrain_chain(*gear.drivetrain, gear.drive.ratio,
+                                          springs_of(parts.members), gear_inertias(gear));
+  return {.members = std::move(parts.members),
+          .cracks = std::move(parts.cracks),
+          .made = std::move(made),
+          .step = step};
+}
+
 VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& options,
                                  std::string_view purpose, const Progress& progress) {
   check(gear);
@@ -203,17 +216,9 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
   const double drives =
       static_cast<double>(paths.empty() ? 1 : 2 + (options.without_each_crack ? paths.size() : 0));
   double done = 0.0;
-  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   const auto vibrating = [&](const GearSet& of) {
     progress.at(done++ / drives);
-    VibratingParts parts = coupled ? coupled_members(AssembledDrive(of), step * torque, torque)
-                                   : summed_members(of, step * torque, torque);
-    DrivetrainChain made = drivetrain_chain(*gear.drivetrain, gear.drive.ratio,
-                                            springs_of(parts.members), gear_inertias(gear));
-    return VibratingDrive{.members = std::move(parts.members),
-                          .cracks = std::move(parts.cracks),
-                          .made = std::move(made),
-                          .step = step};
+    return vibrating_drive(of, torque);
   };
   VibratingStates states{.torque = torque,
                          .springs = coupled ? SpringModel::coupled_drive : SpringModel::members,

@@ -73,6 +73,12 @@ struct VibratingStates {
 [[nodiscard]] VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& options,
                                                std::string_view purpose, const Progress& progress);
 
+/// The drive with the cracks that it has, about a torque; it must have a drivetrain and be checked.
+/// @param torque  T at the output [N*m]
+/// @throws SolverError  if the coupled drive has no equilibrium at the torque
+[[nodiscard]] VibratingDrive vibrating_drive(const GearSet& gear, double torque);
+
+[[nodiscard]] GearSet without_any_crack(GearSet gear);
 /// The drive without one of its cracks.
 [[nodiscard]] GearSet without_crack(GearSet gear, const std::string& path);
 

@@ -241,6 +241,7 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"grow", {"growing_shaft.toml", R"({"until": "300 h"})"}},
       {"modes", {"joint_size25.toml", ""}},
       {"frf", {"joint_size25.toml", ""}},
+      {"accuracy", {"joint_size25.toml", ""}},
       {"simulate", {"joint_size25.toml", ""}},
       {"require", {"article.toml", R"({"requirements": ["intact.stiffness >= 1 N*m/rad"]})"}},
       {"report", {"article.toml", R"({"date": "2026-01-01"})"}},

@@ -58,6 +58,8 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"modes", "{}"},
       {"modes", R"({"torque": "20 N*m"})"},
       {"frf", R"({"torque": "20 N*m", "from": "1 Hz", "to": "100 Hz", "points": 30})"},
+      {"accuracy",
+       R"({"torque": "20 N*m", "speed": "700 rpm", "tool_radius": "0.7 m", "draws": 3})"},
       {"simulate", R"({"step": "10 ms", "tolerance": "1e-8 rad"})"},
       {"require", R"({"requirements": ["intact.stiffness > 1 N*m/rad",
                                         "cracked.positive.stiffness_change >= 1 %"]})"},
