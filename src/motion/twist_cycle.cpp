@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "twist_cycle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "strainwave/core/roots.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kLargestRule = 48;           // points of one Gauss rule
+constexpr double kPointsPerWave = 0.6;     // of a piece, per harmonic and radian
+constexpr double kLeastPoints = 10;        // of a piece
+constexpr double kBendPerStep = 1.0 / 16;  // change of the twist in one step of (MO-8)
+/// The hysteresis is saturated behind these changes of the twist, over F_c/A.
+constexpr std::array<double, 2> kSaturation = {8.0, 32.0};
+
+struct GaussRule {
+  std::vector<double> point;
+  std::vector<double> weight;
+};
+
+/// Rule of n points on [-1, 1].
+GaussRule gauss_rule(int n) {
+  GaussRule rule;
+  for (int i = 0; i < n; ++i) {
+    double x = -std::cos(pi * (i + 0.75) / (n + 0.5));
+    double slope = 1.0;
+    for (int step = 0; step < 100; ++step) {
+      double before = 1.0;
+      double value = x;
+      for (int k = 2; k <= n; ++k) {
+        const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+        before = value;
+        value = next;
+      }
+      slope = n * (x * value - before) / (x * x - 1);
+      const double change = value / slope;
+      x -= change;
+      if (std::abs(change) < 1e-15) break;
+    }
+    rule.point.push_back(x);
+    rule.weight.push_back(2 / ((1 - x * x) * slope * slope));
+  }
+  return rule;
+}
+
+const GaussRule& rule_of(int n) {
+  static const std::vector<GaussRule> rules = [] {
+    std::vector<GaussRule> made(2);
+    for (int k = 2; k <= kLargestRule; ++k) made.push_back(gauss_rule(k));
+    return made;
+  }();
+  return rules[static_cast<std::size_t>(n)];
+}
+
+/// Root of a function that changes its sign between two angles, by Newton's steps inside the
+/// bracket.
+/// @param f  angle -> {value, slope}
+template <class Function>
+double polished_root(const Function& f, double low, double high) {
+  const bool rises = f(high).first > 0;
+  double at = (low + high) / 2;
+  for (int step = 0; step < 80; ++step) {
+    const auto [value, slope] = f(at);
+    if (value == 0) return at;
+    ((value > 0) == rises ? high : low) = at;
+    const double newton = at - value / slope;
+    const double next = newton > low && newton < high ? newton : (low + high) / 2;
+    const double change = std::abs(next - at);
+    at = next;
+    if (change < 1e-14) break;
+  }
+  return at;
+}
+
+}  // namespace
+
+ElasticCurve::ElasticCurve(const Spring& spring, const std::vector<BreathingCrack>& cracks)
+    : spring_(spring) {
+  for (const BreathingCrack& crack : cracks) {
+    // A crack that opens over an angle is open for the mean of it.
+    const double share = crack.opening ? crack.opening->coefficients.front() : 1.0;
+    if (!crack.sense || *crack.sense == OpeningSense::positive)
+      forward_ += share * crack.compliance;  // (MO-5)
+    if (!crack.sense || *crack.sense == OpeningSense::negative)
+      backward_ += share * crack.compliance;  // (MO-5)
+  }
+  for (const double size : corner_torques(spring)) {
+    corners_.push_back(twist_under(size));
+    corners_.push_back(twist_under(-size));
+  }
+  if (forward_ != backward_) corners_.push_back(0.0);
+  std::ranges::sort(corners_);
+}
+
+ElasticCurve::At ElasticCurve::at(double twist) const {
+  const double compliance = twist < 0 ? backward_ : forward_;
+  const SpringState state = in_series(spring_, twist, compliance);
+  const double tangent = tangent_stiffness(spring_, state.twist);
+  return {.torque = state.torque, .tangent = tangent / (1 + compliance * tangent)};  // (MO-1)
+}
+
+double ElasticCurve::twist_under(double torque) const {
+  if (torque == 0) return 0.0;
+  double far = torque / at(0.0).tangent;
+  while (std::abs(at(far).torque) < std::abs(torque)) far *= 2;
+  return bracketed_root([&](double twist) { return at(twist).torque - torque; }, std::min(0.0, far),
+                        std::max(0.0, far));
+}
+
+TwistSeries::At TwistSeries::at(double angle) const {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  double cosine = 1.0;
+  double sine = 0.0;
+  At sum{.value = coefficients(0)};
+  const Eigen::Index terms = even ? coefficients.size() - 1 : (coefficients.size() - 1) / 2;
+  for (Eigen::Index k = 1; k <= terms; ++k) {
+    const double before = cosine;
+    cosine = before * c - sine * s;
+    sine = sine * c + before * s;
+    const double a = coefficients(even ? k : 2 * k - 1);
+    const double b = even ? 0.0 : coefficients(2 * k);
+    const auto order = static_cast<double>(k);
+    const double term = a * cosine + b * sine;
+    sum.value += term;
+    sum.slope += order * (b * cosine - a * sine);
+    sum.curvature -= order * order * term;
+  }
+  return sum;
+}
+
+double loop_slope(const BoucWen& model, double torque, double sense) {
+  return sense * model.rate(torque, sense);  // (MO-8)
+}
+
+double loop_bend(const BoucWen& model, double torque, double sense) {
+  const double n = model.exponent;
+  const double power = n == 1 ? 1.0 : std::pow(std::abs(torque) / model.limit, n - 1);
+  const double along = (1 - model.asymmetry) * sense + model.asymmetry * (torque < 0 ? -1.0 : 1.0);
+  return -model.stiffness / model.limit * n * power * along;  // (MO-8)
+}
+
+LoopStep loop_after(const BoucWen& model, double torque, double change) {
+  if (change == 0) return {.torque = torque};
+  if (model.exponent == 1 && model.asymmetry == 0)
+    return {.torque = dahl_after(model, torque, change),
+            .by_torque = std::exp(-model.stiffness * std::abs(change) / model.limit)};  // (MO-9)
+  const double sense = change > 0 ? 1.0 : -1.0;
+  const double n = model.exponent;
+  const auto bend = [&](double z) { return loop_bend(model, z, sense); };
+  const auto slope = [&](double z) { return loop_slope(model, z, sense); };
+  // Behind the saturation a longer change has no effect.
+  const double whole =
+      std::copysign(std::min(std::abs(change), 60 * model.limit / model.stiffness), change);
+  const double bends = n * std::abs(whole) * model.stiffness / model.limit;
+  const int steps = std::max(1, static_cast<int>(std::ceil(bends / kBendPerStep)));
+  const double h = whole / steps;
+  double z = torque;
+  double exponent = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double k1 = slope(z);
+    const double z2 = z + h / 2 * k1;
+    const double k2 = slope(z2);
+    const double z3 = z + h / 2 * k2;
+    const double k3 = slope(z3);
+    const double z4 = z + h * k3;
+    const double k4 = slope(z4);
+    exponent += h / 6 * (bend(z) + 2 * bend(z2) + 2 * bend(z3) + bend(z4));
+    z += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return {.torque = z, .by_torque = std::exp(exponent)};
+}
+
+TwistCycle::TwistCycle(const ElasticCurve& elastic, const std::optional<BoucWen>& loop,
+                       int harmonics, bool even)
+    : elastic_(elastic), loop_(loop), harmonics_(harmonics), even_(even) {
+  const Eigen::Index H = harmonics;
+  size_ = even ? H + 1 : 2 * H + 1;
+  const Eigen::Index grid = std::max<Eigen::Index>(64, 8 * H);
+  // Only half of an even period is looked at.
+  const Eigen::Index rows = even ? grid / 2 + 1 : grid;
+  grid_slopes_ = Eigen::MatrixXd::Zero(rows, size_);
+  for (Eigen::Index j = 0; j < rows; ++j)
+    for (Eigen::Index k = 1; k <= H; ++k) {
+      const auto order = static_cast<double>(k);
+      const double angle = 2 * pi * static_cast<double>(j * k % grid) / static_cast<double>(grid);
+      grid_slopes_(j, even ? k : 2 * k - 1) = -order * std::sin(angle);
+      if (!even) grid_slopes_(j, 2 * k) = order * std::cos(angle);
+    }
+  const Eigen::Index nodes = std::max<Eigen::Index>(64, (6 * H + 7) / 8 * 8);
+  uniform_basis_.resize(even ? nodes / 2 + 1 : nodes, size_);
+  for (Eigen::Index j = 0; j < uniform_basis_.rows(); ++j)
+    uniform_basis_.row(j) =
+        basis(2 * pi * static_cast<double>(j) / static_cast<double>(nodes)).transpose();
+}
+
+Eigen::VectorXd TwistCycle::basis(double angle) const {
+  Eigen::VectorXd row(size_);
+  row(0) = 1.0;
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  double cosine = 1.0;
+  double sine = 0.0;
+  for (Eigen::Index k = 1; k <= harmonics_; ++k) {
+    const double before = cosine;
+    cosine = before * c - sine * s;
+    sine = sine * c + before * s;
+    row(even_ ? k : 2 * k - 1) = cosine;
+    if (!even_) row(2 * k) = sine;
+  }
+  return row;
+}
+
+double TwistCycle::crossing(double level, double from, double to) const {
+  const TwistSeries series{x_, even_};
+  return polished_root(
+      [&](double angle) {
+        const TwistSeries::At at = series.at(angle);
+        return std::pair(at.value - level, at.slope);
+      },
+      from, to);
+}
+
+/// Breaks of a piece in which the twist moves to one side, without its end.
+void TwistCycle::add_levels(double from, double to) {
+  const TwistSeries series{x_, even_};
+  const double first = series.at(from).value;
+  const double last = series.at(to).value;
+  const bool rises = last > first;
+  breaks_.push_back({.angle = from, .twist = first});
+  const double low = std::min(first, last);
+  const double high = std::max(first, last);
+  levels_.clear();
+  const auto add = [&](double level) {
+    if (level > low && level < high) levels_.push_back(level);
+  };
+  for (const double corner : elastic_.corners()) add(corner);
+  if (loop_)
+    for (const double turn : kSaturation)
+      add(first + (rises ? 1 : -1) * turn * loop_->limit / loop_->stiffness);
+  std::ranges::sort(levels_);
+  if (!rises) std::ranges::reverse(levels_);
+  double after = from;
+  for (const double level : levels_) {
+    after = crossing(level, after, to);
+    breaks_.push_back({.angle = after, .twist = level});
+  }
+}
+
+void TwistCycle::find_breaks() {
+  turns_.clear();
+  breaks_.clear();
+  amplitude_ = 0.0;
+  amplitude_slope_.setZero(size_);
+  const TwistSeries series{x_, even_};
+  const auto turn_between = [&](double low, double high) {
+    return polished_root(
+        [&](double angle) {
+          const TwistSeries::At at = series.at(angle);
+          return std::pair(at.slope, at.curvature);
+        },
+        low, high);
+  };
+  const Eigen::VectorXd slope = grid_slopes_ * x_;
+  const Eigen::Index rows = slope.size();
+  const double step =
+      even_ ? pi / static_cast<double>(rows - 1) : 2 * pi / static_cast<double>(rows);
+  if (even_) {
+    turns_.push_back(0.0);
+    // The slope is zero at both ends, so the outer intervals have no sign.
+    for (Eigen::Index j = 1; j + 2 < rows; ++j)
+      if ((slope(j) < 0) != (slope(j + 1) < 0))
+        turns_.push_back(
+            turn_between(static_cast<double>(j) * step, static_cast<double>(j + 1) * step));
+    turns_.push_back(pi);
+  } else {
+    for (Eigen::Index j = 0; j < rows; ++j)
+      if ((slope(j) < 0) != (slope((j + 1) % rows) < 0))
+        turns_.push_back(
+            turn_between(static_cast<double>(j) * step, static_cast<double>(j + 1) * step));
+  }
+  if (turns_.size() < 2) return;
+  double low = 0.0;
+  double high = 0.0;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const double turn : turns_) {
+    const double value = series.at(turn).value;
+    if (value < lowest) {
+      lowest = value;
+      low = turn;
+    }
+    if (value > highest) {
+      highest = value;
+      high = turn;
+    }
+  }
+  amplitude_ = (highest - lowest) / 2;
+  amplitude_slope_ = (basis(high) - basis(low)) / 2;
+  torque_amplitude_ = (elastic_.at(highest).torque - elastic_.at(lowest).torque) / 2;
+  const bool bent = std::ranges::any_of(
+      elastic_.corners(), [&](double corner) { return corner > lowest && corner < highest; });
+  if (!loop_ && !bent) return;  // smooth over the whole period
+  for (std::size_t i = 0; i + 1 < turns_.size(); ++i) add_levels(turns_[i], turns_[i + 1]);
+  if (!even_) add_levels(turns_.back(), turns_.front() + 2 * pi);
+  const double end = even_ ? pi : turns_.front() + 2 * pi;
+  breaks_.push_back({.angle = end, .twist = even_ ? series.at(pi).value : breaks_.front().twist});
+}
+
+void TwistCycle::place_nodes() {
+  nodes_.clear();
+  // A mean over half of an even period is that over the whole.
+  const double period = even_ ? pi : 2 * pi;
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+    const double length = breaks_[i + 1].angle - breaks_[i].angle;
+    const double points = kLeastPoints + kPointsPerWave * harmonics_ * length;
+    const int parts = static_cast<int>(std::ceil(points / kLargestRule));
+    const GaussRule& rule = rule_of(static_cast<int>(std::ceil(points / parts)));
+    const double half = length / parts / 2;
+    for (int part = 0; part < parts; ++part) {
+      const double middle = breaks_[i].angle + (2 * part + 1) * half;
+      for (std::size_t k = 0; k < rule.point.size(); ++k)
+        nodes_.push_back({.angle = middle + half * rule.point[k],
+                          .weight = half * rule.weight[k] / period,
+                          .piece = i});
+    }
+  }
+}
+
+/// The periodic z at each break: a cycle of any z shrinks the distance from it.
+void TwistCycle::close_loop() {
+  if (!loop_ || breaks_.empty()) return;
+  breaks_.front().loop = 0.0;
+  for (int round = 0; round < 50; ++round) {
+    double shrinks = 1.0;
+    for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+      const LoopStep step =
+          loop_after(*loop_, breaks_[i].loop, breaks_[i + 1].twist - breaks_[i].twist);
+      breaks_[i + 1].loop = step.torque;
+      shrinks *= step.by_torque;
+    }
+    const double gap = breaks_.back().loop - breaks_.front().loop;
+    if (std::abs(gap) <= 1e-14 * loop_->limit || !(shrinks < 1)) break;
+    const double next = breaks_.front().loop + gap / (1 - shrinks);
+    breaks_.front().loop = std::clamp(next, -loop_->limit, loop_->limit);
+  }
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const CycleBreak& at : breaks_) {
+    const double torque = elastic_.at(at.twist).torque + at.loop;
+    lowest = std::min(lowest, torque);
+    highest = std::max(highest, torque);
+  }
+  torque_amplitude_ = (highest - lowest) / 2;
+}
+
+void TwistCycle::fill_basis() {
+  if (breaks_.empty()) {
+    basis_ = uniform_basis_;
+    return;
+  }
+  const auto rows = static_cast<Eigen::Index>(nodes_.size());
+  basis_.resize(rows, size_);
+  for (Eigen::Index n = 0; n < rows; ++n) {
+    const double angle = nodes_[static_cast<std::size_t>(n)].angle;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    double cosine = 1.0;
+    double sine = 0.0;
+    basis_(n, 0) = 1.0;
+    for (Eigen::Index k = 1; k <= harmonics_; ++k) {
+      const double before = cosine;
+      cosine = before * c - sine * s;
+      sine = sine * c + before * s;
+      basis_(n, even_ ? k : 2 * k - 1) = cosine;
+      if (!even_) basis_(n, 2 * k) = sine;
+    }
+  }
+}
+
+void TwistCycle::sum_up() {
+  const Eigen::Index rows = basis_.rows();
+  twist_.noalias() = basis_ * x_;
+  at_nodes_.resize(rows);
+  weighted_ = basis_;
+  const bool with_loop = loop_ && !breaks_.empty();
+  // A twist that stands still meets the hysteresis as a spring.
+  const double standing = loop_ && breaks_.empty() ? loop_->stiffness : 0.0;
+  Eigen::VectorXd stiffness(rows);
+  for (Eigen::Index n = 0; n < rows; ++n) {
+    const ElasticCurve::At elastic = elastic_.at(twist_(n));
+    at_nodes_(n) = elastic.torque;
+    stiffness(n) = elastic.tangent + standing;
+    double weight = 0.0;
+    if (!breaks_.empty()) {
+      weight = nodes_[static_cast<std::size_t>(n)].weight;
+    } else if (even_) {
+      weight = (n == 0 || n == rows - 1 ? 0.5 : 1.0) / static_cast<double>(rows - 1);
+    } else {
+      weight = 1.0 / static_cast<double>(rows);
+    }
+    weighted_.row(n) *= 2 * weight;
+    weighted_(n, 0) *= 0.5;
+  }
+  slopes_ = stiffness.asDiagonal() * basis_;
+  if (with_loop) {
+    // z at a fixed angle depends on the twist there and at each angle before, round the cycle.
+    Eigen::MatrixXd of_loop(rows, size_);
+    Eigen::VectorXd of_start(rows);
+    const Eigen::VectorXd first = basis(breaks_.front().angle);
+    Eigen::RowVectorXd by_twist = Eigen::RowVectorXd::Zero(size_);
+    Eigen::RowVectorXd before = first.transpose();
+    double by_start = 1.0;
+    double z = breaks_.front().loop;
+    double angle_twist = breaks_.front().twist;
+    std::size_t piece = 0;
+    double sense = breaks_[1].twist > breaks_[0].twist ? 1.0 : -1.0;
+    const auto step_to = [&](double twist, const auto& row) {
+      const LoopStep step = loop_after(*loop_, z, twist - angle_twist);
+      z = step.torque;
+      by_twist = step.by_torque * by_twist + loop_slope(*loop_, z, sense) * (row - before);
+      by_start *= step.by_torque;
+      before = row;
+      angle_twist = twist;
+    };
+    const auto end_piece = [&] {
+      ++piece;
+      const CycleBreak& at = breaks_[piece];
+      const Eigen::RowVectorXd row = basis(at.angle).transpose();
+      step_to(at.twist, row);
+      if (piece + 1 < breaks_.size()) sense = breaks_[piece + 1].twist > at.twist ? 1.0 : -1.0;
+    };
+    for (Eigen::Index n = 0; n < rows; ++n) {
+      while (piece < nodes_[static_cast<std::size_t>(n)].piece) end_piece();
+      step_to(twist_(n), basis_.row(n));
+      at_nodes_(n) += z;
+      of_loop.row(n) = by_twist;
+      of_start(n) = by_start;
+    }
+    while (piece + 1 < breaks_.size()) end_piece();
+    // z at the start is that at the end.
+    if (by_start < 1) of_loop += of_start * (by_twist / (1 - by_start));
+    slopes_ += of_loop;
+  }
+  torque_.noalias() = weighted_.transpose() * at_nodes_;
+  by_twist_.noalias() = weighted_.transpose() * slopes_;
+}
+
+void TwistCycle::evaluate(const Eigen::VectorXd& coefficients) {
+  x_ = coefficients;
+  torque_amplitude_ = 0.0;
+  find_breaks();
+  place_nodes();
+  close_loop();
+  fill_basis();
+  sum_up();
+}
+
+double TwistCycle::loop_at_zero() const {
+  if (!loop_ || breaks_.empty()) return 0.0;
+  // The period of the breaks begins at a turn in (0, 2 pi).
+  const double angle = breaks_.front().angle > 0 ? 2 * pi : 0.0;
+  std::size_t i = 0;
+  while (i + 2 < breaks_.size() && breaks_[i + 1].angle <= angle) ++i;
+  const double twist = TwistSeries{x_, even_}.at(angle).value;
+  return loop_after(*loop_, breaks_[i].loop, twist - breaks_[i].twist).torque;
+}
+
+}  // namespace strainwave

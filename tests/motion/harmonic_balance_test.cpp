@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/motion/harmonic_balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "strainwave/dynamics/torsional_chain.hpp"
+#include "strainwave/motion/simulate.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A load on a spring behind a free input: frequency of small vibrations 50.3 Hz for K = 5e4.
+Joint joint_with(const Spring& spring) {
+  return {.ratio = -100, .input_inertia = 1e-4, .output_inertia = 1, .spring = spring};
+}
+
+std::vector<double> rising_amplitudes(double from, double to, int count) {
+  std::vector<double> values;
+  for (int n = 0; n < count; ++n) values.push_back(from + (to - from) * n / (count - 1));
+  return values;
+}
+
+BackboneSettings undamped(std::vector<double> amplitudes, VibratingInput input, int harmonics = 9,
+                          double load_torque = 0.0) {
+  return {.balance = {.input = input, .load_torque = load_torque, .harmonics = harmonics},
+          .amplitudes = std::move(amplitudes)};
+}
+
+TEST(HarmonicBalance, ReferenceBackboneOfACubicSpring) {
+  // (MO-16): Duffing: T = 4 K(m)/sqrt(w0^2 + b A^2), m = b A^2/(2 (w0^2 + b A^2)); 9 harmonics
+  // leave less than 5e-8.
+  const double K3 = 1e10;
+  const double inertia = 1.0 / 2.0;  // of two ends of 1 kg*m^2
+  const Backbone curve =
+      backbone(joint_with(CubicSpring{5e4, K3}),
+               undamped(rising_amplitudes(1e-4, 6e-3, 60), VibratingInput::free));
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  ASSERT_EQ(curve.points.size(), 60U);
+  for (const BackbonePoint& at : curve.points) {
+    const double bent = K3 / inertia * at.amplitude * at.amplitude;
+    const double square = 5e4 / inertia + bent;
+    const double modulus = std::sqrt(bent / (2 * square));
+    test::expect_relative(at.frequency, std::sqrt(square) / (4 * boost::math::ellint_1(modulus)),
+                          5e-8);
+    test::expect_relative(at.torque, 5e4 * at.amplitude + K3 * std::pow(at.amplitude, 3), 1e-9);
+    EXPECT_EQ(at.damping_ratio, 0.0);
+    EXPECT_LT(at.truncation, 1e-6);
+  }
+}
+
+TEST(HarmonicBalance, ReferenceBilinearSpring) {
+  // (MO-5, MO-16): T = pi (1/w1 + 1/w2); the shifts for K- = .98, .9, .5 K+.  Harmonics beyond the
+  // 40th change the frequency by less than 1e-7.
+  for (const auto& [r, shift] :
+       {std::pair{0.98, -0.0050506}, {0.9, -0.0263340}, {0.5, -0.1715729}}) {
+    Joint joint = joint_with(LinearSpring{5e4});
+    joint.cracks = {{.compliance = (1 / r - 1) / 5e4, .sense = OpeningSense::negative}};
+    const Backbone curve = backbone(joint, undamped({1e-5, 1e-3}, VibratingInput::locked, 40));
+    ASSERT_TRUE(curve.converged) << curve.reason;
+    const double f0 = std::sqrt(5e4) / (2 * pi);
+    for (const BackbonePoint& at : curve.points) {
+      EXPECT_NEAR(at.frequency / f0 - 1, shift, 1e-7);
+      test::expect_relative(at.frequency / f0, 2 * std::sqrt(r) / (1 + std::sqrt(r)), 3e-8);
+    }
+  }
+}
+
+TEST(HarmonicBalance, ConvergenceOfABilinearSpringOverTheHarmonics) {
+  // (MO-15): the error of the frequency falls at least with the fourth power of the harmonics.
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.cracks = {{.compliance = 1 / 5e4, .sense = OpeningSense::negative}};
+  const double exact = std::sqrt(5e4) / (2 * pi) * 2 * std::sqrt(0.5) / (1 + std::sqrt(0.5));
+  std::vector<double> errors;
+  for (const int harmonics : {4, 8, 16}) {
+    const Backbone curve = backbone(joint, undamped({1e-3}, VibratingInput::locked, harmonics));
+    ASSERT_TRUE(curve.converged) << curve.reason;
+    errors.push_back(std::abs(curve.points[0].frequency / exact - 1));
+  }
+  EXPECT_LT(errors[1], errors[0] / 16);
+  EXPECT_LT(errors[2], errors[1] / 16);
+}
+
+TEST(HarmonicBalance, ReferencePeriodOfTheMakersThreePieces) {
+  // (MO-2, MO-16): period of each piece by an arc sine, growth by amplitude; also about a mean
+  // torque of 30 N*m.  60 harmonics leave 1e-7.
+  const CatalogueSpring spring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
+  for (const double mean : {0.0, 30.0})
+    for (const double amplitude : {2e-4, 1e-3, 2.2e-3}) {
+      const Backbone curve =
+          backbone(joint_with(spring), undamped({amplitude}, VibratingInput::locked, 60, -mean));
+      ASSERT_TRUE(curve.converged) << curve.reason;
+      const BackbonePoint& at = curve.points[0];
+      // The extremes of the twist lie at equal energy: V(high) - M high = V(low) - M low.
+      double high = 0.0;
+      double low = 0.0;
+      const auto potential = [&](double twist) { return spring.energy(twist) - mean * twist; };
+      double first = 0.0;
+      double last = 4e-3;
+      for (int i = 0; i < 200; ++i) {
+        const double middle = (first + last) / 2;
+        high = middle;
+        low = middle - 2 * amplitude;
+        (potential(high) > potential(low) ? last : first) = middle;
+      }
+      const double energy = potential(high);
+      std::vector<double> ends = {low, high};
+      for (const double corner : {14 / 3.1e4, 14 / 3.1e4 + 34 / 5e4})
+        for (const double twist : {-corner, corner})
+          if (twist > low && twist < high) ends.push_back(twist);
+      std::ranges::sort(ends);
+      double half = 0.0;
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        // In a piece: J phi'' = M - T(m) - k (phi - m), an arc of a sine.
+        const double m = (ends[i] + ends[i + 1]) / 2;
+        const double k = spring.tangent(m);
+        const double centre = m + (mean - spring.in_series(m, 0.0).torque) / k;
+        const double speed_square = 2 * (energy - potential(m));
+        const double reach = std::sqrt(speed_square / k + (m - centre) * (m - centre));
+        const auto phase = [&](double twist) {
+          return std::asin(std::clamp((twist - centre) / reach, -1.0, 1.0));
+        };
+        half += (phase(ends[i + 1]) - phase(ends[i])) / std::sqrt(k);
+      }
+      test::expect_relative(at.frequency, 1 / (2 * half), 1e-7);
+      EXPECT_NEAR(at.torque,
+                  (spring.in_series(high, 0.0).torque - spring.in_series(low, 0.0).torque) / 2,
+                  1e-5);
+    }
+}
+
+TEST(HarmonicBalance, LimitLinearJointAnswersAsTheChain) {
+  // (DY-6, MO-15): a linear joint with damping at three places against the response of a chain, at
+  // both ends, free and locked; rounding.
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.damping = 10;
+  joint.input_damping = 2e-3;
+  joint.output_damping = 5;
+  const TorsionalChain chain{.inertias = {{"motor", 1e-4, 2e-3}, {"load", 1.0, 5.0}},
+                             .springs = {{"drive", 1 / 5e4, 10, {1 / -100.0, -1.0}}}};
+  for (const VibratingInput input : {VibratingInput::free, VibratingInput::locked})
+    for (const JointEnd end : {JointEnd::motor, JointEnd::load}) {
+      if (input == VibratingInput::locked && end == JointEnd::motor) continue;
+      const double torque = end == JointEnd::motor ? 0.05 : 5.0;
+      const ResponseSettings settings{.balance = {.input = input, .harmonics = 3},
+                                      .excited = end,
+                                      .excitation = torque,
+                                      .from = 20,
+                                      .to = 90};
+      const ForcedResponse curve = forced_response(joint, settings);
+      ASSERT_TRUE(curve.converged) << curve.reason;
+      EXPECT_GT(curve.points.size(), 30U);
+      EXPECT_TRUE(curve.folds.empty());
+      EXPECT_EQ(curve.points.front().frequency, 20.0);
+      EXPECT_DOUBLE_EQ(curve.points.back().frequency, 90.0);
+      const std::vector<std::size_t> held = input == VibratingInput::locked
+                                                ? std::vector<std::size_t>{0}
+                                                : std::vector<std::size_t>{};
+      for (const ResponsePoint& at : curve.points) {
+        const ChainResponse linear =
+            torque_response(chain, end == JointEnd::motor ? 0 : 1, at.frequency, held);
+        const std::complex<double> output = torque * linear[1];
+        const std::complex<double> twist = torque * (linear[0] / -100.0 - linear[1]);
+        test::expect_relative(at.output, std::abs(output), 1e-9);
+        EXPECT_NEAR(std::abs(std::polar(1.0, -at.lag) - output / std::abs(output)), 0.0, 1e-9);
+        EXPECT_NEAR(std::abs(std::complex(at.twist[1], -at.twist[2]) - twist), 0.0,
+                    1e-9 * std::abs(twist));
+        test::expect_relative(at.amplitude, std::abs(twist), 1e-9);
+        EXPECT_TRUE(at.stable);
+        EXPECT_EQ(at.truncation, 0.0);
+      }
+    }
+}
+
+TEST(HarmonicBalance, ReferenceMultipliersOfALinearJoint) {
+  // (MO-19): exp(lambda T) with the roots lambda of J s^2 + c s + K, in closed form.
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.damping = 40;
+  const ForcedResponse curve =
+      forced_response(joint, {.excitation = 5, .from = 30, .to = 70, .largest_step = 0.5});
+  for (const ResponsePoint& at : curve.points) {
+    const std::complex<double> root(-40 / (2 * 0.5), std::sqrt(5e4 / 0.5 - 1600));
+    const std::complex<double> expected = std::exp(root / at.frequency);
+    ASSERT_EQ(at.multipliers.size(), 2U);
+    test::expect_relative(at.multiplier, std::abs(expected), 1e-10);
+    EXPECT_NEAR(std::abs(at.multipliers[0].imag()), std::abs(expected.imag()), 1e-9);
+    EXPECT_NEAR(at.multipliers[0].real(), expected.real(), 1e-9);
+  }
+}
+
+TEST(HarmonicBalance, LimitQuadratureOfALinearJoint) {
+  // (MO-17): the twist of a linear joint is a quarter of a period behind the torque on it at the
+  // natural frequency, with zeta = c/(2 J w); rounding.
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.damping = 40;
+  for (const JointEnd end : {JointEnd::motor, JointEnd::load}) {
+    const Backbone curve = backbone(
+        joint,
+        {.kind = BackboneKind::quadrature, .excited = end, .amplitudes = {1e-5, 1e-4, 1e-3}});
+    ASSERT_TRUE(curve.converged) << curve.reason;
+    const double omega = std::sqrt(5e4 / 0.5);
+    for (const BackbonePoint& at : curve.points) {
+      test::expect_relative(at.frequency, omega / (2 * pi), 1e-9);
+      test::expect_relative(at.damping_ratio, 40 / (2 * 0.5 * omega), 1e-9);
+      // Half of a torque on the load acts on the twist; at the motor it counts 100 times.
+      const double on_twist = 40 * omega * at.amplitude;
+      test::expect_relative(at.excitation, on_twist * (end == JointEnd::load ? 2 : 0.02), 1e-9);
+    }
+  }
+}
+
+/// Joint of the tests of hysteresis.
+Joint with_loop(double damping = 5.0) {
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.hysteresis = dahl(5e4, 3);
+  joint.damping = damping;
+  return joint;
+}
+
+TEST(HarmonicBalance, ReferenceQuadratureOfADahlLoopByOneHarmonic) {
+  // (MO-9, MO-17): with one harmonic the work of the loop gives zeta = W/(2 pi J w^2 X^2), with W
+  // in closed form; and the torque of the excitation is W/(pi X).
+  Joint joint = with_loop(0.0);
+  const Backbone curve = backbone(joint, {.balance = {.harmonics = 1},
+                                          .kind = BackboneKind::quadrature,
+                                          .amplitudes = {1e-6, 3e-5, 1e-4, 2e-3}});
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  for (const BackbonePoint& at : curve.points) {
+    const double q = 5e4 * at.amplitude / 3;
+    const double work = 4 * 3 * at.amplitude * (1 - std::tanh(q) / q);
+    const double omega = 2 * pi * at.frequency;
+    test::expect_relative(at.damping_ratio,
+                          work / (2 * pi * 0.5 * omega * omega * at.amplitude * at.amplitude),
+                          1e-8);
+    test::expect_relative(at.torque, 5e4 * at.amplitude + 3 * std::tanh(q), 1e-10);
+  }
+  // Small loops are springs of the stiffness A, wide ones fall to the spring alone.
+  test::expect_relative(curve.points.front().frequency, small_frequency(joint, {}), 1e-2);
+  test::expect_relative(small_frequency(joint, {}), std::sqrt(1e5 / 0.5) / (2 * pi), 1e-14);
+  EXPECT_LT(curve.points.back().frequency, 1.03 * std::sqrt(5e4 / 0.5) / (2 * pi));
+}
+
+/// An excitation for `simulate`: a cosine by straight lines.
+Profile cosine(double mean, double amplitude, double frequency, double duration, int per_period) {
+  Profile made{.time = {}, .value = {}};
+  const int points = static_cast<int>(std::ceil(duration * frequency * per_period)) + 2;
+  // Lines between the points have a first harmonic that is smaller by the square of a sinc.
+  const double half = pi / per_period;
+  const double lines = std::pow(std::sin(half) / half, 2);
+  for (int n = 0; n < points; ++n) {
+    made.time.push_back(n / (frequency * per_period));
+    made.value.push_back(mean + amplitude / lines * std::cos(2 * pi * n / per_period));
+  }
+  return made;
+}
+
+TEST(HarmonicBalance, CrosscheckResponseRepeatsInTime) {
+  // (MO-13, MO-15): a response with corners, a crack, hysteresis and damping at three places
+  // returns to its start in a simulated period; 60 harmonics leave 1e-6 of the amplitude.
+  Joint joint = joint_with(CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}});
+  joint.hysteresis = dahl(1e5, 3);
+  joint.damping = 10;
+  joint.input_damping = 1e-3;
+  joint.output_damping = 0.5;
+  joint.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};
+  for (const JointEnd end : {JointEnd::load, JointEnd::motor}) {
+    const ResponseSettings settings{.balance = {.load_torque = -12, .harmonics = 60},
+                                    .excited = end,
+                                    .excitation = end == JointEnd::load ? 8.0 : 0.08,
+                                    .from = 35,
+                                    .to = 36};
+    const ForcedResponse curve = forced_response(joint, settings);
+    ASSERT_TRUE(curve.converged) << curve.reason;
+    const ResponsePoint& at = curve.points.back();
+    const double period = 1 / at.frequency;
+    Joint moving = joint;
+    const Profile of_excitation = cosine(0.0, settings.excitation, at.frequency, period, 4000);
+    moving.output_torque = {.value = {-12.0}};
+    moving.input = GivenTorque{{.value = {-12.0 / 100}}};  // the mean torque 12 over the ratio -100
+    if (end == JointEnd::load) {
+      moving.output_torque = of_excitation;
+      for (double& value : moving.output_torque.value) value -= 12;
+    } else {
+      Profile motor = of_excitation;
+      for (double& value : motor.value) value -= 0.12;
+      moving.input = GivenTorque{std::move(motor)};
+    }
+    const JointState start = state_on_response(joint, settings, at);
+    const Motion motion =
+        simulate(moving, start, {.duration = period, .output_step = period, .tolerance = 1e-13});
+    ASSERT_TRUE(motion.converged) << motion.reason;
+    const auto twist = [](const JointState& s) { return s.input_angle / -100 - s.output_angle; };
+    EXPECT_NEAR(twist(motion.last), twist(start), 2e-6 * at.amplitude);
+    const double speed = 2 * pi * at.frequency * at.amplitude;
+    EXPECT_NEAR(motion.last.output_speed, start.output_speed, 2e-5 * speed);
+    EXPECT_NEAR(motion.last.input_speed, start.input_speed, 2e-5 * 100 * speed);
+    EXPECT_NEAR(motion.last.hysteresis, start.hysteresis, 2e-5);
+  }
+}
+
+}  // namespace
+}  // namespace strainwave
