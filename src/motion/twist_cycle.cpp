@@ -17,7 +17,10 @@ using std::numbers::pi;
 constexpr int kLargestRule = 48;           // points of one Gauss rule
 constexpr double kPointsPerWave = 0.6;     // of a piece, per harmonic and radian
 constexpr double kLeastPoints = 10;        // of a piece
-constexpr double kBendPerStep = 1.0 / 16;  // change of the twist in one step of (MO-8)
+constexpr double kBendPerStep = 1.0 / 32;  // n A |change|/F_c of one step of (MO-8)
+constexpr double kNearZero = 0.1;          // z/F_c
+constexpr double kStands = 1e-14;          // slope of the saturated hysteresis, over A
+constexpr double kSaturated = 60.0;        // A |change|/F_c behind which z does not change
 /// The hysteresis is saturated behind these changes of the twist, over F_c/A.
 constexpr std::array<double, 2> kSaturation = {8.0, 32.0};
 
@@ -58,6 +61,32 @@ const GaussRule& rule_of(int n) {
     return made;
   }();
   return rules[static_cast<std::size_t>(n)];
+}
+
+/// x^n for x >= 0; whole n are products.
+double power_of(double x, double n) {
+  if (n > 8 || n != std::floor(n)) return std::pow(x, n);
+  double power = 1.0;
+  for (int k = 0; k < static_cast<int>(n); ++k) power *= x;
+  return power;
+}
+
+/// The way of y < 0 to zero with dy/dq = 1 + r |y|^n.
+struct BendRange {
+  double to_zero = 0.0;           ///< q
+  double at_zero_by_start = 1.0;  ///< derivative of y, at the q of the zero, by y at the start
+};
+BendRange range_to_zero(double y, double r, double n) {
+  const double size = -y;
+  if (n == 1)
+    return {.to_zero = r == 0 ? size : std::log1p(r * size) / r,
+            .at_zero_by_start = 1 / (1 + r * size)};
+  const GaussRule& rule = rule_of(24);
+  BendRange range{.at_zero_by_start = 1 / (1 + r * std::pow(size, n))};
+  for (std::size_t k = 0; k < rule.point.size(); ++k)
+    range.to_zero +=
+        size / 2 * rule.weight[k] / (1 + r * std::pow(size / 2 * (1 + rule.point[k]), n));
+  return range;
 }
 
 /// Root of a function that changes its sign between two angles, by Newton's steps inside the
@@ -150,33 +179,68 @@ double loop_bend(const BoucWen& model, double torque, double sense) {
 
 LoopStep loop_after(const BoucWen& model, double torque, double change) {
   if (change == 0) return {.torque = torque};
-  if (model.exponent == 1 && model.asymmetry == 0)
+  const double n = model.exponent;
+  if (n == 1 && model.asymmetry == 0)
     return {.torque = dahl_after(model, torque, change),
             .by_torque = std::exp(-model.stiffness * std::abs(change) / model.limit)};  // (MO-9)
+  // In y = z/F_c to the side of the change, over q = A |change|/F_c:
+  // dy/dq = 1 + r |y|^n for y < 0, and 1 - y^n behind zero (MO-8).
   const double sense = change > 0 ? 1.0 : -1.0;
-  const double n = model.exponent;
-  const auto bend = [&](double z) { return loop_bend(model, z, sense); };
-  const auto slope = [&](double z) { return loop_slope(model, z, sense); };
-  // Behind the saturation a longer change has no effect.
-  const double whole =
-      std::copysign(std::min(std::abs(change), 60 * model.limit / model.stiffness), change);
-  const double bends = n * std::abs(whole) * model.stiffness / model.limit;
-  const int steps = std::max(1, static_cast<int>(std::ceil(bends / kBendPerStep)));
-  const double h = whole / steps;
-  double z = torque;
-  double exponent = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    const double k1 = slope(z);
-    const double z2 = z + h / 2 * k1;
-    const double k2 = slope(z2);
-    const double z3 = z + h / 2 * k2;
-    const double k3 = slope(z3);
-    const double z4 = z + h * k3;
-    const double k4 = slope(z4);
-    exponent += h / 6 * (bend(z) + 2 * bend(z2) + 2 * bend(z3) + bend(z4));
-    z += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  const double r = 1 - 2 * model.asymmetry;
+  double y = sense * torque / model.limit;
+  double left = std::min(std::abs(change) * model.stiffness / model.limit, kSaturated);
+  double by_torque = 1.0;
+  if (y < 0) {
+    const BendRange range = range_to_zero(y, r, n);
+    if (range.to_zero <= left) {
+      by_torque = range.at_zero_by_start;
+      left -= range.to_zero;
+      y = 0.0;
+    }
   }
-  return {.torque = z, .by_torque = std::exp(exponent)};
+  if (n == 2) {  // y' = 1 + r y^2 before zero and 1 - y^2 behind it
+    const double before = y;
+    if (y >= 0) {
+      const double t = std::tanh(left);
+      y = (y + t) / (1 + y * t);
+      by_torque *= (1 - t * t) / ((1 + before * t) * (1 + before * t));
+    } else {
+      const double root = std::sqrt(r);
+      y = r == 0 ? y + left : std::tan(std::atan(root * y) + root * left) / root;
+      by_torque *= (1 + r * y * y) / (1 + r * before * before);
+    }
+    return {.torque = sense * model.limit * y, .by_torque = by_torque};
+  }
+  if (n == 1) {
+    const double rate = y < 0 ? r : 1.0;  // y' = 1 - rate y
+    by_torque *= std::exp(-rate * left);
+    y = rate == 0 ? y + left : 1 / rate + (y - 1 / rate) * std::exp(-rate * left);
+    return {.torque = sense * model.limit * y, .by_torque = by_torque};
+  }
+  const double way = y < 0 ? r : -1.0;
+  const auto slope = [&](double at) { return 1 + way * power_of(std::abs(at), n); };
+  const auto bend = [&](double at) {
+    return way * n * power_of(std::abs(at), n - 1) * (at < 0 ? -1.0 : 1.0);
+  };
+  // A power that is not whole has no third derivative at zero.
+  const bool whole = n == std::floor(n);
+  double exponent = 0.0;
+  while (left > 0) {
+    const double longest = kBendPerStep / n;
+    const double h = std::min(left, !whole && std::abs(y) < kNearZero ? longest / 16 : longest);
+    left -= h;
+    const double k1 = slope(y);
+    if (k1 < kStands) return {.torque = sense * model.limit * y, .by_torque = 0.0};
+    const double y2 = y + h / 2 * k1;
+    const double k2 = slope(y2);
+    const double y3 = y + h / 2 * k2;
+    const double k3 = slope(y3);
+    const double y4 = y + h * k3;
+    const double k4 = slope(y4);
+    exponent += h / 6 * (bend(y) + 2 * bend(y2) + 2 * bend(y3) + bend(y4));
+    y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return {.torque = sense * model.limit * y, .by_torque = by_torque * std::exp(exponent)};
 }
 
 TwistCycle::TwistCycle(const ElasticCurve& elastic, const std::optional<BoucWen>& loop,
@@ -362,6 +426,26 @@ void TwistCycle::close_loop() {
   torque_amplitude_ = (highest - lowest) / 2;
 }
 
+/// The rate of an asymmetric loop has a corner where z is zero.
+void TwistCycle::split_where_loop_is_zero() {
+  if (!loop_ || loop_->asymmetry == 0) return;
+  std::vector<CycleBreak> split;
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+    const CycleBreak& from = breaks_[i];
+    const CycleBreak& to = breaks_[i + 1];
+    split.push_back(from);
+    const double sense = to.twist > from.twist ? 1.0 : -1.0;
+    if (!(sense * from.loop < 0 && sense * to.loop > 0)) continue;
+    const BendRange range =
+        range_to_zero(sense * from.loop / loop_->limit, 1 - 2 * loop_->asymmetry, loop_->exponent);
+    const double level = from.twist + sense * range.to_zero * loop_->limit / loop_->stiffness;
+    if (!(sense * (to.twist - level) > 0)) continue;
+    split.push_back({.angle = crossing(level, from.angle, to.angle), .twist = level});
+  }
+  if (!breaks_.empty()) split.push_back(breaks_.back());
+  breaks_ = std::move(split);
+}
+
 void TwistCycle::fill_basis() {
   if (breaks_.empty()) {
     basis_ = uniform_basis_;
@@ -458,8 +542,9 @@ void TwistCycle::evaluate(const Eigen::VectorXd& coefficients) {
   x_ = coefficients;
   torque_amplitude_ = 0.0;
   find_breaks();
-  place_nodes();
   close_loop();
+  split_where_loop_is_zero();
+  place_nodes();
   fill_basis();
   sum_up();
 }

@@ -59,7 +59,7 @@ struct LoopStep {
   double torque = 0.0;     ///< z at the end [N*m]
   double by_torque = 1.0;  ///< derivative of it by z at the beginning [-]
 };
-/// Exact for Dahl (MO-9), else by fourth-order steps of (MO-8).
+/// Exact for n = 1 and n = 2 (MO-8, MO-9), else by steps of the fourth order.
 [[nodiscard]] LoopStep loop_after(const BoucWen& model, double torque, double change);
 /// dz/dphi while the twist moves to the side of `sense`, +1 or -1 [N*m/rad].
 [[nodiscard]] double loop_slope(const BoucWen& model, double torque, double sense);
@@ -110,6 +110,7 @@ class TwistCycle {
   void add_levels(double from, double to);
   void place_nodes();
   void close_loop();
+  void split_where_loop_is_zero();
   void sum_up();
   void fill_basis();
   [[nodiscard]] Eigen::VectorXd basis(double angle) const;
