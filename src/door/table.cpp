@@ -6,6 +6,7 @@ namespace strainwave {
 // Each row has a function in the file of the same name in commands/.
 Command accuracy_command();
 Command audit_command();
+Command backbone_command();
 Command calibrate_command();
 Command catalogue_command();
 Command diff_command();
@@ -34,16 +35,36 @@ Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),     torsion_command(),        duty_command(),
-      life_command(),          grow_command(),           modes_command(),
-      frf_command(),           simulate_command(),       accuracy_command(),
-      require_command(),       report_command(),         sensitivity_command(),
-      sweep_command(),         solve_command(),          sif_list_command(),
-      sif_show_command(),      sif_eval_command(),       sif_plot_command(),
-      material_list_command(), material_show_command(),  catalogue_command(),
-      validate_command(),      calibrate_command(),      audit_command(),
-      new_command(),           schema_command(commands), explain_command(commands),
-      units_command(),         diff_command(),
+      stiffness_command(),
+      torsion_command(),
+      duty_command(),
+      life_command(),
+      grow_command(),
+      modes_command(),
+      frf_command(),
+      simulate_command(),
+      backbone_command(),
+      accuracy_command(),
+      require_command(),
+      report_command(),
+      sensitivity_command(),
+      sweep_command(),
+      solve_command(),
+      sif_list_command(),
+      sif_show_command(),
+      sif_eval_command(),
+      sif_plot_command(),
+      material_list_command(),
+      material_show_command(),
+      catalogue_command(),
+      validate_command(),
+      calibrate_command(),
+      audit_command(),
+      new_command(),
+      schema_command(commands),
+      explain_command(commands),
+      units_command(),
+      diff_command(),
   };
   return table;
 }

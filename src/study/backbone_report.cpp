@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/backbone_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/study/drive_joint.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Excitations if none is given, of the load's torque.
+constexpr std::array<double, 2> kExcitationsByDefault = {0.05, 0.2};
+constexpr double kSmallestAmplitude = 0.01;  // of the largest one
+constexpr double kBelowResonances = 0.5;     // where responses begin
+constexpr double kAboveResonances = 1.5;     // where they end
+constexpr double kLargestTruncation = 1e-3;  // of the energy
+constexpr int kMostBackbonePoints = 10'000;
+
+void check_settings(const GearSet& gear, const BackboneReportSettings& settings) {
+  const auto positive_number = [](std::string_view field, double value, const char* unit) {
+    require(value > 0 && std::isfinite(value), field, value, unit, "> 0");
+  };
+  if (!gear.drivetrain)
+    throw InputError("drivetrain",
+                     "must be given for a backbone; give [drivetrain] with motor_inertia and "
+                     "load_inertia");
+  for (const double excitation : settings.excitations)
+    positive_number("--excitation", excitation, "N*m");
+  if (settings.amplitude) positive_number("--amplitude", *settings.amplitude, "rad");
+  if (settings.from) positive_number("--from", *settings.from, "Hz");
+  if (settings.to) positive_number("--to", *settings.to, "Hz");
+  if (settings.from && settings.to)
+    require(*settings.to > *settings.from, "--to", *settings.to, "Hz", "larger than --from");
+  if (settings.load_torque)
+    require(std::isfinite(*settings.load_torque), "--load-torque", *settings.load_torque, "N*m",
+            "a finite number");
+  require(settings.points >= 2 && settings.points <= kMostBackbonePoints, "--points",
+          settings.points, "1", "from 2 to 10000");
+  if (settings.input == VibratingInput::locked && settings.at == JointEnd::motor)
+    throw InputError("--at",
+                     "cannot be motor while the input is locked; give --at load, or --input free");
+}
+
+/// Amplitudes with equal ratios.
+std::vector<double> growing_amplitudes(double largest, int count) {
+  std::vector<double> values;
+  for (int n = 0; n + 1 < count; ++n)
+    values.push_back(largest * std::pow(kSmallestAmplitude, 1 - n / (count - 1.0)));
+  values.push_back(largest);
+  return values;
+}
+
+/// Both backbones of a joint.
+struct Backbones {
+  Backbone undamped;
+  Backbone quadrature;
+
+  [[nodiscard]] std::size_t size() const {
+    return std::min(undamped.points.size(), quadrature.points.size());
+  }
+  [[nodiscard]] VibrationAt at(std::size_t n) const {
+    const BackbonePoint& free = undamped.points[n];
+    const BackbonePoint& kept = quadrature.points[n];
+    return {.frequency = free.frequency,
+            .resonance = kept.frequency,
+            .damping_ratio = kept.damping_ratio,
+            .torque = kept.torque,
+            .excitation = kept.excitation};
+  }
+};
+
+Backbones backbones_of(const Joint& joint, const BalanceSettings& balance, JointEnd at,
+                       const std::vector<double>& amplitudes, const Progress& progress) {
+  return {.undamped = backbone(joint,
+                               {.balance = balance,
+                                .kind = BackboneKind::undamped,
+                                .excited = at,
+                                .amplitudes = amplitudes},
+                               progress.part(0.0, 0.3)),
+          .quadrature = backbone(joint,
+                                 {.balance = balance,
+                                  .kind = BackboneKind::quadrature,
+                                  .excited = at,
+                                  .amplitudes = amplitudes},
+                                 progress.part(0.3, 1.0))};
+}
+
+ResponseOf response_of(const ForcedResponse& curve, DriveState drive, double excitation) {
+  ResponseOf made{.drive = drive,
+                  .excitation = excitation,
+                  .converged = curve.converged,
+                  .reason = curve.reason};
+  for (const ResponsePoint& at : curve.points) {
+    made.points.push_back({.frequency = at.frequency,
+                           .amplitude = at.amplitude,
+                           .torque = at.torque,
+                           .output = at.output,
+                           .lag = at.lag,
+                           .multiplier = at.multiplier,
+                           .stable = at.stable});
+    if (!at.stable || at.amplitude <= made.peak) continue;
+    made.peak = at.amplitude;
+    made.peak_frequency = at.frequency;
+    made.peak_torque = at.torque;
+  }
+  for (const Fold& fold : curve.folds) {
+    made.jumps.push_back(
+        {.frequency = fold.frequency, .amplitude = fold.amplitude, .rising = fold.rising});
+  }
+  return made;
+}
+
+void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
+  const auto left_out = [&](const char* words, const char* path) {
+    notes.push_back({.code = "backbone.left_out",
+                     .text = fmt::format("a backbone leaves out {}", words),
+                     .path = path,
+                     .equation = "MO-15",
+                     .severity = Severity::information,
+                     .next_step = "Run strainwave simulate, which contains it."});
+  };
+  if (!gear.kinematic_error.empty())
+    left_out("the kinematic error, because the drive does not turn on average", "kinematic_error");
+  if (gear.drivetrain->friction)
+    left_out("the friction of the input, because the drive does not turn on average",
+             "drivetrain.friction");
+  if (gear.drivetrain->gravity_torque != 0)
+    left_out("gravity, because the drive works about a constant load torque",
+             "drivetrain.gravity_torque");
+}
+
+}  // namespace
+
+BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings& settings,
+                               const Progress& progress) {
+  check_settings(gear, settings);
+  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1));
+  const Joint sound = made.sound();
+  const bool cracked = !made.joint.cracks.empty();
+  BackboneReport report{.load_torque = settings.load_torque.value_or(gear.load.torque),
+                        .input = settings.input,
+                        .at = settings.at,
+                        .harmonics = settings.harmonics,
+                        .springs = made.springs,
+                        .notes = std::move(made.notes)};
+  const BalanceSettings balance{
+      .input = settings.input, .load_torque = report.load_torque, .harmonics = settings.harmonics};
+  report.small_frequency = small_frequency(sound, balance);
+  if (cracked) report.cracked_small_frequency = small_frequency(made.joint, balance);
+  const double largest =
+      settings.amplitude.value_or(std::abs(twist_at_rest(sound, gear.load.torque)));
+  if (largest == 0)
+    throw InputError("--amplitude", "must be given, because the load of the file has no torque");
+  const std::vector<double> amplitudes = growing_amplitudes(largest, settings.points);
+
+  const Backbones intact =
+      backbones_of(sound, balance, settings.at, amplitudes, progress.part(0.1, 0.25));
+  std::optional<Backbones> softer;
+  if (cracked)
+    softer = backbones_of(made.joint, balance, settings.at, amplitudes, progress.part(0.25, 0.4));
+  double lowest = report.small_frequency;
+  double highest = lowest;
+  const auto take = [&](const Backbone& curve, std::string_view words) {
+    for (const BackbonePoint& at : curve.points) {
+      lowest = std::min(lowest, at.frequency);
+      highest = std::max(highest, at.frequency);
+      report.truncation = std::max(report.truncation, at.truncation);
+    }
+    if (curve.converged) return;
+    report.notes.push_back(
+        {.code = "backbone.not_finished",
+         .text = fmt::format("the backbone of the {} drive ends early: {}", words, curve.reason),
+         .path = "drivetrain",
+         .equation = "MO-16",
+         .severity = Severity::critical,
+         .next_step = "Choose a smaller --amplitude, or another number of --harmonics."});
+  };
+  std::size_t rows = intact.size();
+  take(intact.undamped, "sound");
+  take(intact.quadrature, "sound");
+  if (softer) {
+    take(softer->undamped, "cracked");
+    take(softer->quadrature, "cracked");
+    rows = std::min(rows, softer->size());
+  }
+  for (std::size_t n = 0; n < rows; ++n) {
+    BackboneRow& row = report.backbone.emplace_back(
+        BackboneRow{.amplitude = amplitudes[n], .intact = intact.at(n)});
+    if (softer) row.cracked = softer->at(n);
+  }
+
+  std::vector<double> excitations = settings.excitations;
+  if (excitations.empty() && gear.load.torque != 0)
+    for (const double share : kExcitationsByDefault)
+      excitations.push_back(share * std::abs(gear.load.torque) /
+                            (settings.at == JointEnd::motor ? std::abs(sound.ratio) : 1.0));
+  const double from = settings.from.value_or(kBelowResonances * lowest);
+  const double to = settings.to.value_or(kAboveResonances * highest);
+  require(to > from, settings.to ? "--to" : "--from", settings.to ? to : from, "Hz",
+          fmt::format("responses from {} to {}; give --from and --to",
+                      shown_quantity(from, "Hz", 4), shown_quantity(to, "Hz", 4)));
+  const double curves = static_cast<double>(excitations.size() * (cracked ? 2 : 1));
+  double done = 0.0;
+  const auto follow = [&](const Joint& joint, DriveState drive, double excitation) {
+    const double begin = 0.4 + 0.6 * done / curves;
+    ++done;
+    const ForcedResponse curve = forced_response(joint,
+                                                 {.balance = balance,
+                                                  .excited = settings.at,
+                                                  .excitation = excitation,
+                                                  .from = from,
+                                                  .to = to},
+                                                 progress.part(begin, 0.4 + 0.6 * done / curves));
+    for (const ResponsePoint& at : curve.points)
+      report.truncation = std::max(report.truncation, at.truncation);
+    report.responses.push_back(response_of(curve, drive, excitation));
+    if (curve.converged) return;
+    report.notes.push_back(
+        {.code = "backbone.response_not_finished",
+         .text = fmt::format("the response of the {} drive to {} has no end: {}", enum_name(drive),
+                             shown_quantity(excitation, "N*m", 4), curve.reason),
+         .path = "drivetrain",
+         .equation = "MO-18",
+         .severity = Severity::critical,
+         .next_step = "Choose a smaller --excitation, other frequencies with --from and --to, or "
+                      "another number of --harmonics."});
+  };
+  for (const double excitation : excitations) {
+    follow(sound, DriveState::sound, excitation);
+    if (cracked) follow(made.joint, DriveState::cracked, excitation);
+  }
+  note_left_out(gear, report.notes);
+  if (report.truncation > kLargestTruncation)
+    report.notes.push_back(
+        {.code = "backbone.harmonics",
+         .text = fmt::format("the last two harmonics have {} % of the energy of a vibration, so "
+                             "harmonics that are left out may matter",
+                             shown_number(100 * report.truncation, 2)),
+         .path = "drivetrain",
+         .equation = "MO-15",
+         .severity = Severity::care,
+         .next_step = "Give more --harmonics and compare."});
+  report.equations = {"MO-1", "MO-5", "MO-14", "MO-15", "MO-16", "MO-17", "MO-18", "MO-19"};
+  if (gear.drivetrain->hysteresis) report.equations.emplace_back("MO-8");
+  return report;
+}
+
+}  // namespace strainwave
