@@ -7,7 +7,7 @@
 
 Prints the time of one full corrected evaluation of the article's three-crack drive by both, and of
 the torsion curve of a drive of size 25, of a life by Paris' law against scipy's `quad`, and of the motion of a joint
-against four methods of scipy, their ratios, whether they agree, and how long the program takes to start.  The exit status is 1 if a goal of `GOALS` is missed.  Run the script on a quiet machine.
+against four methods of scipy, and of a backbone by harmonic balance against numpy, their ratios, whether they agree, and how long the program takes to start.  The exit status is 1 if a goal of `GOALS` is missed.  Run the script on a quiet machine.
 """
 import json
 import os
@@ -23,6 +23,7 @@ BENCHMARKS = ROOT / "build/benchmark/benchmarks/strainwave_benchmarks"
 PEER = ROOT / "benchmarks/peer/three_crack_drive.py"
 LIFE_PEER = ROOT / "benchmarks/peer/crack_life_peer.py"
 MOTION_PEER = ROOT / "benchmarks/peer/joint_motion_peer.py"
+BALANCE_PEER = ROOT / "benchmarks/peer/duffing_balance_peer.py"
 CURVE_PEER = ROOT / "benchmarks/peer/coupled_drive_peer.py"
 GOALS = {"evaluation [us]": ("<=", 50.0), "peer / strainwave": (">=", 50.0),
          "--version [ms]": ("<", 20.0), "stiffness article.toml [ms]": ("<", 50.0),
@@ -30,7 +31,9 @@ GOALS = {"evaluation [us]": ("<=", 50.0), "peer / strainwave": (">=", 50.0),
          "peer / strainwave, 11 points": (">=", 5.0), "peer / strainwave, 200 points": (">=", 5.0),
          "life, quad in numpy / strainwave": (">=", 100.0),
          "life, quad in Python / strainwave": (">=", 12.0),
-         "motion / real time": (">=", 250.0), "motion, best of scipy / strainwave": (">=", 60.0)}
+         "motion / real time": (">=", 250.0), "motion, best of scipy / strainwave": (">=", 60.0),
+         "backbone of 200 points [ms]": ("<=", 20.0), "backbone with hysteresis [ms]": ("<=", 200.0),
+         "backbone, numpy / strainwave": (">=", 10.0)}
 
 
 def benchmark(name, counter):
@@ -73,6 +76,13 @@ def motion():
     raise RuntimeError("no tolerance of joint_motion is within 1e-6 rad")
 
 
+def balance_peer():
+    """Seconds of numpy for the backbone of a cubic spring, and its last frequency, on one thread."""
+    one = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    answer = json.loads(subprocess.check_output(["/usr/bin/python3", BALANCE_PEER], env=one))
+    return answer["seconds"], answer["last_hertz"]
+
+
 def peer():
     out = json.loads(subprocess.check_output(["/usr/bin/python3", PEER, "--repeat", "20"]))
     return out["seconds_per_evaluation"] * 1e6, out["stiffness_positive"]
@@ -98,6 +108,9 @@ def main():
     life_other = life_peer()
     moved, angle = motion()
     moved_other, angle_other = motion_peer()
+    backbone, hertz = benchmark("backbone_of_200_points/0", "last_hertz")
+    with_hysteresis, _ = benchmark("backbone_of_200_points/3", "last_hertz")
+    backbone_other, hertz_other = balance_peer()
     measured = {"evaluation [us]": own, "peer / strainwave": other / own,
                 "--version [ms]": program("--version"),
                 "stiffness article.toml [ms]": program("stiffness", ROOT / "examples/article.toml"),
@@ -106,7 +119,10 @@ def main():
                 "peer / strainwave, 200 points": 1e3 * curve_other["seconds_200"] / curve_200,
                 "life, quad in numpy / strainwave": 1e9 * life_other["numpy"]["seconds"] / life,
                 "life, quad in Python / strainwave": 1e9 * life_other["python"]["seconds"] / life,
-                "motion / real time": moved, "motion, best of scipy / strainwave": moved / moved_other}
+                "motion / real time": moved, "motion, best of scipy / strainwave": moved / moved_other,
+                "backbone of 200 points [ms]": backbone,
+                "backbone with hysteresis [ms]": with_hysteresis,
+                "backbone, numpy / strainwave": 1e3 * backbone_other / backbone}
     print(f"{'peer evaluation [us]':30} {other:10.1f}")
     missed = 0
     for name, value in measured.items():
@@ -120,7 +136,8 @@ def main():
     print(f"{'twist, relative difference':30} {turned:10.1e}   goal < 1e-07")
     print(f"{'life, relative error':30} {abs(life_error):10.1e}   goal < 1e-09")
     print(f"{'motion, difference [rad]':30} {abs(angle - angle_other):10.1e}   goal < 2e-06")
-    agree = (difference < 1e-7 and turned < 1e-7 and abs(life_error) < 1e-9
+    print(f"{'backbone, relative difference':30} {abs(hertz / hertz_other - 1):10.1e}   goal < 1e-07")
+    agree = (abs(hertz / hertz_other - 1) < 1e-7 and difference < 1e-7 and turned < 1e-7 and abs(life_error) < 1e-9
              and abs(angle - angle_other) < 2e-6)
     return 1 if missed or not agree else 0
 

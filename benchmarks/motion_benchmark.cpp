@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion of a joint with a catalogue spring, hysteresis, a breathing crack and a kinematic error.
+// Motion of a joint with a catalogue spring, hysteresis, a breathing crack and a kinematic error;
+// and its periodic motions by harmonic balance.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/motion/harmonic_balance.hpp"
 #include "strainwave/motion/simulate.hpp"
 
 namespace strainwave {
@@ -50,6 +52,44 @@ void joint_motion(benchmark::State& state) {
   state.counters["output_angle"] = last.last.output_angle;
 }
 BENCHMARK(joint_motion)->Arg(6)->Arg(7)->Arg(8)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);
+
+/// Backbone of 200 points with 9 harmonics: 0: a cubic spring, as benchmarks/peer/
+/// duffing_balance_peer.py; 1: corners and a crack; 2: the same with damping; 3: with hysteresis
+/// too.
+void backbone_of_200_points(benchmark::State& state) {
+  Joint of{.ratio = -100, .input_inertia = 1e-4, .output_inertia = 1};
+  of.spring = CubicSpring{5e4, 1e10};
+  if (state.range(0) > 0) {
+    of.spring = CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
+    of.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};
+  }
+  if (state.range(0) > 1) of.damping = 10;
+  if (state.range(0) > 2) of.hysteresis = dahl(1e5, 3);
+  BackboneSettings settings{.kind = state.range(0) > 1 ? BackboneKind::quadrature
+                                                       : BackboneKind::undamped};
+  for (int n = 0; n < 200; ++n) settings.amplitudes.push_back(5e-3 * (n + 1) / 200);
+  Backbone curve;
+  for (auto _ : state) curve = backbone(of, settings);
+  state.counters["points"] = static_cast<double>(curve.points.size());
+  state.counters["last_hertz"] = curve.points.back().frequency;
+}
+BENCHMARK(backbone_of_200_points)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+
+/// A response with two folds, with the stability of each point.
+void forced_response_with_folds(benchmark::State& state) {
+  const Joint of{.ratio = -100,
+                 .input_inertia = 1e-4,
+                 .output_inertia = 1,
+                 .spring = CubicSpring{5e4, 2e10},
+                 .damping = 12};
+  ForcedResponse curve;
+  for (auto _ : state)
+    curve = forced_response(
+        of, {.balance = {.input = VibratingInput::locked}, .excitation = 8, .from = 25, .to = 75});
+  state.counters["points"] = static_cast<double>(curve.points.size());
+  state.counters["folds"] = static_cast<double>(curve.folds.size());
+}
+BENCHMARK(forced_response_with_folds)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace strainwave

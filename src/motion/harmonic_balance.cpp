@@ -301,7 +301,8 @@ class ResponseCurve {
       if (next) {
         evaluate(*next);
         turned = tangent(*next, along);
-        if (product(*turned, along, next->x, next->omega) < kStraight) turned.reset();
+        const double size = std::sqrt(product(along, along, next->x, next->omega));
+        if (product(*turned, along, next->x, next->omega) < kStraight * size) turned.reset();
       }
       if (!turned) {
         if (++halvings > kMostHalvings) {
@@ -433,7 +434,7 @@ class ResponseCurve {
     matrix(size_, size_) = before.omega / at.omega;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size_ + 1);
     right(size_) = 1.0;
-    const Eigen::VectorXd t = matrix.partialPivLu().solve(right).normalized();
+    const Eigen::VectorXd t = matrix.partialPivLu().solve(right).normalized();  // (MO-18)
     return {.x = t.head(size_) * size, .omega = t(size_) * at.omega};
   }
 

@@ -49,6 +49,7 @@ struct Draft {
 [[nodiscard]] ReportSection modes_chapter(Draft& draft);
 [[nodiscard]] ReportSection frf_chapter(Draft& draft);
 /// Of a drive with manoeuvres.
+[[nodiscard]] ReportSection backbone_chapter(Draft& draft);
 [[nodiscard]] ReportSection motion_chapter(Draft& draft);
 /// Of a drive with a drivetrain: the budget of its error.
 [[nodiscard]] ReportSection budget_chapter(Draft& draft);

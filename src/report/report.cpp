@@ -244,6 +244,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
     made.sections.push_back(modes_chapter(draft));
     made.sections.push_back(frf_chapter(draft));
   }
+  if (gear.drivetrain && draft.corrected()) made.sections.push_back(backbone_chapter(draft));
   if (!gear.manoeuvre.empty() && draft.corrected()) made.sections.push_back(motion_chapter(draft));
   if (gear.drivetrain && draft.corrected()) made.sections.push_back(budget_chapter(draft));
   made.sections.push_back(sensitivity_chapter(draft));

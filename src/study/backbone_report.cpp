@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "strainwave/catalogue/torque_limits.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/study/drive_joint.hpp"
@@ -136,6 +137,28 @@ void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
              "drivetrain.gravity_torque");
 }
 
+/// Largest torque of the curves against the momentary peak that the maker allows.
+void note_large_torque(const GearSet& gear, BackboneReport& report) {
+  const auto limit = makers_limits(gear).momentary_peak;
+  if (!limit) return;
+  double range = 0.0;
+  for (const BackboneRow& row : report.backbone)
+    range = std::max({range, row.intact.torque, row.cracked ? row.cracked->torque : 0.0});
+  for (const ResponseOf& of : report.responses) range = std::max(range, of.peak_torque);
+  const double largest = std::abs(report.load_torque) + range;
+  if (largest <= limit->value) return;
+  report.notes.push_back(
+      {.code = "backbone.large_torque",
+       .text =
+           fmt::format("vibrations reach {} with the load, above the momentary peak of {} that "
+                       "the maker allows",
+                       shown_quantity(largest, "N*m", 4), shown_quantity(limit->value, "N*m", 4)),
+       .path = "drivetrain",
+       .equation = "LI-30",
+       .severity = Severity::care,
+       .next_step = "Choose a smaller --excitation or --amplitude."});
+}
+
 }  // namespace
 
 BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings& settings,
@@ -237,6 +260,7 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
     if (cracked) follow(made.joint, DriveState::cracked, excitation);
   }
   note_left_out(gear, report.notes);
+  note_large_torque(gear, report);
   if (report.truncation > kLargestTruncation)
     report.notes.push_back(
         {.code = "backbone.harmonics",

@@ -243,6 +243,7 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"frf", {"joint_size25.toml", ""}},
       {"accuracy", {"joint_size25.toml", ""}},
       {"simulate", {"joint_size25.toml", ""}},
+      {"backbone", {"joint_size25.toml", ""}},
       {"require", {"article.toml", R"({"requirements": ["intact.stiffness >= 1 N*m/rad"]})"}},
       {"report", {"article.toml", R"({"date": "2026-01-01"})"}},
       {"sensitivity", {"article_scatter.toml", R"({"scatter": true, "samples": 1000})"}},

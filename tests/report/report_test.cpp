@@ -21,6 +21,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/backbone.hpp"
 #include "strainwave/layouts/modes.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/model/result/result_fields.hpp"
@@ -79,10 +80,10 @@ TEST(Report, BehaviourEveryExampleGivesAWholePage) {
        {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25",
         "critical_crack", "article_scatter", "library_material", "joint_size25"}) {
     const Report report = report_on(text_of(name));
-    // A drive between motor and load has three more sections, and its motion another one.
+    // A drive between motor and load has four more sections, and its motion another one.
     std::vector<std::string> expected(kSections.begin(), kSections.end());
     if (text_of(name).find("[drivetrain]") != std::string::npos)
-      for (const char* const chapter : {"modes", "frf"})
+      for (const char* const chapter : {"modes", "frf", "backbone"})
         expected.insert(std::ranges::find(expected, "sensitivity"), chapter);
     if (text_of(name).find("[[manoeuvre]]") != std::string::npos)
       expected.insert(std::ranges::find(expected, "sensitivity"), "motion");
@@ -280,6 +281,18 @@ TEST(Report, BehaviourTheChapterOnModesIsThatOfTheCommand) {
   const auto absent = std::ranges::find(repaired.sections, "modes", &ReportSection::id);
   ASSERT_NE(absent, repaired.sections.end());
   EXPECT_NE(absent->html.find("uses the method repaired"), std::string::npos);
+}
+
+TEST(Report, BehaviourTheChapterOnTheBackboneIsThatOfTheCommand) {
+  const Report report = report_on(text_of("joint_size25"));
+  const std::string& html = section(report, "backbone").html;
+  const BackboneReport backbone =
+      backbone_report(read_gear_set(text_of("joint_size25"), "drive.toml"));
+  for (const TitledTable& table : backbone_tables(backbone))
+    EXPECT_NE(html.find(table.title), std::string::npos) << table.title;
+  const double resonance = backbone.backbone.back().cracked->resonance;
+  EXPECT_NE(html.find(shown_number(resonance, 5) + " Hz"), std::string::npos);
+  EXPECT_NE(html.find("<svg"), std::string::npos);
 }
 
 TEST(Report, ReferenceProvenanceHasTheInputWordForWord) {
