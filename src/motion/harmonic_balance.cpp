@@ -25,7 +25,7 @@ constexpr double kSmallStep = 1e-9;       // of Newton's last step, over the siz
 constexpr int kMostHalvings = 14;         // of a step of a continuation
 constexpr double kFirstStep = 0.02;       // of the relative length of a curve
 constexpr double kStraight = 0.97;        // cosine between the tangents of two points
-constexpr double kFoldTolerance = 1e-9;   // of the direction of the frequency at a fold
+constexpr double kTurnTolerance = 1e-9;   // of a rate along the curve at a fold or a peak
 constexpr double kStable = 1 + 1e-6;      // largest magnitude of a multiplier
 constexpr double kStepsOfPeriod = 64;     // of the variational equation
 constexpr double kLeastStepsOfPiece = 4;  // the same in each smooth piece
@@ -291,6 +291,7 @@ class ResponseCurve {
     evaluate(at);
     Tangent along = tangent(at, {Eigen::VectorXd::Zero(size_), 1.0});
     curve.points.push_back(point(at));
+    double rate = amplitude_rate(along);
     double step = std::min(kFirstStep, settings_.largest_step);
     int halvings = 0;
     while (static_cast<int>(curve.points.size()) < settings_.most_points) {
@@ -332,6 +333,9 @@ class ResponseCurve {
         return curve;
       }
       curve.points.push_back(point(*next));
+      const double rate_after = amplitude_rate(*turned);
+      if (rate > 0 && rate_after <= 0) curve.peaks.push_back(peak(at, along, step));
+      rate = rate_after;
       if ((along.omega > 0) != (turned->omega > 0))
         curve.folds.push_back(fold(at, along, step, along.omega > 0));
       at = *next;
@@ -466,9 +470,17 @@ class ResponseCurve {
     return std::nullopt;
   }
 
-  /// Where the frequency turns between two points of the curve (MO-18).
-  [[nodiscard]] Fold fold(const Vibration& from, const Tangent& along, double distance,
-                          bool rising) {
+  /// Change of the amplitude along a tangent, where `evaluate` was called last [rad].
+  [[nodiscard]] double amplitude_rate(const Tangent& along) const {
+    return balance_.cycle.amplitude_slope().dot(along.x);
+  }
+
+  /// The point between two points of the curve at which a rate changes its sign from that of
+  /// `positive`, by bisection (MO-18).
+  /// @param rate  tangent -> rate over its scale, where `evaluate` was called last
+  template <class Rate>
+  [[nodiscard]] Vibration turning_point(const Vibration& from, const Tangent& along,
+                                        double distance, bool positive, const Rate& rate) {
     double low = 0.0;
     double high = distance;
     Vibration best = from;
@@ -479,14 +491,36 @@ class ResponseCurve {
       if (!at) break;
       best = *at;
       evaluate(best);
-      const Tangent here = tangent(best, along);
-      if (std::abs(here.omega) < kFoldTolerance * best.omega) break;
-      ((here.omega > 0) == rising ? low : high) = middle;
-      if (high - low < kFoldTolerance * distance) break;
+      const double here = rate(best, tangent(best, along));
+      if (std::abs(here) < kTurnTolerance) break;
+      ((here > 0) == positive ? low : high) = middle;
+      if (high - low < kTurnTolerance * distance) break;
     }
-    return {.frequency = best.omega / (2 * pi),
+    evaluate(best);
+    return best;
+  }
+
+  /// Where the frequency turns between two points of the curve (MO-18).
+  [[nodiscard]] Fold fold(const Vibration& from, const Tangent& along, double distance,
+                          bool rising) {
+    const Vibration at =
+        turning_point(from, along, distance, rising,
+                      [](const Vibration& here, const Tangent& t) { return t.omega / here.omega; });
+    return {.frequency = at.omega / (2 * pi),
             .amplitude = balance_.cycle.amplitude(),
             .rising = rising};
+  }
+
+  /// Where the amplitude turns between two points of the curve (MO-18).
+  [[nodiscard]] Peak peak(const Vibration& from, const Tangent& along, double distance) {
+    const Vibration at =
+        turning_point(from, along, distance, true, [this](const Vibration&, const Tangent& t) {
+          return amplitude_rate(t) / balance_.cycle.amplitude();
+        });
+    return {.frequency = at.omega / (2 * pi),
+            .amplitude = balance_.cycle.amplitude(),
+            .torque = balance_.cycle.torque_amplitude(),
+            .stable = std::abs(multipliers(at).front()) <= kStable};
   }
 
   /// Harmonic k of theta_L.

@@ -106,11 +106,16 @@ ResponseOf response_of(const ForcedResponse& curve, DriveState drive, double exc
                            .lag = at.lag,
                            .multiplier = at.multiplier,
                            .stable = at.stable});
-    if (!at.stable || at.amplitude <= made.peak) continue;
+  }
+  // The end of a curve may be above its peaks.
+  const auto raise = [&](const auto& at) {
+    if (!at.stable || at.amplitude <= made.peak) return;
     made.peak = at.amplitude;
     made.peak_frequency = at.frequency;
     made.peak_torque = at.torque;
-  }
+  };
+  for (const ResponsePoint& at : curve.points) raise(at);
+  for (const Peak& at : curve.peaks) raise(at);
   for (const Fold& fold : curve.folds) {
     made.jumps.push_back(
         {.frequency = fold.frequency, .amplitude = fold.amplitude, .rising = fold.rising});

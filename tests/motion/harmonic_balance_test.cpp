@@ -370,6 +370,34 @@ TEST(HarmonicBalance, IdentityStabilityChangesAtTheFolds) {
   EXPECT_EQ(changes, 2);
 }
 
+TEST(HarmonicBalance, ReferencePeaks) {
+  // (MO-18): a linear joint with damping parallel to the spring has its largest twist at
+  // w^2 = w0^2 (1 - 2 zeta^2), with F/(2 zeta K sqrt(1 - zeta^2)) and locked input; a cubic spring
+  // with one harmonic where d(p^2 + (c w)^2)/d(w) = 0.
+  Joint linear = joint_with(LinearSpring{5e4});
+  linear.damping = 60;
+  const double zeta = 60 / (2 * std::sqrt(5e4));
+  const ResponseSettings settings{.balance = {.input = VibratingInput::locked, .harmonics = 1},
+                                  .excitation = 8,
+                                  .from = 15,
+                                  .to = 75};
+  const ForcedResponse curve = forced_response(linear, settings);
+  ASSERT_EQ(curve.peaks.size(), 1U);
+  const Peak& peak = curve.peaks[0];
+  EXPECT_TRUE(peak.stable);
+  test::expect_relative(peak.frequency, std::sqrt(5e4 * (1 - 2 * zeta * zeta)) / (2 * pi), 1e-6);
+  test::expect_relative(peak.amplitude, 8 / (2 * zeta * 5e4 * std::sqrt(1 - zeta * zeta)), 1e-9);
+  test::expect_relative(peak.torque, 5e4 * peak.amplitude, 1e-9);
+  const ForcedResponse bent = forced_response(hard_joint(), hard_settings(1));
+  ASSERT_EQ(bent.peaks.size(), 1U);
+  const double omega = 2 * pi * bent.peaks[0].frequency;
+  const double a = bent.peaks[0].amplitude;
+  const double p = 5e4 - omega * omega + 0.75 * 2e10 * a * a;
+  test::expect_relative((p * p + 144 * omega * omega) * a * a, 64.0, 1e-7);
+  test::expect_relative(2 * p, 144.0, 1e-4);
+  EXPECT_TRUE(bent.peaks[0].stable);
+}
+
 /// A joint with its input locked after some periods of an excitation of the load.
 JointState after_periods(Joint joint, const JointState& start, double excitation, double frequency,
                          int periods, double tolerance = 1e-11, int lines = 400) {

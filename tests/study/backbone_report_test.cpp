@@ -130,7 +130,8 @@ TEST(BackboneReport, BehaviourExampleOfARobotJoint) {
     double most = 0.0;
     for (const ResponseRow& row : of.points)
       if (row.stable) most = std::max(most, row.amplitude);
-    EXPECT_EQ(of.peak, most);
+    EXPECT_GE(of.peak, most);
+    EXPECT_LT(of.peak, 1.02 * most);
   }
   EXPECT_EQ(test::count_notes(report.notes, "backbone.left_out", "kinematic_error"), 1);
   const std::string text = backbone_text(report, gear);

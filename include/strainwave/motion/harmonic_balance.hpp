@@ -130,19 +130,28 @@ struct Fold {
   bool rising = false;
 };
 
+/// A point of a curve at which the amplitude is the largest among its neighbours (MO-18).
+struct Peak {
+  double frequency = 0.0;  ///< [Hz]
+  double amplitude = 0.0;  ///< half of the range of the twist [rad]
+  double torque = 0.0;     ///< half of the range of spring and hysteresis [N*m]
+  bool stable = false;
+};
+
 /// A curve of responses in the order of its length, and its evidence.
 struct ForcedResponse {
   bool converged = false;
   std::string reason = {};  ///< why the curve has no end; empty if it has one
   std::vector<ResponsePoint> points = {};
   std::vector<Fold> folds = {};
+  std::vector<Peak> peaks = {};
 };
 
 /// Response of a joint to a harmonic torque over the frequency, by continuation along the curve.
 ///
 /// Implements theory manual eqs. (MO-15), (MO-18) and (MO-19).  The curve begins at the response
 /// at `from` that grows out of rest with the excitation, and contains what is connected with it.
-/// Folds are accurate to 1e-9 of the frequency.
+/// Folds are accurate to 1e-9 of the frequency, and peaks to 1e-6 of it.
 /// @throws InputError  as `backbone`
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] ForcedResponse forced_response(const Joint& joint, const ResponseSettings& settings,
