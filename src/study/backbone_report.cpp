@@ -231,9 +231,14 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
                             (settings.at == JointEnd::motor ? std::abs(sound.ratio) : 1.0));
   const double from = settings.from.value_or(kBelowResonances * lowest);
   const double to = settings.to.value_or(kAboveResonances * highest);
-  require(to > from, settings.to ? "--to" : "--from", settings.to ? to : from, "Hz",
-          fmt::format("responses from {} to {}; give --from and --to",
-                      shown_quantity(from, "Hz", 4), shown_quantity(to, "Hz", 4)));
+  if (settings.from)
+    require(to > from, "--from", from, "Hz",
+            fmt::format("below the end of the responses, {}; give --to too",
+                        shown_quantity(to, "Hz", 4)));
+  else
+    require(to > from, "--to", to, "Hz",
+            fmt::format("above the beginning of the responses, {}; give --from too",
+                        shown_quantity(from, "Hz", 4)));
   const double curves = static_cast<double>(excitations.size() * (cracked ? 2 : 1));
   double done = 0.0;
   const auto follow = [&](const Joint& joint, DriveState drive, double excitation) {

@@ -226,7 +226,8 @@ TEST(BackboneReport, InputRulesAreBroken) {
   expect_text(message({.from = 0.0}), "--from");
   expect_text(message({.to = -1.0}), "--to");
   expect_text(message({.from = 50.0, .to = 40.0}), "larger than --from");
-  expect_text(message({.from = 1e6}), "give --from and --to");
+  expect_text(message({.from = 1e6}), "give --to too");
+  expect_text(message({.to = 1e-3}), "give --from too");
   expect_text(message({.harmonics = 0}), "from 1 to 200");
   expect_text(message({.points = 1}), "--points");
   expect_text(message({.input = VibratingInput::locked, .at = JointEnd::motor}), "--at");
