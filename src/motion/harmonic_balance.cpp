@@ -294,8 +294,11 @@ class ResponseCurve {
     double rate = amplitude_rate(along);
     double step = std::min(kFirstStep, settings_.largest_step);
     int halvings = 0;
+    double done = 0.0;
     while (static_cast<int>(curve.points.size()) < settings_.most_points) {
-      progress.at(std::clamp((at.omega - low) / (high - low), 0.0, 1.0));
+      // At a fold the frequency turns back, but the work does not.
+      done = std::max(done, std::clamp((at.omega - low) / (high - low), 0.0, 1.0));
+      progress.at(done);
       int iterations = 0;
       const std::optional<Vibration> next = corrected(at, along, step, iterations);
       std::optional<Tangent> turned;

@@ -123,6 +123,12 @@ ResponseOf response_of(const ForcedResponse& curve, DriveState drive, double exc
   return made;
 }
 
+/// Whether a vibration loses energy.  A motor that keeps its speed does not.
+bool loses_energy(const Joint& joint, VibratingInput input) {
+  return joint.hysteresis || joint.damping > 0 || joint.output_damping > 0 ||
+         (input == VibratingInput::free && joint.input_damping > 0);
+}
+
 void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
   const auto left_out = [&](const char* words, const char* path) {
     notes.push_back({.code = "backbone.left_out",
@@ -225,7 +231,21 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
   }
 
   std::vector<double> excitations = settings.excitations;
-  if (excitations.empty() && gear.load.torque != 0)
+  const bool lossy = loses_energy(sound, settings.input);
+  if (!excitations.empty() && !lossy)
+    throw InputError("--excitation",
+                     "needs a drive that loses energy, because its response would grow without "
+                     "bound; give drivetrain.gear_damping or drivetrain.hysteresis");
+  if (!lossy)
+    report.notes.push_back(
+        {.code = "backbone.no_damping",
+         .text = "there are no responses, because the drive loses no energy and they would grow "
+                 "without bound",
+         .path = "drivetrain",
+         .equation = "MO-18",
+         .severity = Severity::information,
+         .next_step = "Give drivetrain.gear_damping or drivetrain.hysteresis."});
+  if (excitations.empty() && lossy && gear.load.torque != 0)
     for (const double share : kExcitationsByDefault)
       excitations.push_back(share * std::abs(gear.load.torque) /
                             (settings.at == JointEnd::motor ? std::abs(sound.ratio) : 1.0));

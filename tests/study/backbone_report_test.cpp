@@ -203,6 +203,23 @@ bristle_stiffness = "100 N*m/rad"
   };
   EXPECT_EQ(test::count_notes(of_harmonics(2), "backbone.harmonics"), 1);
   EXPECT_EQ(test::count_notes(of_harmonics(15), "backbone.harmonics"), 0);
+  // Without any loss a response grows without bound.
+  GearSet lossless = without_cracks(shaken_joint());
+  lossless.drivetrain->gear_damping = 0;
+  const BackboneReport no_loss = backbone_report(lossless);
+  EXPECT_EQ(test::count_notes(no_loss.notes, "backbone.no_damping"), 1);
+  EXPECT_TRUE(no_loss.responses.empty());
+  for (const BackboneRow& row : no_loss.backbone) {
+    test::expect_relative(row.intact.resonance, row.intact.frequency, 1e-9);
+    EXPECT_NEAR(row.intact.damping_ratio, 0.0, 1e-9);
+  }
+  EXPECT_NE(test::broken_rule([&] {
+              return backbone_report(lossless, {.excitations = {5.0}});
+            }).find("needs a drive that loses energy"),
+            std::string::npos);
+  lossless.drivetrain->motor_damping = 1e-3;
+  EXPECT_FALSE(backbone_report(lossless).responses.empty());
+  EXPECT_TRUE(backbone_report(lossless, {.input = VibratingInput::locked}).responses.empty());
   // Numbers that overflow leave no curve.
   const BackboneReport far = backbone_report(gear, {.excitations = {1e300}, .amplitude = 1e300});
   EXPECT_GE(test::count_notes(far.notes, "backbone.not_finished"), 1);
