@@ -170,7 +170,7 @@ TEST(TwistCycle, CrosscheckLoopStepsAgainstTheRate) {
   for (const double exponent : {1.0, 1.5, 2.0, 3.0})
     for (const double asymmetry : {0.5, 0.3, 0.0, -0.6})
       for (const double start : {-1.7, -0.4, 0.0, 1.1})
-        for (const double change : {1.3e-4, -0.6e-4}) {
+        for (const double change : {1.3e-4, -0.6e-4, 0.3e-4}) {
           const BoucWen model{
               .stiffness = 2e4, .limit = 2, .exponent = exponent, .asymmetry = asymmetry};
           double z = start;
