@@ -212,7 +212,7 @@ std::vector<TitledTable> accuracy_tables(const AccuracyReport& report) {
 TornadoPanel accuracy_panel(const AccuracyReport& report) {
   const DisplayUnit angle = error_unit();
   TornadoPanel panel{.title = "Largest magnitude of the error of the output",
-                     .x_label = axis_label("angle", angle)};
+                     .x_label = axis_label("largest magnitude of the error", angle)};
   const bool cracked = report.cracked_lost_motion.has_value();
   panel.series.push_back({.label = cracked ? "sound" : "error", .values = {}});
   if (cracked) panel.series.push_back({.label = "cracked", .values = {}});
@@ -245,7 +245,8 @@ std::string accuracy_csv(const AccuracyReport& report) {
 
 std::string accuracy_plot(const AccuracyReport& report, const GearSet& gear) {
   std::array panels = {accuracy_panel(report)};
-  panels.front().subtitle = gear.name;
+  // A subtitle would stand where the legend of the bars is.
+  panels.front().title = name_of(gear);
   return tornado_svg(panels);
 }
 

@@ -51,7 +51,7 @@ struct Draft {
 /// Of a drive with manoeuvres.
 [[nodiscard]] ReportSection backbone_chapter(Draft& draft);
 [[nodiscard]] ReportSection motion_chapter(Draft& draft);
-/// Of a drive with a drivetrain: the budget of its error.
+/// Of a drive with a drivetrain and a kinematic error: the budget of its error.
 [[nodiscard]] ReportSection budget_chapter(Draft& draft);
 [[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);

@@ -50,7 +50,7 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
 
 std::string scatter_html(Draft& draft, const Sensitivity& s) {
   const ScatterOptions options{.samples = draft.options.samples, .seed = 1, .threads = 1};
-  const Scatter scatter = scatter_of(draft.gear, s, options, draft.progress.part(0.8, 1.0));
+  const Scatter scatter = scatter_of(draft.gear, s, options, draft.progress.part(0.95, 1.0));
   draft.add(scatter.notes);
   draft.add(std::vector<std::string>{"SN-7", "SN-8"});
   std::string html =

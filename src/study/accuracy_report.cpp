@@ -271,45 +271,41 @@ double fastest(const GearSet& gear) {
 }
 
 void note_budget(const GearSet& gear, AccuracyReport& report) {
-  const auto note = [&](std::string code, std::string text, std::string path, std::string equation,
-                        Severity severity, std::string next_step) {
-    report.notes.push_back({.code = std::move(code),
-                            .text = std::move(text),
-                            .path = std::move(path),
-                            .equation = std::move(equation),
-                            .severity = severity,
-                            .next_step = std::move(next_step)});
-  };
   if (gear.kinematic_error.empty())
-    note("accuracy.no_kinematic_error",
+    report.notes.push_back(
+        {"accuracy.no_kinematic_error",
          "the file gives no kinematic error, so the budget has none; makers state about 1 arcmin "
          "from peak to valley",
          "kinematic_error", "DY-14", Severity::care,
-         "Give [[kinematic_error]] with order and amplitude.");
+         "Give [[kinematic_error]] with order and amplitude."});
   if (!report.intact_hysteresis)
-    note("accuracy.no_hysteresis",
+    report.notes.push_back(
+        {"accuracy.no_hysteresis",
          "the sum of the members has no hysteresis, so the budget has none, and its wind-up is too "
          "small by a factor of 2 to 5",
          "mesh", "DY-16", Severity::care,
-         "Give what strainwave torsion needs; the command says what is missing.");
+         "Give what strainwave torsion needs; the command says what is missing."});
   if (report.intact_hysteresis && (!gear.rating || gear.rating->friction_torque == 0))
-    note(
-        "accuracy.no_friction",
-        "grease and seals cause most of the hysteresis that makers state, and the output's part of "
-        "them is rating.friction_torque, which is 0",
-        "rating.friction_torque", "TC-17", Severity::care, "Give rating.friction_torque.");
+    report.notes.push_back({"accuracy.no_friction",
+                            "grease and seals cause most of the hysteresis that makers state, and "
+                            "the output's part of "
+                            "them is rating.friction_torque, which is 0",
+                            "rating.friction_torque", "TC-17", Severity::care,
+                            "Give rating.friction_torque."});
   if (gear.drivetrain->hysteresis)
-    note("accuracy.own_hysteresis",
+    report.notes.push_back(
+        {"accuracy.own_hysteresis",
          "drivetrain.hysteresis is left out; the hysteresis of the budget is the loss at zero "
          "torque of the coupled drive",
          "drivetrain.hysteresis", "DY-16", Severity::information,
-         "Run strainwave simulate for a motion with drivetrain.hysteresis.");
+         "Run strainwave simulate for a motion with drivetrain.hysteresis."});
   if (report.bands && report.bands->rejected > 0)
-    note("accuracy.rejected",
+    report.notes.push_back(
+        {"accuracy.rejected",
          fmt::format("{} of {} drawn drives break a rule or have no equilibrium and are left out "
                      "of the bands",
                      report.bands->rejected, report.bands->rejected + report.bands->draws),
-         "range", "DY-16", Severity::care, "Check the [[range]] and [[scatter]] entries.");
+         "range", "DY-16", Severity::care, "Check the [[range]] and [[scatter]] entries."});
 }
 
 }  // namespace

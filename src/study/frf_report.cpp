@@ -154,7 +154,7 @@ void note_losses(const GearSet& gear, FrfReport& report) {
          .text = "the file gives no damping, so the amplitudes at the resonances are infinite",
          .path = "drivetrain.gear_damping",
          .equation = "DY-13",
-         .severity = Severity::care,
+         .severity = Severity::information,
          .next_step = "Give drivetrain.gear_damping."});
   if (gear.drivetrain->hysteresis || gear.drivetrain->friction)
     report.notes.push_back(
