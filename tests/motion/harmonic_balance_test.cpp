@@ -203,6 +203,45 @@ TEST(HarmonicBalance, ReferenceMultipliersOfALinearJoint) {
   }
 }
 
+TEST(HarmonicBalance, IdentityMultipliersOfTwoDampedEnds) {
+  // (MO-19): with damping of an end to the ground the common speed is a state of its own; the
+  // product of the multipliers is exp(T times the trace of the rates), by Liouville.
+  for (const bool input : {true, false}) {
+    Joint joint = joint_with(LinearSpring{5e4});
+    joint.damping = 10;
+    (input ? joint.input_damping : joint.output_damping) = input ? 2e-3 : 0.8;
+    const ForcedResponse curve = forced_response(
+        joint, {.balance = {.harmonics = 2}, .excitation = 5, .from = 30, .to = 40});
+    for (const ResponsePoint& at : curve.points) {
+      ASSERT_EQ(at.multipliers.size(), 3U);
+      const double trace =
+          joint.input_damping / 1e-4 + 10.0 / (1e4 * 1e-4) + (joint.output_damping + 10) / 1.0;
+      const std::complex<double> product =
+          at.multipliers[0] * at.multipliers[1] * at.multipliers[2];
+      test::expect_relative(product.real(), std::exp(-trace / at.frequency), 1e-9);
+      EXPECT_TRUE(at.stable);
+    }
+  }
+}
+
+TEST(HarmonicBalance, IdentityFewAmplitudesLeadToTheSameVibration) {
+  // (MO-17): two amplitudes with a factor of 5000 between them lead to the vibration of many small
+  // steps; a step that fails is halved.
+  Joint joint = joint_with(CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}});
+  joint.hysteresis = dahl(1e5, 3);
+  joint.cracks = {{.compliance = 2e-5, .sense = OpeningSense::positive}};
+  std::vector<double> many;
+  for (int n = 0; n < 100; ++n) many.push_back(1e-6 * std::pow(5000.0, n / 99.0));
+  for (const BackboneKind kind : {BackboneKind::undamped, BackboneKind::quadrature}) {
+    const Backbone few = backbone(joint, {.kind = kind, .amplitudes = {many.front(), many.back()}});
+    const Backbone fine = backbone(joint, {.kind = kind, .amplitudes = many});
+    ASSERT_TRUE(few.converged) << few.reason;
+    ASSERT_TRUE(fine.converged) << fine.reason;
+    test::expect_relative(few.points.back().frequency, fine.points.back().frequency, 1e-8);
+    test::expect_relative(few.points.back().torque, fine.points.back().torque, 1e-8);
+  }
+}
+
 TEST(HarmonicBalance, LimitQuadratureOfALinearJoint) {
   // (MO-17): the twist of a linear joint is a quarter of a period behind the torque on it at the
   // natural frequency, with zeta = c/(2 J w); rounding.
