@@ -57,10 +57,8 @@ BENCHMARK(joint_motion)->Arg(6)->Arg(7)->Arg(8)->Arg(9)->Arg(10)->Unit(benchmark
 /// duffing_balance_peer.py; 1: corners and a crack; 2: the same with damping; 3: with hysteresis
 /// too.
 void backbone_of_200_points(benchmark::State& state) {
-  Joint of{.ratio = -100,
-           .input_inertia = 1e-4,
-           .output_inertia = 1,
-           .spring = CubicSpring{5e4, 1e10}};
+  Joint of{
+      .ratio = -100, .input_inertia = 1e-4, .output_inertia = 1, .spring = CubicSpring{5e4, 1e10}};
   if (state.range(0) > 0) {
     of.spring = CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
     of.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};

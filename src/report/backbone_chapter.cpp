@@ -11,7 +11,7 @@ ReportSection backbone_chapter(Draft& draft) {
   ReportSection section{"backbone", "Resonance over the amplitude", {}};
   try {
     const BackboneReport backbone =
-        backbone_report(draft.gear, {}, draft.progress.part(0.91, 0.92));
+        backbone_report(draft.gear, {}, draft.progress.part(0.915, 0.92));
     for (const std::string& sentence : backbone_sentences(backbone))
       section.html += paragraph(sentence);
     section.html += figures(backbone_panels(backbone)) + tables(backbone_tables(backbone));

@@ -20,7 +20,7 @@ ReportSection frf_chapter(Draft& draft) {
     return section;
   }
   try {
-    const FrfReport frf = frf_report(draft.gear, {}, draft.progress.part(0.91, 0.92));
+    const FrfReport frf = frf_report(draft.gear, {}, draft.progress.part(0.91, 0.915));
     for (const std::string& sentence : frf_sentences(frf)) section.html += paragraph(sentence);
     section.html += figures(frf_panels(frf)) + tables(frf_tables(frf));
     draft.add(frf.notes);

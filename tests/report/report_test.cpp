@@ -80,8 +80,8 @@ TEST(Report, BehaviourEveryExampleGivesAWholePage) {
        {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25",
         "critical_crack", "article_scatter", "library_material", "joint_size25"}) {
     const Report report = report_on(text_of(name));
-    // A drive between motor and load has three more sections, its motion and its kinematic error one
-    // each.
+    // A drive between motor and load has three more sections, its motion and its kinematic error
+    // one each.
     std::vector<std::string> expected(kSections.begin(), kSections.end());
     if (text_of(name).find("[drivetrain]") != std::string::npos)
       for (const char* const chapter : {"modes", "frf", "backbone"})

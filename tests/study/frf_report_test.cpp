@@ -21,7 +21,7 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 
 /// The joint without the inertias of its own parts: two inertias.
-GearSet shaken_joint() {
+GearSet frf_joint() {
   GearSet gear =
       read_gear_set_file(std::string(STRAINWAVE_EXAMPLES "/") + "joint_size25" + ".toml");
   gear.material.at("steel").density.reset();
@@ -36,7 +36,7 @@ TEST(FrfReport, CrosscheckTwoInertiasInClosedForm) {
   // (DY-12): all six responses of two inertias with the stiffness of strainwave modes, for both
   // arrangements: i = -100 and +101.
   for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
-    GearSet gear = shaken_joint();
+    GearSet gear = frf_joint();
     gear.drivetrain->fixed = fixed;
     gear.drivetrain->motor_damping = 2e-4;
     gear.drivetrain->load_damping = 0.7;
@@ -85,7 +85,7 @@ TEST(FrfReport, LimitSlowKinematicErrorMovesTheLoadAsMuch) {
     for (const bool with_inertias : {false, true})
       for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
         GearSet gear = with_inertias ? read_gear_set_file(STRAINWAVE_EXAMPLES "/joint_size25.toml")
-                                     : shaken_joint();
+                                     : frf_joint();
         gear.drivetrain->fixed = fixed;
         gear.drivetrain->coupling_stiffness = 3000.0;
         if (summed) {
@@ -102,7 +102,7 @@ TEST(FrfReport, LimitSlowKinematicErrorMovesTheLoadAsMuch) {
 
 TEST(FrfReport, CrosscheckResonancesAgainstTheModes) {
   // (DY-13): the peaks lie at the natural frequencies, up to the square of the damping ratio.
-  const GearSet gear = shaken_joint();
+  const GearSet gear = frf_joint();
   const FrfReport report = frf_report(gear);
   const ModesReport modes = modes_report(gear);
   const ModePair& free = *modes.first(MotorGives::torque);
@@ -133,7 +133,7 @@ TEST(FrfReport, CrosscheckResonancesAgainstTheModes) {
 }
 
 TEST(FrfReport, LimitWithoutCracksOrDamping) {
-  GearSet gear = shaken_joint();
+  GearSet gear = frf_joint();
   gear.flexspline->crack.clear();
   gear.output_shaft->crack.clear();
   gear.drivetrain->gear_damping = 0.0;
@@ -154,14 +154,14 @@ TEST(FrfReport, LimitWithoutCracksOrDamping) {
 }
 
 TEST(FrfReport, BehaviourHysteresisAndFrictionAreNamed) {
-  EXPECT_TRUE(has_note(frf_report(shaken_joint(), {.points = 2}), "frf.linear"));
-  GearSet gear = shaken_joint();
+  EXPECT_TRUE(has_note(frf_report(frf_joint(), {.points = 2}), "frf.linear"));
+  GearSet gear = frf_joint();
   gear.drivetrain->hysteresis.reset();
   EXPECT_FALSE(has_note(frf_report(gear, {.points = 2}), "frf.linear"));
 }
 
 TEST(FrfReport, BehaviourTheDocumentsShowAllFrequencies) {
-  const GearSet gear = shaken_joint();
+  const GearSet gear = frf_joint();
   const FrfReport report = frf_report(gear, {.points = 30});
   const std::string csv = frf_csv(report);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 31);
@@ -176,7 +176,7 @@ TEST(FrfReport, BehaviourTheDocumentsShowAllFrequencies) {
 }
 
 TEST(FrfReport, InputEachRuleBrokenOnce) {
-  const GearSet gear = shaken_joint();
+  const GearSet gear = frf_joint();
   const auto message = [&](const FrfOptions& options) {
     return test::broken_rule([&] { return frf_report(gear, options); });
   };
