@@ -188,16 +188,20 @@ std::vector<std::string> accuracy_sentences(const AccuracyReport& report) {
                  : std::string();
   };
   sentences.push_back(fmt::format(
-      "The error of the output is at most {}{} in the worst case, and {}{} by the root of squares.",
+      "The parts of the error of the output add up to {}{} in the worst case, and to {}{} by the "
+      "root of squares.",
       number_and_unit(report.worst_case(), angle), at_tool(report.tool_worst_case()),
       number_and_unit(report.root_of_squares(), angle), at_tool(report.tool_root_of_squares())));
   sentences.push_back(fmt::format(
-      "The lost motion is {}{}. It is wind-up under both senses of a small torque, so the sums "
-      "contain it already.",
+      "The lost motion is {}{}. It is wind-up under both senses of a small torque. {}",
       number_and_unit(report.cracked_lost_motion.value_or(report.intact_lost_motion), angle),
       report.cracked_lost_motion
           ? fmt::format("; without cracks {}", number_and_unit(report.intact_lost_motion, angle))
-          : std::string()));
+          : std::string(),
+      report.contains_lost_motion
+          ? "The torques of the turn reach both senses, so the sums contain it already."
+          : "The torques of the turn do not reach both senses, so the sums do not contain it "
+            "whole."));
   return sentences;
 }
 

@@ -19,6 +19,7 @@
 #include "strainwave/dynamics/frequency_response.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "vibrating_drive.hpp"
 
@@ -28,6 +29,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::uint64_t kAccuracySeed = 20240608;
+constexpr int kTorquesOfTurn = 9;  // at which the gains over a turn are read
 
 /// What a budget is computed for.
 struct BudgetAt {
@@ -41,7 +43,10 @@ struct DriveBudget {
   AngleRange kinematic;
   std::optional<double> hysteresis = {};  ///< loss at zero torque [rad]
   double lost_motion = 0.0;
-  std::vector<double> gains = {};
+  std::vector<double> gains = {};  ///< the largest over a turn of the output
+  /// lowest and highest resonance with locked input over a turn of the output [Hz]; 0: not asked
+  double lowest_resonance = 0.0;
+  double highest_resonance = 0.0;
 
   [[nodiscard]] AngleRange loss() const {
     const double half = hysteresis.value_or(0.0) / 2;
@@ -109,29 +114,57 @@ TorqueRange torques_over_turn(const GearSet& gear, double torque) {
   return {torque - gravity, torque + gravity};  // (DY-15)
 }
 
-/// The torque about which the springs are linear: the external one, or else the largest of gravity.
-double linear_about(const GearSet& gear, double torque) {
-  return torque != 0 ? torque : torques_over_turn(gear, torque).largest;
+/// Torques about which the springs are linear, one by one: those of a turn of the output, beginning
+/// with the torque of the lost motion.  Below it flanks begin to touch, and friction holds the
+/// output.
+std::vector<double> linear_about(const GearSet& gear, double torque) {
+  const TorqueRange range = torques_over_turn(gear, torque);
+  const double smallest = makers_torques(gear).lost_motion;
+  if (range.least == range.largest)
+    return {std::abs(torque) > smallest ? torque : std::copysign(smallest, torque)};
+  std::vector<double> torques;
+  const auto add = [&](double of) {
+    if (of >= range.least && of <= range.largest) torques.push_back(of);
+  };
+  for (int n = 0; n < kTorquesOfTurn; ++n) {
+    const double of = range.least + (range.largest - range.least) * n / (kTorquesOfTurn - 1);
+    if (std::abs(of) > smallest) add(of);
+  }
+  add(smallest);
+  add(-smallest);
+  if (torques.empty()) torques.push_back(smallest);
+  return torques;
 }
 
-/// The load's angle per kinematic error at the speed, for each order (DY-14).
-std::vector<std::complex<double>> gains_of(const GearSet& gear, const BudgetAt& at) {
-  std::vector<std::complex<double>> gains(gear.kinematic_error.size(), 1.0);
-  if (at.speed == 0 || gains.empty()) return gains;
-  const VibratingDrive drive = vibrating_drive(gear, linear_about(gear, at.torque));
+/// The load's angle per kinematic error at the speed, about one torque (DY-14).
+struct GainsAt {
+  std::vector<std::complex<double>> gains;  ///< of each order
+  double resonance = 0.0;                   ///< the lowest, with locked input [Hz]
+};
+
+std::vector<GainsAt> gains_of(const GearSet& gear, const BudgetAt& at) {
+  const std::vector<std::complex<double>> rigid(gear.kinematic_error.size(), 1.0);
+  if (at.speed == 0 || rigid.empty()) return {{.gains = rigid}};
   std::vector<double> frequencies;
   for (const ErrorOrder& of : gear.kinematic_error)
     frequencies.push_back(of.order * std::abs(at.speed) / (2 * pi));
-  const std::array paths = {
-      ChainPath{.by = ShakenBy::twist, .at = drive.made.error_spring, .inertia = drive.made.load}};
-  gains =
-      frequency_responses(drive.made.chain, paths, frequencies, drive.held(MotorGives::speed))[0];
-  for (std::complex<double>& gain : gains) {
-    gain *= drive.made.error_twist;
-    // A motor that turns back passes the phases in the other order.
-    if (at.speed < 0) gain = std::conj(gain);
+  std::vector<GainsAt> made;
+  for (const double torque : linear_about(gear, at.torque)) {
+    const VibratingDrive drive = vibrating_drive(gear, torque);
+    const std::array paths = {ChainPath{
+        .by = ShakenBy::twist, .at = drive.made.error_spring, .inertia = drive.made.load}};
+    GainsAt& here = made.emplace_back();
+    here.gains =
+        frequency_responses(drive.made.chain, paths, frequencies, drive.held(MotorGives::speed))[0];
+    for (std::complex<double>& gain : here.gains) {
+      gain *= drive.made.error_twist;
+      // A motor that turns back passes the phases in the other order.
+      if (at.speed < 0) gain = std::conj(gain);
+    }
+    const std::vector<ChainMode> modes = drive.modes(MotorGives::speed);
+    if (!modes.empty()) here.resonance = modes.front().frequency;
   }
-  return gains;
+  return made;
 }
 
 /// Turns of the input over which the kinematic error is judged: one of the output.
@@ -163,9 +196,20 @@ DriveBudget budget_of(const GearSet& gear, const BudgetAt& at) {
   const TorqueRange torques = torques_over_turn(gear, at.torque);
   budget.wind_up = {output_twist(gear, assembled, torques.least),
                     output_twist(gear, assembled, torques.largest)};
-  const std::vector<std::complex<double>> gains = gains_of(gear, at);
-  for (const std::complex<double>& gain : gains) budget.gains.push_back(std::abs(gain));
-  budget.kinematic = error_at_load(gear, gains);
+  budget.gains.assign(gear.kinematic_error.size(), 0.0);
+  bool first = true;
+  for (const GainsAt& here : gains_of(gear, at)) {
+    for (std::size_t n = 0; n < here.gains.size(); ++n)
+      budget.gains[n] = std::max(budget.gains[n], std::abs(here.gains[n]));
+    const AngleRange of = error_at_load(gear, here.gains);
+    budget.kinematic = first ? of
+                             : AngleRange{std::min(budget.kinematic.least, of.least),
+                                          std::max(budget.kinematic.largest, of.largest)};
+    budget.lowest_resonance =
+        first ? here.resonance : std::min(budget.lowest_resonance, here.resonance);
+    budget.highest_resonance = std::max(budget.highest_resonance, here.resonance);
+    first = false;
+  }
   const MakersTorques makers = makers_torques(gear);
   budget.lost_motion = output_twist(gear, assembled, makers.lost_motion) -
                        output_twist(gear, assembled, -makers.lost_motion);  // (TC-18)
@@ -219,8 +263,17 @@ double drawn_value(const DrawnInput& input, double centre, std::size_t draw, std
              : centre * (1 + s * normal);
 }
 
-std::optional<AccuracyBands> bands_of(const GearSet& gear, const BudgetAt& at,
-                                      const AccuracyOptions& options, const Progress& progress) {
+/// The largest speed of the manoeuvres, 0 without one.
+double fastest(const GearSet& gear) {
+  double most = 0.0;
+  for (const Manoeuvre& piece : gear.manoeuvre)
+    if (piece.input_speed && std::abs(*piece.input_speed) > std::abs(most))
+      most = *piece.input_speed;
+  return most;
+}
+
+std::optional<AccuracyBands> bands_of(const GearSet& gear, const AccuracyOptions& options,
+                                      const Progress& progress) {
   const std::vector<DrawnInput> inputs = drawn_inputs(gear);
   if (inputs.empty() || options.draws == 0) return std::nullopt;
   std::vector<double> centres;
@@ -238,7 +291,9 @@ std::optional<AccuracyBands> bands_of(const GearSet& gear, const BudgetAt& at,
         check(drawn->gear());
         // The torque of the load may be drawn too.
         const double torque = options.torque.value_or(drawn->gear().load.torque);
-        budgets[n] = budget_of(drawn->gear(), {.torque = torque, .speed = at.speed});
+        // So may the speeds of the manoeuvres.
+        const double speed = options.speed.value_or(fastest(drawn->gear()));
+        budgets[n] = budget_of(drawn->gear(), {.torque = torque, .speed = speed});
       } catch (const Error&) {  // this combination breaks a rule or has no equilibrium
       }
     };
@@ -259,15 +314,6 @@ std::optional<AccuracyBands> bands_of(const GearSet& gear, const BudgetAt& at,
                        .scatters = scatters,
                        .draws = static_cast<int>(budgets.size()),
                        .rejected = static_cast<int>(rejected)};
-}
-
-/// The largest speed of the manoeuvres, 0 without one.
-double fastest(const GearSet& gear) {
-  double most = 0.0;
-  for (const Manoeuvre& piece : gear.manoeuvre)
-    if (piece.input_speed && std::abs(*piece.input_speed) > std::abs(most))
-      most = *piece.input_speed;
-  return most;
 }
 
 void note_budget(const GearSet& gear, AccuracyReport& report) {
@@ -299,6 +345,17 @@ void note_budget(const GearSet& gear, AccuracyReport& report) {
          "torque of the coupled drive",
          "drivetrain.hysteresis", "DY-16", Severity::information,
          "Run strainwave simulate for a motion with drivetrain.hysteresis."});
+  if (gear.drivetrain->servo)
+    report.notes.push_back({"accuracy.no_servo",
+                            "the controller is left out, so its lag is not in the budget",
+                            "drivetrain.servo", "DY-16", Severity::care,
+                            "Run strainwave simulate, which states the largest lag of the input."});
+  if (gear.drivetrain->breathing == CrackBreathing::turn)
+    report.notes.push_back(
+        {"accuracy.no_breathing",
+         "cracks stay open here while the torque opens them; that the turn closes them is left out",
+         "drivetrain.breathing", "DY-15", Severity::information,
+         "Run strainwave simulate, whose cracks open over the turn."});
   if (report.bands && report.bands->rejected > 0)
     report.notes.push_back(
         {"accuracy.rejected",
@@ -345,7 +402,7 @@ AccuracyReport accuracy_report(const GearSet& gear, const AccuracyOptions& optio
   report.kinematic_range = error_range(error, judged_turns(gear)).peak_to_valley();
   report.kinematic_sum = sum_of_ranges(error);
 
-  const DriveBudget intact = budget_of(without_any_crack(gear), at);
+  const DriveBudget intact = budget_of(without_cracks(gear), at);
   progress.at(0.1);
   std::vector<std::string> paths;
   for_each_crack(gear, [&](const std::string& path, const auto&) { paths.push_back(path); });
@@ -385,8 +442,28 @@ AccuracyReport accuracy_report(const GearSet& gear, const AccuracyOptions& optio
          .lost_motion = cracked->lost_motion - without.lost_motion,
          .worst_case = cracked->worst_case().magnitude() - without.worst_case().magnitude()});
   }
-  report.bands = bands_of(gear, at, options, progress.part(0.3, 1.0));
-  report.notes = coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
+  const DriveBudget& present = cracked ? *cracked : intact;
+  for (const OrderAtSpeed& of : report.orders)
+    if (present.lowest_resonance < of.frequency && of.frequency < present.highest_resonance)
+      report.notes.push_back(
+          {.code = "accuracy.resonance",
+           .text = fmt::format("at this speed the order {} meets the resonance at a torque of the "
+                               "turn, where its error may be larger than stated; the resonance "
+                               "goes from {} to {} over the turn",
+                               shown_number(of.order, 4),
+                               shown_quantity(present.lowest_resonance, "Hz", 4),
+                               shown_quantity(present.highest_resonance, "Hz", 4)),
+           .path = "kinematic_error",
+           .equation = "DY-14",
+           .severity = Severity::care,
+           .next_step = "Choose another speed."});
+  const double lost_motion = makers_torques(gear).lost_motion;
+  report.contains_lost_motion =
+      report.least_torque <= -lost_motion && report.largest_torque >= lost_motion;
+  report.bands = bands_of(gear, options, progress.part(0.3, 1.0));
+  const std::vector<Note> of_springs =
+      coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
+  report.notes.insert(report.notes.begin(), of_springs.begin(), of_springs.end());
   note_budget(gear, report);
   report.equations = {"DY-7",  "DY-9",  "DY-10", "DY-12", "DY-14",
                       "DY-15", "DY-16", "TC-17", "TC-18"};

@@ -49,9 +49,21 @@ void add_cracks(std::vector<BreathingCrack>& cracks, const MemberCompliance& mem
   }
 }
 
-/// A crack of the flexspline opens with the wave (DY-2, MO-6).
-std::optional<AngleOpening> opening_by_wave(const GearSet& gear) {
-  if (gear.drivetrain->breathing == CrackBreathing::torque) return std::nullopt;
+/// Whether a crack of the drive is of one of the kinds.
+template <class... Kinds>
+bool is_crack_of(const GearSet& gear, const std::string& path) {
+  bool is = false;
+  for_each_crack(gear, [&]<class Crack>(const std::string& of, const Crack&) {
+    if constexpr ((std::is_same_v<Crack, Kinds> || ...)) is |= of == path;
+  });
+  return is;
+}
+
+/// A crack of the wall opens with the wave (DY-2, MO-6); the wave does not reach the diaphragm.
+std::optional<AngleOpening> opening_by_wave(const GearSet& gear, const std::string& path) {
+  if (gear.drivetrain->breathing == CrackBreathing::torque ||
+      !is_crack_of<WallThroughCrack, WallSurfaceCrack>(gear, path))
+    return std::nullopt;
   return AngleOpening{.shaft = BreathingShaft::input,
                       .order = wave_orders(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio,
                                            gear.drive.wave_number)
@@ -60,15 +72,12 @@ std::optional<AngleOpening> opening_by_wave(const GearSet& gear) {
 
 /// A surface crack of the output shaft opens once in a turn under a moment that is fixed in space.
 std::optional<AngleOpening> opening_by_moment(const GearSet& gear, const std::string& path) {
-  if (gear.drivetrain->breathing == CrackBreathing::torque) return std::nullopt;
   const bool bent = gear.duty && std::ranges::any_of(gear.duty->block, [](const DutyBlock& block) {
                       return block.bending_moment > 0;
                     });
-  bool at_surface = false;
-  for_each_crack(gear, [&]<class Crack>(const std::string& of, const Crack&) {
-    if constexpr (std::is_same_v<Crack, ShaftSurfaceCrack>) at_surface |= of == path;
-  });
-  if (!bent || !at_surface) return std::nullopt;
+  if (gear.drivetrain->breathing == CrackBreathing::torque || !bent ||
+      !is_crack_of<ShaftSurfaceCrack>(gear, path))
+    return std::nullopt;
   return AngleOpening{.shaft = BreathingShaft::output, .order = 1.0};
 }
 
@@ -87,7 +96,8 @@ Note breathing_note(CrackBreathing breathing) {
         "the opening of cracks over a turn is Mayes' law, which is assumed: open at the "
         "major axis, closed at the minor axis, and half of the compliance on average";
     note.equation = "MO-6";
-    note.next_step = "Compare with drivetrain.breathing = \"torque\", where cracks stay open.";
+    note.next_step =
+        "Compare with drivetrain.breathing = \"torque\", where these cracks stay open too.";
   }
   return note;
 }
@@ -147,7 +157,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
     });  // it turns with the wave
   if (gear.flexspline)
     take(flexspline_compliance(gear), sum.flexspline_side, step,
-         [&](const std::string&) { return opening_by_wave(gear); });
+         [&](const std::string& path) { return opening_by_wave(gear, path); });
   if (gear.output_shaft)
     take(output_shaft_compliance(gear), sum.shaft, 1.0,
          [&](const std::string& path) { return opening_by_moment(gear, path); });

@@ -230,7 +230,12 @@ FrfReport frf_report(const GearSet& gear, const FrfOptions& options, const Progr
     from = *options.from;
   }
   if (options.to) to = *options.to;
-  require(to > from && std::isfinite(to), "--to", to, "Hz", "above the first frequency");
+  if (options.to)
+    require(to > from && std::isfinite(to), "--to", to, "Hz", "above the first frequency");
+  else
+    require(to > from, "--from", from, "Hz",
+            fmt::format("below the end of the responses, {}; give --to too",
+                        shown_quantity(to, "Hz", 4)));
   report.frequency = logarithmic_frequencies(from, to, static_cast<std::size_t>(options.points));
   for (const DriveResponse response : kAllResponses)
     report.curves.push_back({.response = response});

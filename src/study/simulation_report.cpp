@@ -30,6 +30,7 @@ constexpr double kLargestTolerance = 1e-5;  // [rad]
 constexpr double kSamplesPerPeriod = 8;     // of the highest order [-]
 constexpr double kLeastTurns = 4;           // of the input, for a spectrum [-]
 constexpr double kMostSamples = 400'000;    // of a spectrum [-]
+constexpr double kMostSamplings = 1e7;      // of a controller [-]
 constexpr double kSameOrder = 1e-9;         // of the order [-]
 constexpr double kLargestImbalance = 1e-4;  // of the energy of a usable motion [-]
 
@@ -269,6 +270,11 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     signal.torque.push_back(at.forces.torque);
   };
   const bool cracked = !joint.cracks.empty();
+  if (const auto* const drive = std::get_if<ServoDrive>(&joint.input);
+      drive != nullptr && drive->servo.sample_time)
+    require(*drive->servo.sample_time * kMostSamplings >= report.duration,
+            "drivetrain.servo.sample_time", *drive->servo.sample_time, "s",
+            "at least a ten millionth of the motion");
   SteadySignal sound_signal;
   std::size_t sample = 0;
   const auto take_sound = [&](const MotionSample& at) {

@@ -11,6 +11,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
@@ -172,6 +173,7 @@ double VibratingDrive::stiffness() const {
 }
 
 GearSet without_crack(GearSet gear, const std::string& path) {
+  const GearSet before = gear;
   for_each_cracked_member(gear, [&](std::string_view name, auto& member) {
     for (std::size_t i = 0; i < member.crack.size(); ++i)
       if (path == fmt::format("{}.crack[{}]", name, i)) {
@@ -179,11 +181,7 @@ GearSet without_crack(GearSet gear, const std::string& path) {
         return;
       }
   });
-  return gear;
-}
-
-GearSet without_any_crack(GearSet gear) {
-  for_each_cracked_member(gear, [](std::string_view, auto& member) { member.crack.clear(); });
+  drop_lost_paths(gear, before);
   return gear;
 }
 
@@ -222,7 +220,7 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
   };
   VibratingStates states{.torque = torque,
                          .springs = coupled ? SpringModel::coupled_drive : SpringModel::members,
-                         .intact = vibrating(without_any_crack(gear))};
+                         .intact = vibrating(without_cracks(gear))};
   if (!paths.empty()) {
     states.with_cracks = vibrating(gear);
     if (options.without_each_crack)

@@ -78,7 +78,6 @@ struct VibratingStates {
 /// @throws SolverError  if the coupled drive has no equilibrium at the torque
 [[nodiscard]] VibratingDrive vibrating_drive(const GearSet& gear, double torque);
 
-[[nodiscard]] GearSet without_any_crack(GearSet gear);
 /// The drive without one of its cracks.
 [[nodiscard]] GearSet without_crack(GearSet gear, const std::string& path);
 

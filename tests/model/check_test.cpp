@@ -932,7 +932,7 @@ TEST(Check, InputAMotion) {
   EXPECT_EQ(refused([](GearSet& g) { g.kinematic_error[0].amplitude = 0.01745; }),
             "kinematic_error[0].amplitude = 0.01745 rad violates: >= 0 and < 0.5 deg");
   EXPECT_EQ(refused([](GearSet& g) { g.kinematic_error[0].order = 0; }),
-            "kinematic_error[0].order = 0 violates: > 0");
+            "kinematic_error[0].order = 0 violates: > 0 and <= 1000");
   const Servo servo{.speed_gain = 0.05, .torque_limit = 0.05};
   EXPECT_EQ(refused([&](GearSet& g) {
               g.drivetrain->servo = servo;
@@ -953,6 +953,20 @@ TEST(Check, InputAMotion) {
   EXPECT_EQ(refused(fast),
             "manoeuvre[0].input_speed: needs at least 0.198 N*m to speed the drive up or down "
             "within the piece, more than drivetrain.servo.torque_limit; give the piece more time");
+  // Friction helps to brake.
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->servo = servo;
+              g.manoeuvre[1].duration = 0.01;
+            }),
+            ": accepted");
+  EXPECT_NE(refused([&](GearSet& g) {
+              g.drivetrain->servo = servo;
+              g.drivetrain->friction.reset();
+              g.manoeuvre[1].duration = 0.01;
+            }),
+            ": accepted");
+  EXPECT_EQ(refused([](GearSet& g) { g.kinematic_error[0].order = 1001; }),
+            "kinematic_error[0].order = 1001 violates: > 0 and <= 1000");
   EXPECT_EQ(refused([&](GearSet& g) {
               fast(g);
               g.manoeuvre[0].output_torque = 1.0;  // it may help the motor
@@ -1512,6 +1526,7 @@ TEST(CheckRange, ReferenceRanges) {
       {"drivetrain.hysteresis.exponent", ">= 1"},
       {"drivetrain.hysteresis.asymmetry", "<= 0.5"},
       {"kinematic_error[0].amplitude", ">= 0 and < 0.5 deg"},
+      {"kinematic_error[0].order", "> 0 and <= 1000"},
       {"rating.lost_motion_share", "> 0 and < 1"},
       {"tolerance.run_out", ">= 0 and <= 2e-05 m"},
       {"tolerance.ball_variation", ">= 0 and <= 5e-06 m"},

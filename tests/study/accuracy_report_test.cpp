@@ -118,10 +118,18 @@ TEST(AccuracyReport, CrosscheckAFixedFlexspline) {
   test::expect_relative(slope, 1 / modes_report(coupled, 43.8).cracked_stiffness.value(), 1e-4);
 }
 
+/// The axis without gravity, and without the scatter of it.
+GearSet balanced_axis() {
+  GearSet gear = robot_axis();
+  gear.drivetrain->gravity_torque = 0.0;
+  gear.scatter.clear();
+  return gear;
+}
+
 TEST(AccuracyReport, CrosscheckTheGainOfEachOrder) {
   // (DY-14): the gain of two inertias in closed form, |(c s + K)/(J s^2 + c s + K)|; the range with
   // both signs of the speed.
-  GearSet gear = robot_axis();
+  GearSet gear = balanced_axis();
   gear.material.at("steel").density.reset();
   const ModesReport modes = modes_report(gear);
   const double resonance = 2 * pi * modes.first(MotorGives::speed)->intact.frequency;
@@ -314,13 +322,68 @@ TEST(AccuracyReport, BehaviourTheSpeedIsThatOfTheManoeuvres) {
   EXPECT_EQ(accuracy_report(gear, kNoDraws).speed, 0.0);
 }
 
-TEST(AccuracyReport, BehaviourWithoutAnExternalTorqueTheSpringsAreThoseOfGravity) {
-  GearSet gear = robot_axis();
+/// |G| of the sound drive at 8 Hz, order 2 at 240 rpm, about a torque.
+double gain_about(const GearSet& gear, double torque) {
+  const FrfReport frf = frf_report(gear, {.torque = torque, .from = 8.0, .to = 8.1, .points = 2});
+  return frf.of(DriveResponse::error_given_speed).intact_amplitude.front();
+}
+
+TEST(AccuracyReport, CrosscheckTheGainIsTheLargestOverATurn) {
+  // (DY-14): gravity moves the torque from -23.8 to 43.8 N*m, and the springs are softest at the
+  // torque of the lost motion.  Order 2 is far below all resonances, so its gain is largest there.
+  const GearSet gear = robot_axis();
+  const double softest = gain_about(gear, makers_torques(gear).lost_motion);
+  const AccuracyReport report = accuracy_report(gear, kNoDraws);
+  test::expect_relative(report.orders[1].intact_gain, softest, 0.02);  // senses differ by the gap
+  EXPECT_GE(report.orders[1].intact_gain, softest * (1 - 1e-9));
+  EXPECT_GT(softest, 1.01 * gain_about(gear, 43.8));
+  // Without gravity there is one torque.
+  const GearSet balanced = balanced_axis();
+  test::expect_relative(accuracy_report(balanced, kNoDraws).orders[1].intact_gain,
+                        gain_about(balanced, 10.0), 1e-9);
+}
+
+TEST(AccuracyReport, BehaviourAResonanceOverTheTurnIsNoted) {
+  // Order 4 stands between the resonances of the softest and the stiffest torque; at a tenth of the
+  // speed all orders are far below.
+  const GearSet gear = robot_axis();
+  const auto resonance = [&](double torque) {
+    return modes_report(gear, torque).locked_frequency().value();
+  };
+  const double between = (resonance(makers_torques(gear).lost_motion) + resonance(43.8)) / 2;
+  const double speed = 2 * pi * between / 4;
+  EXPECT_TRUE(noted(accuracy_report(gear, {.speed = speed, .draws = 0}), "accuracy.resonance"));
+  EXPECT_FALSE(
+      noted(accuracy_report(gear, {.speed = speed / 10, .draws = 0}), "accuracy.resonance"));
+}
+
+TEST(AccuracyReport, BehaviourWithoutAnyTorque) {
+  // No flank need touch at no torque: the gains are those about the torque of the lost motion.
+  const GearSet gear = balanced_axis();
   const AccuracyReport report = accuracy_report(gear, {.torque = 0.0, .draws = 0});
-  const FrfReport frf = frf_report(gear, {.torque = 33.8, .from = 8.0, .to = 8.1, .points = 2});
-  // 240 rpm is 4 Hz, so order 2 is at 8 Hz.
+  EXPECT_EQ(report.least_torque, 0.0);
+  EXPECT_EQ(report.largest_torque, 0.0);
+  EXPECT_FALSE(report.contains_lost_motion);
+  EXPECT_TRUE(accuracy_report(robot_axis(), kNoDraws).contains_lost_motion);
   test::expect_relative(report.orders[1].intact_gain,
-                        frf.of(DriveResponse::error_given_speed).intact_amplitude.front(), 1e-9);
+                        gain_about(gear, makers_torques(gear).lost_motion), 1e-9);
+}
+
+TEST(AccuracyReport, BehaviourARangeOfTheSpeedMakesABand) {
+  GearSet gear = robot_axis();
+  gear.scatter.clear();
+  gear.range = {{.path = "manoeuvre[0].input_speed",
+                 .lower = "100 rpm",
+                 .upper = "270 rpm",
+                 .knowledge = Knowledge::typical,
+                 .source = {}}};
+  gear.manoeuvre = {{.duration = 1.0, .input_speed = 240 * units::rpm}};
+  const AccuracyReport report = accuracy_report(gear, {.draws = 20});
+  ASSERT_TRUE(report.bands);
+  EXPECT_GT(report.bands->worst_case.largest, 1.001 * report.bands->worst_case.least);
+  // A given speed holds for all draws.
+  const AccuracyReport held = accuracy_report(gear, {.speed = 20.0, .draws = 5});
+  EXPECT_EQ(held.bands->worst_case.largest, held.bands->worst_case.least);
 }
 
 TEST(AccuracyReport, BehaviourNotesSayWhatIsMissing) {
@@ -330,9 +393,13 @@ TEST(AccuracyReport, BehaviourNotesSayWhatIsMissing) {
   gear.kinematic_error.clear();
   gear.range.clear();
   gear.drivetrain->hysteresis = dahl(1e5, 1);
+  gear.drivetrain->servo = Servo{.speed_gain = 0.05};
+  gear.drivetrain->breathing = CrackBreathing::turn;
   const AccuracyReport report = accuracy_report(gear, kNoDraws);
   EXPECT_TRUE(noted(report, "accuracy.no_kinematic_error"));
   EXPECT_TRUE(noted(report, "accuracy.own_hysteresis"));
+  EXPECT_TRUE(noted(report, "accuracy.no_servo"));
+  EXPECT_TRUE(noted(report, "accuracy.no_breathing"));
   EXPECT_FALSE(noted(report, "accuracy.no_friction"));
   gear.rating->friction_torque = 0.0;
   EXPECT_TRUE(noted(accuracy_report(gear, kNoDraws), "accuracy.no_friction"));

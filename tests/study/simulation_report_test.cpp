@@ -377,6 +377,11 @@ TEST(SimulationReport, InputEachRuleBrokenOnce) {
             std::string::npos);
   EXPECT_NE(broken(gear, {.tolerance = 0}).find("tolerance"), std::string::npos);
   EXPECT_NE(broken(gear, {.tolerance = 1.1e-5}).find("<= 1e-5 rad"), std::string::npos);
+  gear.drivetrain->servo = Servo{.speed_gain = 0.05, .sample_time = 1e-9};
+  EXPECT_NE(broken(gear).find("drivetrain.servo.sample_time = 1e-09 s violates: at least a ten "
+                              "millionth of the motion"),
+            std::string::npos);
+  gear.drivetrain->servo.reset();
   gear.manoeuvre[0].output_torque = 1e9;
   EXPECT_NE(broken(gear).find("manoeuvre[0].output_torque: twists the drive"), std::string::npos);
   gear.manoeuvre.clear();

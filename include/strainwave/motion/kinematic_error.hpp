@@ -11,6 +11,9 @@ namespace strainwave {
 /// Every amplitude is below this bound, which is far above that of a drive in order [rad].
 inline constexpr double kLargestError = 0.5 * units::deg;
 
+/// Every order is up to this bound, above that of all teeth and balls [-].
+inline constexpr double kLargestOrder = 1000;
+
 /// One line of the kinematic error.
 struct ErrorOrder {
   double order = 0.0;      ///< o, periods in a turn of the wave generator [-]; > 0
@@ -22,7 +25,7 @@ struct ErrorOrder {
     field(Field{.name = "order",
                 .unit = "1",
                 .doc = "periods in a turn of the input",
-                .range = kPositive,
+                .range = {.lower = 0.0, .upper = kLargestOrder, .upper_open = false},
                 .example = "2"},
           &ErrorOrder::order);
     field(Field{.name = "amplitude",

@@ -88,7 +88,8 @@ struct OrderAtSpeed {
     field({"order", "1", "periods in a turn of the input"}, &OrderAtSpeed::order);
     field({"amplitude", "rad", "amplitude of the kinematic error"}, &OrderAtSpeed::amplitude);
     field({"frequency", "Hz", "frequency at the speed"}, &OrderAtSpeed::frequency);
-    field({"intact_gain", "1", "load's angle over the kinematic error, sound"},
+    field({"intact_gain", "1",
+           "load's angle over the kinematic error, sound; the largest over a turn of the output"},
           &OrderAtSpeed::intact_gain);
     field({"cracked_gain", "1", "load's angle over the kinematic error, cracked"},
           &OrderAtSpeed::cracked_gain);
@@ -178,9 +179,11 @@ struct AccuracyReport {
   double speed = 0.0;                      ///< of the input [rad/s]
   std::optional<double> tool_radius = {};  ///< [m]
   SpringModel springs = SpringModel::members;
-  double kinematic_range = 0.0;                    ///< without dynamics, peak to valley [rad]
-  double kinematic_sum = 0.0;                      ///< twice the sum of the amplitudes [rad]
-  double intact_lost_motion = 0.0;                 ///< [rad]
+  double kinematic_range = 0.0;     ///< without dynamics, peak to valley [rad]
+  double kinematic_sum = 0.0;       ///< twice the sum of the amplitudes [rad]
+  double intact_lost_motion = 0.0;  ///< [rad]
+  /// whether the torques of the turn reach the lost motion on both sides
+  bool contains_lost_motion = false;
   std::optional<double> cracked_lost_motion = {};  ///< [rad]
   std::optional<double> intact_hysteresis = {};    ///< loss at zero torque [rad]; absent: unknown
   std::optional<double> cracked_hysteresis = {};   ///< [rad]
@@ -243,6 +246,9 @@ struct AccuracyReport {
           &AccuracyReport::kinematic_range);
     field({"kinematic_sum", "rad", "twice the sum of the amplitudes of the kinematic error"},
           &AccuracyReport::kinematic_sum);
+    field({"contains_lost_motion", "",
+           "whether the torques of the turn reach the torque of the lost motion on both sides"},
+          &AccuracyReport::contains_lost_motion);
     field({"intact_lost_motion", "rad", "lost motion, sound"}, &AccuracyReport::intact_lost_motion);
     field({"cracked_lost_motion", "rad", "lost motion, cracked"},
           &AccuracyReport::cracked_lost_motion);

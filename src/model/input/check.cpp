@@ -125,6 +125,9 @@ void check_reachable(const GearSet& gear, const FieldPath& at, double before,
                      const Manoeuvre& piece) {
   const Drivetrain& train = *gear.drivetrain;
   if (!train.servo || !train.servo->torque_limit || train.gravity_torque != 0) return;
+  // Losses help to brake.
+  const bool faster = std::abs(*piece.input_speed) > std::abs(before);
+  if (!faster && (train.friction || train.motor_damping > 0 || train.load_damping > 0)) return;
   const double limit = *train.servo->torque_limit;
   const double inertia = train.motor_inertia + train.wave_generator_inertia.value_or(0.0) +
                          train.load_inertia / std::pow(gear.drive.ratio + 1, 2);

@@ -124,15 +124,17 @@ struct Drivetrain {
                        "out, the motor has this speed",
                 .in_template = InTemplate::commented},
           &Drivetrain::servo);
-    field(Field{.name = "breathing",
-                .unit = "",
-                .doc = "what opens cracks in a motion: \"torque\", its sense; or \"turn\", also "
-                       "the wave for cracks of the flexspline, and a bending_moment of the duty "
-                       "for surface cracks of the output shaft",
-                .example = R"("torque")",
-                .fallback = R"("torque")",
-                .in_template = InTemplate::commented},
-          &Drivetrain::breathing);
+    field(
+        Field{.name = "breathing",
+              .unit = "",
+              .doc =
+                  "what opens cracks in a motion: \"torque\", its sense; or \"turn\", also "
+                  "the wave for cracks of the flexspline's wall, and a bending_moment of the duty "
+                  "for surface cracks of the output shaft",
+              .example = R"("torque")",
+              .fallback = R"("torque")",
+              .in_template = InTemplate::commented},
+        &Drivetrain::breathing);
   }
 };
 
