@@ -29,7 +29,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::uint64_t kAccuracySeed = 20240608;
-constexpr int kTorquesOfTurn = 9;  // at which the gains over a turn are read
+constexpr int kTorquesOfTurn = 5;  // at which the gains over a turn are read
 
 /// What a budget is computed for.
 struct BudgetAt {

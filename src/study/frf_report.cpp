@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/frf_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "vibrating_drive.hpp"
 

@@ -17,6 +17,7 @@
 #include "strainwave/layouts/accuracy.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/study/frf_report.hpp"
+#include "strainwave/study/modes_report.hpp"
 #include "strainwave/study/torsion_report.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
