@@ -38,8 +38,9 @@ bool finite(const Complex& a) { return std::isfinite(a.real()) && std::isfinite(
 /// Size of a number, for the choice of a pivot.
 double size_of(const Complex& a) { return std::abs(a.real()) + std::abs(a.imag()); }
 
-/// Matrix, factors and solutions for a number of free inertias that the compiler knows, so that
-/// loops unroll and nothing is allocated.
+/// Matrix, factors and solutions for a number of free inertias that the compiler knows.  Eigen's
+/// matrices of a fixed size take twice as long, because their products check for numbers that are
+/// not finite.
 template <std::size_t N>
 struct SmallSystem {
   std::array<std::array<Complex, N>, N> factor{};

@@ -14,8 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Squares of frequencies below this share of the largest one are those of a free turn.
-constexpr double kFreeTurn = 1e-12;
+/// Squares of frequencies below this share of the largest one are only rounding.
+constexpr double kRounding = 1e-12;
 
 void check(const TorsionalChain& chain, std::span<const std::size_t> held) {
   if (chain.inertias.empty()) throw InputError("inertias", "must not be empty");
@@ -103,6 +103,10 @@ std::vector<ChainMode> chain_modes(const TorsionalChain& chain, std::span<const 
   const Eigen::MatrixXd scaled = root.asDiagonal() * of.stiffness * root.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
   const double largest = std::max(eigen.eigenvalues().maxCoeff(), 0.0);
+  // What twists no spring turns freely.
+  const Eigen::Index free_turns =
+      of.mass.size() -
+      (chain.springs.empty() ? 0 : Eigen::FullPivLU<Eigen::MatrixXd>(of.twist).rank());
   std::vector<ChainMode> modes;
   for (Eigen::Index m = 0; m < of.mass.size(); ++m) {
     ChainMode mode;
@@ -111,7 +115,12 @@ std::vector<ChainMode> chain_modes(const TorsionalChain& chain, std::span<const 
     for (std::size_t j = 0; j < of.inertia.size(); ++j)
       mode.shape[of.inertia[j]] = angle(static_cast<Eigen::Index>(j));
     const double square = eigen.eigenvalues()(m);
-    if (square > kFreeTurn * largest) {
+    if (m >= free_turns) {
+      if (!(square > kRounding * largest))
+        throw InputError("inertias",
+                         "differ so much that the lowest frequency is below a millionth of the "
+                         "highest one, where it cannot be computed; leave out the small inertias, "
+                         "or correct the large one");
       const double omega = std::sqrt(square);
       mode.frequency = omega / (2 * pi);
       // Without damping the product may be -0.

@@ -320,7 +320,20 @@ class ResponseCurve {
         continue;
       }
       halvings = 0;
-      if (next->omega > high || next->omega < low) {
+      const double rate_after = amplitude_rate(*turned);
+      const bool leaves = next->omega > high || next->omega < low;
+      if (!leaves) curve.points.push_back(point(*next));
+      // The last step goes beyond the range, and its peak or fold may be inside.
+      const auto inside = [&](double frequency) {
+        return frequency >= settings_.from && frequency <= settings_.to;
+      };
+      if (rate > 0 && rate_after <= 0)
+        if (const Peak found = peak(at, along, step); inside(found.frequency))
+          curve.peaks.push_back(found);
+      if ((along.omega > 0) != (turned->omega > 0))
+        if (const Fold found = fold(at, along, step, along.omega > 0); inside(found.frequency))
+          curve.folds.push_back(found);
+      if (leaves) {
         const double end = next->omega > high ? high : low;
         const double share = (end - at.omega) / (next->omega - at.omega);
         Vibration guess{.x = at.x + share * (next->x - at.x), .omega = end};
@@ -335,12 +348,7 @@ class ResponseCurve {
               settings_.from);
         return curve;
       }
-      curve.points.push_back(point(*next));
-      const double rate_after = amplitude_rate(*turned);
-      if (rate > 0 && rate_after <= 0) curve.peaks.push_back(peak(at, along, step));
       rate = rate_after;
-      if ((along.omega > 0) != (turned->omega > 0))
-        curve.folds.push_back(fold(at, along, step, along.omega > 0));
       at = *next;
       along = *turned;
       step = std::min(settings_.largest_step,

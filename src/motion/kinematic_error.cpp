@@ -22,7 +22,8 @@ void require_constants(const KinematicError& error) {
   const FieldPath at("kinematic_error");
   for (std::size_t i = 0; i < error.orders.size(); ++i) {
     const auto& [order, amplitude, phase] = error.orders[i];
-    require(order > 0 && std::isfinite(order), (at[i] / "order").text(), order, "1", "> 0");
+    require(order > 0 && order <= kLargestOrder, (at[i] / "order").text(), order, "1",
+            "> 0 and <= 1000");
     require(amplitude >= 0 && amplitude < kLargestError, (at[i] / "amplitude").text(), amplitude,
             "rad", "from 0 to below 0.5 deg");
     require(std::isfinite(phase), (at[i] / "phase").text(), phase, "rad", "a finite number");

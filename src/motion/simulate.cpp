@@ -249,8 +249,10 @@ class Simulation {
   [[nodiscard]] double sample_time(std::size_t n) const {
     // The last sample falls on the end although the division may round.
     const double time = static_cast<double>(n) * options_.output_step;
-    return std::abs(time - options_.duration) < 1e-9 * options_.output_step ? options_.duration
-                                                                            : time;
+    const double rounding =
+        std::max(1e-9 * options_.output_step,
+                 4 * std::numeric_limits<double>::epsilon() * options_.duration);
+    return std::abs(time - options_.duration) < rounding ? options_.duration : time;
   }
 
   /// At the end of a segment of a profile, the slope before the corner holds.
@@ -419,6 +421,10 @@ Motion simulate(const Joint& joint, const JointState& start, const SimulationOpt
   require(options.output_step <= options.duration, "output_step", options.output_step, "s",
           "at most the duration");
   positive("tolerance", options.tolerance, "rad");
+  if (const auto* const drive = std::get_if<ServoDrive>(&joint.input);
+      drive != nullptr && drive->servo.sample_time)
+    require(*drive->servo.sample_time > kShortestStep * options.duration, "servo.sample_time",
+            *drive->servo.sample_time, "s", "long enough to move the time of the motion");
   if (options.max_steps < 1) throw InputError("max_steps", "must be at least 1");
   const auto finite = [](const char* field, double value, const char* unit) {
     require(std::isfinite(value), field, value, unit, "a finite number");

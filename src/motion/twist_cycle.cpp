@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -29,28 +30,18 @@ struct GaussRule {
   std::vector<double> weight;
 };
 
-/// Rule of n points on [-1, 1].
+/// Rule of n rising points on [-1, 1].
 GaussRule gauss_rule(int n) {
   GaussRule rule;
-  for (int i = 0; i < n; ++i) {
-    double x = -std::cos(pi * (i + 0.75) / (n + 0.5));
-    double slope = 1.0;
-    for (int step = 0; step < 100; ++step) {
-      double before = 1.0;
-      double value = x;
-      for (int k = 2; k <= n; ++k) {
-        const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
-        before = value;
-        value = next;
-      }
-      slope = n * (x * value - before) / (x * x - 1);
-      const double change = value / slope;
-      x -= change;
-      if (std::abs(change) < 1e-15) break;
-    }
+  const auto add = [&](double x) {
+    const double slope = boost::math::legendre_p_prime(n, x);
     rule.point.push_back(x);
     rule.weight.push_back(2 / ((1 - x * x) * slope * slope));
-  }
+  };
+  const std::vector<double> zeros = boost::math::legendre_p_zeros<double>(n);  // those from 0 on
+  for (auto zero = zeros.rbegin(); zero != zeros.rend(); ++zero)
+    if (*zero > 0) add(-*zero);
+  for (const double zero : zeros) add(zero);
   return rule;
 }
 

@@ -256,11 +256,7 @@ std::vector<DrawnInput> drawn_inputs(const GearSet& gear) {
 double drawn_value(const DrawnInput& input, double centre, std::size_t draw, std::size_t index) {
   if (input.scatter == nullptr)
     return input.lower + (input.upper - input.lower) * counter_uniform(kAccuracySeed, draw, index);
-  const double s = input.scatter->relative_standard_deviation;
-  const double normal = counter_normal(kAccuracySeed, draw, index);
-  return input.scatter->distribution == ScatterDistribution::lognormal
-             ? centre * std::exp(std::sqrt(std::log1p(s * s)) * normal)
-             : centre * (1 + s * normal);
+  return scattered(*input.scatter, centre, counter_normal(kAccuracySeed, draw, index));
 }
 
 /// The largest speed of the manoeuvres, 0 without one.
@@ -359,8 +355,8 @@ void note_budget(const GearSet& gear, AccuracyReport& report) {
   if (report.bands && report.bands->rejected > 0)
     report.notes.push_back(
         {"accuracy.rejected",
-         fmt::format("{} of {} drawn drives break a rule or have no equilibrium and are left out "
-                     "of the bands",
+         fmt::format("{} of {} drawn drives break a rule, have no equilibrium or stand at a "
+                     "resonance, and are left out of the bands, which may be too narrow",
                      report.bands->rejected, report.bands->rejected + report.bands->draws),
          "range", "DY-16", Severity::care, "Check the [[range]] and [[scatter]] entries."});
 }

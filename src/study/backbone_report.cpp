@@ -239,8 +239,9 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
   if (!lossy)
     report.notes.push_back(
         {.code = "backbone.no_damping",
-         .text = "there are no responses, because the drive loses no energy and they would grow "
-                 "without bound",
+         .text =
+             "no response is computed, because the drive loses no energy and each response would "
+             "grow without bound",
          .path = "drivetrain",
          .equation = "MO-18",
          .severity = Severity::information,

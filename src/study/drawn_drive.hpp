@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,15 @@ class DrawnDrive {
   GearSet gear_;
   std::vector<double*> numbers_;
 };
+
+/// A drawn value of a number that scatters (SN-8).
+/// @param centre  the value in the file
+/// @param normal  drawn from the standard normal distribution
+[[nodiscard]] inline double scattered(const InputScatter& scatter, double centre, double normal) {
+  const double s = scatter.relative_standard_deviation;
+  return scatter.distribution == ScatterDistribution::lognormal
+             ? centre * std::exp(std::sqrt(std::log1p(s * s)) * normal)
+             : centre * (1 + s * normal);
+}
 
 }  // namespace strainwave

@@ -75,6 +75,42 @@ std::vector<double> continuous_phases(const std::vector<std::complex<double>>& r
   return phases;
 }
 
+std::vector<ResponseExtremum> extrema_of(const VibratingDrive& drive, DriveResponse response,
+                                         double from, double to) {
+  const DrivePath path = path_of(drive.made, response);
+  std::vector<ResponseExtremum> extrema =
+      response_extrema(drive.made.chain, path.path, from, to, drive.held(motor_of(response)));
+  for (ResponseExtremum& extremum : extrema)
+    if (extremum.amplitude) *extremum.amplitude *= std::abs(path.factor);
+  return extrema;
+}
+
+/// Phases of a response without damping, which is real: its sign changes at a resonance, where the
+/// phase falls, and at an antiresonance, where the phase rises (DY-13).
+std::vector<double> real_phases(const std::vector<std::complex<double>>& response,
+                                const std::vector<double>& frequency,
+                                const std::vector<ResponseExtremum>& extrema) {
+  std::vector<double> phases;
+  phases.reserve(response.size());
+  for (std::size_t n = 0; n < response.size(); ++n) {
+    const bool negative = response[n].real() < 0;
+    if (n == 0) {
+      phases.push_back(negative ? -pi : 0.0);
+      continue;
+    }
+    if (negative == (response[n - 1].real() < 0)) {
+      phases.push_back(phases.back());
+      continue;
+    }
+    const bool rises = std::ranges::any_of(extrema, [&](const ResponseExtremum& of) {
+      return of.kind == ExtremumKind::antiresonance && of.frequency > frequency[n - 1] &&
+             of.frequency <= frequency[n];
+    });
+    phases.push_back(phases.back() + (rises ? pi : -pi));
+  }
+  return phases;
+}
+
 /// Adds the curves of one drive.
 void add_curves(const VibratingDrive& drive, bool cracked, FrfReport& report) {
   for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
@@ -98,19 +134,13 @@ void add_curves(const VibratingDrive& drive, bool cracked, FrfReport& report) {
         amplitude[n] = std::sqrt(std::norm(found[p][n]));  // std::abs takes ten times as long
       }
       (cracked ? curve.cracked_amplitude : curve.intact_amplitude) = std::move(amplitude);
-      (cracked ? curve.cracked_phase : curve.intact_phase) = continuous_phases(found[p]);
+      (cracked ? curve.cracked_phase : curve.intact_phase) =
+          report.damped ? continuous_phases(found[p])
+                        : real_phases(found[p], report.frequency,
+                                      extrema_of(drive, responses[p], report.frequency.front(),
+                                                 report.frequency.back()));
     }
   }
-}
-
-std::vector<ResponseExtremum> extrema_of(const VibratingDrive& drive, DriveResponse response,
-                                         double from, double to) {
-  const DrivePath path = path_of(drive.made, response);
-  std::vector<ResponseExtremum> extrema =
-      response_extrema(drive.made.chain, path.path, from, to, drive.held(motor_of(response)));
-  for (ResponseExtremum& extremum : extrema)
-    if (extremum.amplitude) *extremum.amplitude *= std::abs(path.factor);
-  return extrema;
 }
 
 /// Extrema of the sound drive, each with the nearest one of the same kind of the cracked drive.

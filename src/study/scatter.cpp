@@ -38,22 +38,14 @@ struct Draw {
 /// Draws values of the scattering numbers and evaluates the drive; each thread has its own.
 class Evaluator {
  public:
-  Evaluator(const GearSet& gear, std::uint64_t seed) : drawn_(gear, gear.scatter), seed_(seed) {
-    for (std::size_t i = 0; i < gear.scatter.size(); ++i) {
-      const double s = gear.scatter[i].relative_standard_deviation;
-      const bool lognormal = gear.scatter[i].distribution == ScatterDistribution::lognormal;
-      laws_.push_back({.centre = drawn_.number(i),
-                       .deviation = lognormal ? std::sqrt(std::log1p(s * s)) : s,
-                       .lognormal = lognormal});
-    }
+  Evaluator(const GearSet& gear, std::uint64_t seed)
+      : scatter_(gear.scatter), drawn_(gear, gear.scatter), seed_(seed) {
+    for (std::size_t i = 0; i < scatter_.size(); ++i) centres_.push_back(drawn_.number(i));
   }
 
   Draw operator()(std::uint64_t n) {
-    for (std::size_t i = 0; i < laws_.size(); ++i) {
-      const Law& law = laws_[i];
-      const double z = law.deviation * counter_normal(seed_, n, i);
-      drawn_.number(i) = law.centre * (law.lognormal ? std::exp(z) : 1 + z);  // (SN-8)
-    }
+    for (std::size_t i = 0; i < scatter_.size(); ++i)
+      drawn_.number(i) = scattered(scatter_[i], centres_[i], counter_normal(seed_, n, i));
     try {
       check(drawn_.gear());
       const auto series = series_compliance<double>(drawn_.gear());
@@ -67,15 +59,10 @@ class Evaluator {
   }
 
  private:
-  struct Law {
-    double centre = 0.0;
-    double deviation = 0.0;
-    bool lognormal = true;
-  };
-
+  const std::vector<InputScatter>& scatter_;
   DrawnDrive drawn_;
   std::uint64_t seed_;
-  std::vector<Law> laws_;
+  std::vector<double> centres_;  ///< values in the file
 };
 
 /// All draws, stored by their index.

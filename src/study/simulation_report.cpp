@@ -30,6 +30,7 @@ constexpr double kLargestTolerance = 1e-5;  // [rad]
 constexpr double kSamplesPerPeriod = 8;     // of the highest order [-]
 constexpr double kLeastTurns = 4;           // of the input, for a spectrum [-]
 constexpr double kMostSamples = 400'000;    // of a spectrum [-]
+constexpr double kMostSampled = 8e8;        // of a motion, for a spectrum [-]
 constexpr double kMostSamplings = 1e7;      // of a controller [-]
 constexpr double kSameOrder = 1e-9;         // of the order [-]
 constexpr double kLargestImbalance = 1e-4;  // of the energy of a usable motion [-]
@@ -258,9 +259,12 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     double highest = 0.0;
     for (const DriveOrder& of : named_orders(gear)) highest = std::max(highest, of.order);
     const double period = 2 * pi / (std::abs(steady->speed) * highest);
-    samples_per_row =
-        static_cast<std::size_t>(std::ceil(options.output_step * kSamplesPerPeriod / period));
-    options.output_step /= static_cast<double>(samples_per_row);
+    const double needed = std::ceil(options.output_step * kSamplesPerPeriod / period);
+    require(needed * report.duration / options.output_step <= kMostSampled, "manoeuvre",
+            report.duration / period, "1",
+            "at most a hundred million periods of the highest order; give a shorter motion");
+    samples_per_row = static_cast<std::size_t>(needed);
+    options.output_step /= needed;
     steady->from = std::max(steady->from, steady->to - kMostSamples * options.output_step);
   }
   const auto keep = [&](SteadySignal& signal, const MotionSample& at) {

@@ -217,6 +217,13 @@ TEST(TorsionalChain, InputEachRuleBrokenOnce) {
   chain = good;
   chain.springs[2].twist_of[1] = std::nan("");
   EXPECT_NE(message(chain).find("a finite number"), std::string::npos);
+  // With the input held nothing turns freely, and a frequency that only rounding leaves is refused.
+  chain = good;
+  chain.inertias[3].inertia = 1e12;
+  const std::array<std::size_t, 1> input = {0};
+  EXPECT_NE(message(chain, input).find("inertias: differ so much"), std::string::npos);
+  chain.inertias[3].inertia = 1e3;
+  EXPECT_EQ(message(chain, input), "no error");
   const std::array<std::size_t, 1> none = {7};
   EXPECT_NE(message(good, none).find("held"), std::string::npos);
   const std::array<std::size_t, 4> all = {0, 1, 2, 3};

@@ -56,6 +56,23 @@ TEST(ErrorRange, LimitALongTurnReachesTheSumOfAmplitudes) {
   EXPECT_EQ(error_range(slow, 10).least, 0.0);
 }
 
+TEST(ErrorRange, ReferenceTheHighestOfManyPeaks) {
+  // Over a turn of the output, 2030 peaks of a fast order ride on a slow one.  A sample of a lower
+  // peak may be higher than those of the highest peak.  Its slow part is within 1.2e-6 of its
+  // largest value, so the sum of the amplitudes is right to 1.2e-10.
+  const double a = 2e-4;
+  const AngleRange range = error_range({{{20.3, a, 0.3}, {0.01, 1e-4 * a, 0.0}}}, 100);
+  test::expect_relative(range.largest, a * (1 + 1e-4), 2e-10);
+  test::expect_relative(range.least, -a * (1 + 1e-4), 2e-10);
+}
+
+TEST(ErrorRange, ReferenceAPartOfATurn) {
+  // A whole order over a tenth of a turn.
+  const AngleRange range = error_range({{{1, 1e-4, 0.0}}}, 0.1);
+  EXPECT_EQ(range.least, 0.0);
+  test::expect_relative(range.largest, 1e-4 * std::sin(2 * pi * 0.1), 1e-12);
+}
+
 TEST(ErrorRange, CrosscheckAgainstManyPoints) {
   // (DY-14): 2e5 points of a turn; their distance leaves 1e-8 of the range.
   std::mt19937_64 numbers(3);
@@ -89,7 +106,9 @@ TEST(ErrorRange, InputEachRuleBrokenOnce) {
   EXPECT_NE(message({{{2, 1e-4, 0}}}, std::numeric_limits<double>::infinity()).find("turns"),
             std::string::npos);
   EXPECT_NE(message({{{-2, 1e-4, 0}}}, 1).find("order"), std::string::npos);
-  EXPECT_NE(message({{{2.5e7, 1e-4, 0}}}, 1).find("million"), std::string::npos);
+  EXPECT_NE(message({{{1001, 1e-4, 0}}}, 1).find("order = 1001 violates: > 0 and <= 1000"),
+            std::string::npos);
+  EXPECT_NE(message({{{999.5, 1e-4, 0}}}, 1001).find("million"), std::string::npos);
 }
 
 }  // namespace

@@ -427,6 +427,12 @@ TEST(HarmonicBalance, ReferencePeaks) {
   test::expect_relative(peak.frequency, std::sqrt(5e4 * (1 - 2 * zeta * zeta)) / (2 * pi), 1e-6);
   test::expect_relative(peak.amplitude, 8 / (2 * zeta * 5e4 * std::sqrt(1 - zeta * zeta)), 1e-9);
   test::expect_relative(peak.torque, 5e4 * peak.amplitude, 1e-9);
+  // A range that ends just above the peak contains it, and one that ends just below does not.
+  for (const double share : {1.00002, 0.99998}) {
+    ResponseSettings narrow = settings;
+    narrow.to = share * peak.frequency;
+    EXPECT_EQ(forced_response(linear, narrow).peaks.size(), share > 1 ? 1U : 0U) << share;
+  }
   const ForcedResponse bent = forced_response(hard_joint(), hard_settings(1));
   ASSERT_EQ(bent.peaks.size(), 1U);
   const double omega = 2 * pi * bent.peaks[0].frequency;

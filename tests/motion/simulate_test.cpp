@@ -402,6 +402,13 @@ TEST(Simulate, InputEachRuleBrokenOnce) {
             std::string::npos);
   EXPECT_NE(broken({.duration = 1, .output_step = 1, .tolerance = -1}).find("tolerance"),
             std::string::npos);
+  Joint sampled = locked(LinearSpring{5e4}, 1.0);
+  sampled.input = ServoDrive{.servo = {.speed_gain = 0.05, .sample_time = 1e-18},
+                             .speed = {.time = {}, .value = {0.0}}};
+  EXPECT_NE(test::broken_rule([&] {
+              (void)simulate(sampled, {}, sound);
+            }).find("servo.sample_time = 1e-18 s violates: long enough to move the time"),
+            std::string::npos);
   EXPECT_NE(broken({.duration = 1, .output_step = 1, .max_steps = 0}).find("max_steps"),
             std::string::npos);
   for (const auto& [member, name] : {std::pair{&JointState::input_angle, "input_angle"},

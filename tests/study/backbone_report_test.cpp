@@ -14,46 +14,13 @@
 #include "strainwave/study/drive_joint.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "support/expect.hpp"
+#include "support/summed_joint.hpp"
 
 namespace strainwave {
 namespace {
 
-/// A cracked shaft and flexspline between motor and load, by the sum of the members.
 GearSet shaken_joint(const std::string& more = {}) {
-  return read_gear_set(R"(
-format = "strainwave-drive/1"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-[drive]
-ratio = 100
-pitch_diameter = "160 mm"
-radial_displacement = "0.8 mm"
-[load]
-torque = "100 N*m"
-[flexspline]
-material = "steel"
-shape = "cup"
-wall_thickness = "2.24 mm"
-length = "160 mm"
-crack_free = "factor"
-[[flexspline.crack]]
-kind = "through"
-half_length = "10 mm"
-angle = "45 deg"
-[output_shaft]
-material = "steel"
-outer_diameter = "60 mm"
-length = "100 mm"
-[[output_shaft.crack]]
-kind = "annular"
-depth = "5 mm"
-[drivetrain]
-motor_inertia = "1e-4 kg*m^2"
-load_inertia = "1 kg*m^2"
-gear_damping = "50 N*m*s/rad"
-)" + more,
-                       "joint.toml");
+  return test::summed_joint("gear_damping = \"50 N*m*s/rad\"\n" + more);
 }
 
 GearSet example_joint() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/joint_size25.toml"); }
@@ -90,9 +57,9 @@ TEST(BackboneReport, CrosscheckSmallVibrationsAreTheModes) {
 }
 
 TEST(BackboneReport, LimitCrackThatBreathesAboutNoTorque) {
-  // (MO-5, MO-16): without mean torque the crack is open for one half of the period:
-  // T = (T+ + T-)/2 with the periods of both senses, in closed form.  The share of the crack is
-  // small, so 20 harmonics leave 1e-9.
+  // (MO-5, MO-16): without mean torque the crack is open for one half of the period, so
+  // the period is the mean of the periods of both senses, in closed form.  The share of the crack
+  // is small, so 20 harmonics leave 1e-9.
   const GearSet gear = shaken_joint();
   const BackboneReport report =
       backbone_report(gear, {.load_torque = 0.0, .harmonics = 20, .points = 2});

@@ -175,6 +175,36 @@ TEST(FrfReport, BehaviourTheDocumentsShowAllFrequencies) {
   }
 }
 
+TEST(FrfReport, LimitPhasesWithoutDamping) {
+  // (DY-13): the phase of a response without damping is that of a small damping, which falls by pi
+  // at each resonance and rises by pi at each antiresonance.  Beside them, 1 degree is 50 times
+  // the lag that a damping ratio of 1e-6 leaves at 1 % of the frequency.
+  GearSet gear = frf_joint();
+  gear.drivetrain->gear_damping = 0.0;
+  const FrfReport without = frf_report(gear, {.points = 300});
+  gear.drivetrain->gear_damping = 5e-4;
+  const FrfReport with = frf_report(gear, {.points = 300});
+  int compared = 0;
+  for (std::size_t r = 0; r < kDriveResponses; ++r) {
+    const auto response = static_cast<DriveResponse>(r);
+    for (std::size_t n = 0; n < without.frequency.size(); ++n) {
+      const double f = without.frequency[n];
+      const bool beside = std::ranges::any_of(without.extrema, [&](const ExtremumPair& pair) {
+        return pair.response == response &&
+               ((pair.intact && std::abs(pair.intact->frequency / f - 1) < 0.01) ||
+                (pair.cracked && std::abs(pair.cracked->frequency / f - 1) < 0.01));
+      });
+      if (beside) continue;
+      ++compared;
+      EXPECT_NEAR(without.of(response).intact_phase[n], with.of(response).intact_phase[n], pi / 180)
+          << r << ' ' << f;
+      EXPECT_NEAR(without.of(response).cracked_phase[n], with.of(response).cracked_phase[n],
+                  pi / 180);
+    }
+  }
+  EXPECT_GT(compared, 1500);
+}
+
 TEST(FrfReport, InputEachRuleBrokenOnce) {
   const GearSet gear = frf_joint();
   const auto message = [&](const FrfOptions& options) {

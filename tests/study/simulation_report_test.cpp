@@ -21,51 +21,17 @@
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
+#include "support/summed_joint.hpp"
 
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
 
-/// A cracked shaft and flexspline between motor and load, by the sum of the members.
+/// A joint that stands for 20 ms.
 GearSet summed_joint(const std::string& more = {}) {
-  return read_gear_set(R"(
-format = "strainwave-drive/1"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-[drive]
-ratio = 100
-pitch_diameter = "160 mm"
-radial_displacement = "0.8 mm"
-[load]
-torque = "100 N*m"
-[flexspline]
-material = "steel"
-shape = "cup"
-wall_thickness = "2.24 mm"
-length = "160 mm"
-crack_free = "factor"
-[[flexspline.crack]]
-kind = "through"
-half_length = "10 mm"
-angle = "45 deg"
-[output_shaft]
-material = "steel"
-outer_diameter = "60 mm"
-length = "100 mm"
-[[output_shaft.crack]]
-kind = "annular"
-depth = "5 mm"
-[drivetrain]
-motor_inertia = "1e-4 kg*m^2"
-load_inertia = "1 kg*m^2"
-)" + more + R"(
-[[manoeuvre]]
-duration = "20 ms"
-input_speed = "0 rpm"
-)",
-                       "joint.toml");
+  return test::summed_joint(more +
+                            "[[manoeuvre]]\nduration = \"20 ms\"\ninput_speed = \"0 rpm\"\n");
 }
 
 GearSet curve_joint() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/joint_size25.toml"); }
@@ -382,6 +348,9 @@ TEST(SimulationReport, InputEachRuleBrokenOnce) {
                               "millionth of the motion"),
             std::string::npos);
   gear.drivetrain->servo.reset();
+  gear.manoeuvre = {{.duration = 1, .input_speed = 1e12}, {.duration = 1, .input_speed = 1e12}};
+  EXPECT_NE(broken(gear).find("a hundred million periods of the highest order"), std::string::npos);
+  gear = summed_joint();
   gear.manoeuvre[0].output_torque = 1e9;
   EXPECT_NE(broken(gear).find("manoeuvre[0].output_torque: twists the drive"), std::string::npos);
   gear.manoeuvre.clear();

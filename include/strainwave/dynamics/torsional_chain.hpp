@@ -35,7 +35,7 @@ struct TorsionalChain {
 
 /// A mode of the chain without damping.
 struct ChainMode {
-  double frequency = 0.0;      ///< f [Hz]; 0: a free turn, f below 1e-6 of the highest
+  double frequency = 0.0;      ///< f [Hz]; 0: a free turn, which twists no spring
   double damping_ratio = 0.0;  ///< zeta, of first order in the damping (DY-5) [-]
   /// angle of each inertia, so that the sum of J theta^2 is 1 [(kg*m^2)^-0.5]; 0 if it is held
   std::vector<double> shape;
@@ -46,7 +46,8 @@ struct ChainMode {
 
 /// Modes of the chain, by rising frequency (DY-3).
 /// @param held  inertias that do not turn, as indices
-/// @throws InputError  if the chain is empty, a number is out of range, or all inertias are held
+/// @throws InputError  if the chain is empty, a number is out of range, all inertias are held, or a
+///                     frequency is below 1e-6 of the highest one
 [[nodiscard]] std::vector<ChainMode> chain_modes(const TorsionalChain& chain,
                                                  std::span<const std::size_t> held = {});
 

@@ -231,12 +231,13 @@ struct GearSet {
           &GearSet::tolerance);
     field(Field{.name = "range",
                 .unit = "",
-                .doc = "inputs that are known only within limits, for the torsion curve",
+                .doc = "inputs that are known only within limits, for the torsion curve and for "
+                       "accuracy",
                 .in_template = InTemplate::commented},
           &GearSet::range);
     field(Field{.name = "scatter",
                 .unit = "",
-                .doc = "inputs that scatter, for sensitivity --scatter",
+                .doc = "inputs that scatter, for sensitivity --scatter and for accuracy",
                 .in_template = InTemplate::commented},
           &GearSet::scatter);
     field(Field{.name = "article",

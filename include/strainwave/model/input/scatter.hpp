@@ -19,8 +19,8 @@ struct EnumNames<ScatterDistribution> {
   static constexpr std::array<std::string_view, 2> names = {"lognormal", "normal"};
 };
 
-/// A number of the file that scatters independently of the others.  Only `strainwave sensitivity
-/// --scatter` reads it.
+/// A number of the file that scatters independently of the others.  `strainwave sensitivity
+/// --scatter` and `strainwave accuracy` read it.
 struct InputScatter {
   /// path of the number, such as "flexspline.wall_thickness"
   std::string path;
