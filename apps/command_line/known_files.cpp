@@ -7,13 +7,14 @@
 
 #include "exit_code.hpp"
 #include "files.hpp"
+#include "recording.hpp"
 
 namespace strainwave::cli {
 namespace {
 
 bool writes(const Argument& argument) {
   return argument.role == Role::output || argument.role == Role::journal ||
-         argument.role == Role::document;
+         argument.role == Role::record || argument.role == Role::document;
 }
 
 [[noreturn]] void refuse(const std::string& one, const std::string& other,
@@ -29,10 +30,12 @@ KnownFiles::KnownFiles(const Given& given, const std::vector<std::string>& input
   for (std::size_t i = 0; i < given.arguments.size(); ++i) {
     const Argument& argument = given.arguments[i];
     for (const std::string& path : given.texts[i])
-      if (writes(argument))
+      if (writes(argument)) {
         add_output(argument.name, path);
-      else if (argument.names == "attachment" || argument.names == "history")
+        if (argument.role == Role::record) add_output(argument.name, checkpoint_of(path));
+      } else if (argument.names == "attachment" || argument.names == "history") {
         add_input(argument.name, path);
+      }
   }
   if (!has(given, Role::output)) add_output("the main document", "/dev/stdout");
   for (const auto& [name, path] : outputs_) require_free(name, path);

@@ -183,6 +183,11 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .doc = "columns of the csv format, as names separated by commas",
                          .fallback = {}});
   arguments.insert(arguments.end(), beside.begin(), beside.end());
+  if (!command.record.empty()) {
+    arguments.push_back(path_argument(Role::record, "record", {}, command.record));
+    arguments.push_back(flag_argument(Role::resume, "--resume",
+                                      "go on with the record of a run that was interrupted"));
+  }
   if (std::ranges::find(command.documents, Format::toml, &Document::format) !=
       command.documents.end())
     arguments.push_back(

@@ -59,6 +59,8 @@ enum class Role {
   units,     ///< chooses the units of the documents
   columns,   ///< chooses the columns of a CSV table
   journal,   ///< takes the path of the journal
+  record,    ///< takes the path of the record
+  resume,    ///< goes on with the record of a stopped run
   document,  ///< takes the path of a document beside the main one
   force,     ///< a drive may replace an existing file
   progress,  ///< reports the progress, wherever standard error goes

@@ -22,6 +22,7 @@
 #include "interrupt.hpp"
 #include "known_files.hpp"
 #include "progress_line.hpp"
+#include "recording.hpp"
 #include "several.hpp"
 
 namespace strainwave::cli {
@@ -140,6 +141,7 @@ struct Asked {
   std::string main_path = {};
   std::vector<std::pair<std::string, std::string_view>> beside = {};  // path, document
   std::string journal = {};  // its path; empty if there is none
+  std::string record = {};   // likewise
   AskedUnits units = {};
   std::vector<std::string> columns = {};
 };
@@ -177,9 +179,13 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
         case Role::journal:
           asked.journal = text;
           break;
+        case Role::record:
+          asked.record = text;
+          break;
         case Role::document:
           asked.beside.emplace_back(text, argument.key);
           break;
+        case Role::resume:
         case Role::force:
         case Role::progress:
         case Role::quiet:
@@ -196,6 +202,8 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
   if (!asked.columns.empty() &&
       (chosen == command.documents.end() || chosen->format != Format::csv))
     throw UsageError("--columns chooses columns of a table: add --format csv");
+  if (has(given, Role::resume) && asked.record.empty())
+    throw UsageError("--resume goes on with a record: name its file with --record");
   return asked;
 }
 
@@ -208,6 +216,21 @@ void require_shown(const Command& command, const Asked& asked, std::string_view 
   const std::string_view option = command.not_in_tables;
   if (asked.main == document && !option.empty() && asked.options.given(option))
     throw UsageError(fmt::format("{} does not show the result of --{}: {}", words, option, advice));
+}
+
+/// Refuses a document of the rows that a record takes.
+void require_without_rows(const Command& command, const Asked& asked) {
+  const auto has_rows = [&](std::string_view name) {
+    const auto found = std::ranges::find(command.documents, name, &Document::name);
+    return found != command.documents.end() && found->format != Format::text;
+  };
+  for (const auto& [path, name] : asked.beside)
+    if (has_rows(name))
+      throw UsageError(
+          fmt::format("--record takes the rows that --{} would show: leave out one of them", name));
+  if (has_rows(asked.main))
+    throw UsageError(fmt::format(
+        "--record takes the rows that --format {} would show: leave out one of them", asked.main));
 }
 
 /// The files of the drives.  If a word of a positional option names a file, the word is a file too,
@@ -258,7 +281,8 @@ FileAnswer answer_for(const Given& given, const std::string& file, const AskedUn
 
 ExitCode run_several(const Given& given, const std::vector<std::string>& files, KnownFiles& known) {
   const Asked asked = asked_by(given, nullptr, known);
-  if (given.program.ranks != nullptr || !asked.journal.empty() || !answers_several(given.command))
+  if (given.program.ranks != nullptr || !asked.journal.empty() || !asked.record.empty() ||
+      !answers_several(given.command))
     throw UsageError(fmt::format("{} answers for one FILE at a time", given.command.name));
   if (!asked.beside.empty())
     throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
@@ -313,6 +337,11 @@ ExitCode run_command(Given given) {
   OptionValues& options = read->options;
   std::optional<FileJournal> journal;
   if (!read->journal.empty()) journal.emplace(read->journal);
+  std::optional<FileRecording> recording;
+  if (!read->record.empty()) {
+    require_without_rows(command, *read);
+    recording.emplace(read->record, has(given, Role::resume));
+  }
   const std::string& main = read->main;
   const std::string& main_path = read->main_path;
   const auto document_named = [&](std::string_view name) {
@@ -331,6 +360,7 @@ ExitCode run_command(Given given) {
     if (chosen.folder) return require_folder(main_path);
     if (!ranks.first() || command.documents.empty()) return;
     if (journal) require_writable(journal->name());
+    if (recording) require_writable(recording->name());
     const auto prepare = [&](const std::string& path, const Document& document) {
       if (auto converter = prepared(document, path, has(given, Role::force)))
         converters.emplace(path, std::move(*converter));
@@ -356,10 +386,11 @@ ExitCode run_command(Given given) {
   std::optional<Answer> answer;
   std::vector<OutputFile> files;
   std::vector<std::pair<std::string, std::string>> texts;  // path, document
-  ranks.together([&] {
+  const auto compute = [&] {
     answer.emplace(run(command, read->drive, options, read->attached, progress,
                        {.ranks = ranks,
                         .journal = journal ? &*journal : nullptr,
+                        .recording = recording ? &*recording : nullptr,
                         .units = read->units,
                         .columns = read->columns,
                         .beside = attachments_beside,
@@ -375,9 +406,21 @@ ExitCode run_command(Given given) {
     for (auto& [path, text] : texts)
       if (const auto converter = converters.find(path); converter != converters.end())
         text = converted(converter->second, text);
-  });
+    if (recording) recording->store();
+  };
+  try {
+    ranks.together(compute);
+  } catch (const Stopped&) {
+    if (!recording || !recording->can_go_on()) throw;
+    line.clear();
+    warn(given.program, fmt::format("interrupted: {} has the rows until now; give the same command "
+                                    "with --resume to go on",
+                                    shown(recording->name())));
+    return kInterrupted;
+  }
   line.clear();
   ranks.together([&] { deliver(texts); });
+  if (recording) recording->finish();
   if (chosen.folder) deliver(files, main_path, ranks);
   if (!ranks.first()) return kOk;
   warn_of_unused(given.program, read->units);

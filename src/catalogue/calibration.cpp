@@ -11,12 +11,15 @@
 #include "compared_drive.hpp"
 #include "least_squares.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/torsion/compare.hpp"
 
 namespace strainwave {
 namespace {
 
-constexpr double kMostUncertainty = 0.5;  // largest uncertainty of an identified factor
+constexpr double kFrictionSpeed = 2000 * units::rpm;  // of the tables of friction [rad/s]
+constexpr double kMostUncertainty = 0.5;              // largest uncertainty of an identified factor
 
 /// Largest number of torques of one sense at which a drive is solved; a test bench records more.
 /// Straight lines between so many points have a smaller error than a tenth of the measurement
@@ -220,10 +223,108 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
   return result;
 }
 
+FrictionTargets friction_targets(const GearSet& gear) {
+  constexpr double kSameSize = 0.02;   // of the diameter [-]
+  constexpr double kSameRatio = 1e-9;  // [-]
+  if (gear.drivetrain && gear.drivetrain->fixed != FixedMember::circular_spline)
+    throw InputError("catalogue",
+                     "states friction with the circular spline fixed only; give the four values of "
+                     "this arrangement as options");
+  const double d = gear.drive.pitch_diameter;
+  for (const FrictionRow& row : friction_rows())
+    if (std::abs(d / pitch_diameter_of(row.size) - 1) <= kSameSize &&
+        std::abs(gear.drive.ratio / row.ratio - 1) <= kSameRatio)
+      return {.no_load_torque = row.no_load,
+              .starting_torque = row.starting,
+              .back_driving_torque = row.back_driving,
+              .efficiency = row.efficiency,
+              .speed = kFrictionSpeed,
+              .torque = row.rated};
+  throw InputError(
+      "catalogue",
+      fmt::format("the catalogue states no friction of a drive with a pitch diameter of {} at "
+                  "ratio {:g}; give --no-load-torque, --starting-torque, --back-driving-torque and "
+                  "--efficiency",
+                  shown_quantity(d, "m", 4), gear.drive.ratio));
+}
+
+Calibration calibrate_friction(const GearSet& gear, const Joint& joint,
+                               const FrictionTargets& targets, std::string source,
+                               const Progress& progress) {
+  Calibration calibration{.gear = gear, .source = std::move(source)};
+  FrictionFit fit = fit_friction(targets, joint.ratio);
+  measure(fit, joint, progress);
+  calibration.converged = fit.converged;
+  double sum = 0.0;
+  double count = 0.0;
+  for (const FrictionValue& value : fit.values)
+    if (value.simulated) {
+      sum += std::pow(std::log(*value.simulated / value.wanted), 2);
+      count += 1;
+    }
+  if (count > 0) calibration.residual = std::sqrt(sum / count);
+  calibration.friction = std::move(fit);
+  return calibration;
+}
+
+namespace {
+
+void add_friction_notes(const FrictionFit& fit, std::vector<Note>& notes) {
+  constexpr double kExact = 1e-6;  // of a value [-]
+  const auto contradicts = [&](const FrictionValue& value, std::string text, std::string equation) {
+    if (std::abs(value.residual()) <= kExact) return;
+    notes.push_back(
+        {.code = "calibration.friction_residual",
+         .text = fmt::format("{}, so the {} is {} in place of {}", text, enum_name(value.quantity),
+                             shown_quantity(value.fitted, value.unit(), 4),
+                             shown_quantity(value.wanted, value.unit(), 4)),
+         .path = "drivetrain.friction",
+         .equation = std::move(equation),
+         .severity = Severity::critical,
+         .next_step = "Check the four values, and that they belong to one drive and one "
+                      "temperature."});
+  };
+  contradicts(fit.values[2],
+              "the back-driving torque is below the ratio times the starting torque, which needs "
+              "friction that falls with the load",
+              "MO-42");
+  contradicts(
+      fit.values[3],
+      "the no-load torque alone loses more than the efficiency allows, which needs friction "
+      "that falls with the load",
+      "MO-43");
+  for (const FrictionValue& value : fit.values)
+    if (!value.simulated)
+      notes.push_back({.code = "calibration.friction_not_simulated",
+                       .text = fmt::format("the simulated test of the {} has no value: {}",
+                                           enum_name(value.quantity), value.reason),
+                       .path = "drivetrain.friction",
+                       .equation = "MO-13",
+                       .severity = Severity::critical,
+                       .next_step = "Check the inertias and the damping of [drivetrain]."});
+  notes.push_back(
+      {.code = "calibration.friction_assumed",
+       .text = fmt::format(
+           "the four values do not tell Coulomb friction from viscous friction, so coulomb is "
+           "assumed to be {}; stribeck_speed and bristle_stiffness are assumed too",
+           fit.friction.viscous > 0 ? "breakaway and the rest viscous"
+                                    : "the no-load torque, without viscous friction"),
+       .path = "drivetrain.friction.coulomb",
+       .equation = "MO-41",
+       .severity = Severity::care,
+       .next_step = "Measure the no-load torque at two speeds; give coulomb and viscous by them."});
+}
+
+}  // namespace
+
 ResultEvidence evidence_of(const Calibration& calibration) {
   ResultEvidence evidence;
   if (!calibration.converged)
-    evidence.unusable_because = "the calibration did not converge; fit fewer factors";
+    evidence.unusable_because =
+        calibration.friction
+            ? "the fitted friction does not return all four values by simulation; see the notes"
+            : "the calibration did not converge; fit fewer factors";
+  if (calibration.friction) add_friction_notes(*calibration.friction, evidence.notes);
   std::string names;
   for (const CalibratedFactor& factor : calibration.factors)
     if (!factor.identified)

@@ -24,6 +24,10 @@
 //   E  manual of the FHA-C actuators, page 16.  The manual gives the size of the actuator; the size
 // of the gear follows from T1 and T2.
 //
+// Friction of the RT1-H-CS series at ratio 100, 20 degrees Celsius and 2000 rpm, torques in mN*m
+// and N*m: Schaeffler TPI 275, as digitised in harmonic_drive_twin/catalogue.py of the public
+// project harmonic-drive-twin, revision 093e506 (MIT).  The page itself was not read.
+//
 // Ratings of the CSG and HFUC series with grease: source C.  Torques in N*m, speeds in rpm, inertia
 // of the wave generator in 1e-4 kg*m^2.
 
@@ -211,5 +215,16 @@ constexpr RatingRow kRatings[] = {
 std::span<const StiffnessRow> stiffness_rows() { return kStiffness; }
 std::span<const StiffnessRow> other_series_rows() { return kOtherSeries; }
 std::span<const RatingRow> rating_rows() { return kRatings; }
+
+std::span<const FrictionRow> friction_rows() {
+  static constexpr FrictionRow kRows[] = {
+      // series, size, ratio, rated, efficiency, no load, starting, back-driving
+      {"RT1-H-CS", 14, 100, 10, 0.67, 35e-3, 21e-3, 2.21},
+      {"RT1-H-CS", 17, 100, 31, 0.77, 51e-3, 29e-3, 3.06},
+      {"RT1-H-CS", 20, 100, 52, 0.77, 105e-3, 37e-3, 3.89},
+      {"RT1-H-CS", 25, 100, 87, 0.77, 195e-3, 69e-3, 7.26},
+  };
+  return kRows;
+}
 
 }  // namespace strainwave

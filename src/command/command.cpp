@@ -109,7 +109,8 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                            .ranks = host.ranks,
                            .journal = host.journal,
                            .beside = host.beside,
-                           .open = host.open},
+                           .open = host.open,
+                           .recording = host.recording},
                           options_.get());
   } catch (const OptionError&) {
     throw;

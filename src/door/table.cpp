@@ -30,6 +30,7 @@ Command solve_command();
 Command stiffness_command();
 Command sweep_command();
 Command torsion_command();
+Command transmission_command();
 Command units_command();
 Command validate_command();
 
@@ -40,6 +41,7 @@ std::span<const Command> commands() {
       duty_command(),
       life_command(),
       grow_command(),
+      transmission_command(),
       modes_command(),
       frf_command(),
       simulate_command(),

@@ -486,7 +486,7 @@ class Path {
     const auto kept = spread_rows(report_.stiffness, options_.points, &StiffnessOverLife::time,
                                   &StiffnessOverLife::change);
     keep_rows(report_.stiffness, kept);
-    keep_rows(gears_, kept);
+    keep_rows(report_.drives, kept);
     add_coupled_drive();
   }
 
@@ -741,14 +741,15 @@ class Path {
 
   /// Adds the maker's stiffnesses to some rows, with the first and the last one.
   void add_coupled_drive() {
-    if (gears_.empty() || !missing_for_torsion_curve(gears_.front()).empty()) return;
-    const std::size_t n = gears_.size();
+    if (report_.drives.empty() || !missing_for_torsion_curve(report_.drives.front()).empty())
+      return;
+    const std::size_t n = report_.drives.size();
     const std::size_t rows = std::min(n, kCoupledRows);
     for (std::size_t i = 0; i < rows; ++i) {
       const std::size_t at = rows == 1 ? 0 : i * (n - 1) / (rows - 1);
       StiffnessOverLife& row = report_.stiffness[at];
       try {
-        const AssembledDrive drive(gears_[at]);
+        const AssembledDrive drive(report_.drives[at]);
         const MakersLines positive = makers_lines(drive, +1);
         const MakersLines negative = makers_lines(drive, -1);
         row.K1_positive = positive.K1;
@@ -851,10 +852,10 @@ class Path {
     if (!report_.stiffness.empty() && report_.stiffness.back().time == row.time &&
         report_.stiffness.back().change == row.change) {
       report_.stiffness.pop_back();
-      gears_.pop_back();
+      report_.drives.pop_back();
     }
     report_.stiffness.push_back(row);
-    gears_.push_back(gear);
+    report_.drives.push_back(gear);
   }
 
   Growing growing_;
@@ -869,7 +870,6 @@ class Path {
   std::vector<bool> stands_still_;
   std::vector<RatioRange> ratios_;  // of the cycles by which each crack grows
   State acceptable_;
-  std::vector<GearSet> gears_;  // of the rows of stiffness
   State end_;
   double first_positive_ = 0.0;
   double first_negative_ = 0.0;

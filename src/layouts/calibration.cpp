@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/io/edit.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/present/evidence_text.hpp"
@@ -77,9 +78,76 @@ std::string other_ratios_text(const OtherRatios& other) {
   return text;
 }
 
+/// Lines of [drivetrain.friction], below their heading.
+std::string friction_lines(const LuGre& friction) {
+  std::string lines;
+  const auto add = [&](std::string_view name, double value, std::string_view unit) {
+    const std::string text =
+        unit == "1" ? fmt::format("{:.6g}", value) : fmt::format("\"{:.6g} {}\"", value, unit);
+    lines += fmt::format("{} = {}\n", name, text);
+  };
+  add("coulomb", friction.coulomb, "N*m");
+  add("breakaway", friction.breakaway, "N*m");
+  add("stribeck_speed", friction.stribeck_speed, "rad/s");
+  add("bristle_stiffness", friction.bristle_stiffness, "N*m/rad");
+  if (friction.viscous > 0) add("viscous", friction.viscous, "N*m*s/rad");
+  add("load_coulomb", friction.load_coulomb, "1");
+  if (friction.load_breakaway) add("load_breakaway", *friction.load_breakaway, "1");
+  return lines;
+}
+
+/// Comments that say to what the friction of a drive is fitted.
+std::string friction_head(const Calibration& c) {
+  std::string head =
+      fmt::format("# drivetrain.friction is fitted to {}, at {:.6g} rad/s and {:.6g} N*m:\n",
+                  c.source, c.friction->targets.speed, c.friction->targets.torque);
+  for (const FrictionValue& value : c.friction->values)
+    head += fmt::format("# {}: {:.6g}{}{}\n", enum_name(value.quantity), value.wanted,
+                        value.unit() == "1" ? "" : " N*m",
+                        value.simulated ? fmt::format(", simulated {:.6g}", *value.simulated)
+                                        : std::string(", not simulated"));
+  return head;
+}
+
+std::string friction_text(const Calibration& c) {
+  const FrictionFit& fit = *c.friction;
+  Table table{.head = {"", "given", "fitted", "", "simulated", ""}, .align = "lrrrrr"};
+  const auto change = [](double share) {
+    return std::abs(share) < 5e-6 ? std::string("exact") : fmt::format("{:+.2g} %", 100 * share);
+  };
+  for (const FrictionValue& value : fit.values) {
+    const DisplayUnit unit = display_unit({}, value.unit());
+    const auto shown = [&](double x) { return shown_number(x / unit.in_si, 5); };
+    table.rows.push_back(cells(value.unit() == "1" ? std::string(enum_name(value.quantity))
+                                                   : with_unit(enum_name(value.quantity), unit),
+                               shown(value.wanted), shown(value.fitted), change(value.residual()),
+                               value.simulated ? shown(*value.simulated) : std::string("-"),
+                               value.error() ? change(*value.error()) : std::string("-")));
+  }
+  std::string text =
+      fmt::format("Friction of the input, fitted to {}\n\n{}\n", c.source, text_table(table));
+  text += paragraph(
+      fmt::format("No-load torque and efficiency are those at {}, the efficiency with {} on the "
+                  "output. Fitted: by the formulas of the model (MO-41 to MO-43). Simulated: two "
+                  "runs and two slow ramps of the torque on the drive's inertias and spring, "
+                  "without cracks, kinematic error, gravity, and damping of motor and load.",
+                  number_and_unit(fit.targets.speed, display_unit({}, "rad/s")),
+                  number_and_unit(fit.targets.torque, display_unit({}, "N*m"))),
+      0, 0);
+  text += fmt::format("\n[drivetrain.friction]                 # fitted to {}\n{}", c.source,
+                      friction_lines(fit.friction));
+  return text;
+}
+
+std::string calibration_notes(const Calibration& c) {
+  const std::vector<Note> notes = evidence_of(c).notes;
+  return notes.empty() ? std::string() : "\nNotes\n" + notes_text(notes);
+}
+
 }  // namespace
 
 std::string calibration_text(const Calibration& c) {
+  if (c.friction) return friction_text(c) + calibration_notes(c);
   const auto number = [](double value) { return fmt::format("{:.5g}", value); };
   const DisplayUnit unit = stiffness_unit();
   Table stiffness{
@@ -126,14 +194,13 @@ std::string calibration_text(const Calibration& c) {
       c.combinations.size(), text_table(combinations), percent(c.relative_uncertainty),
       percent(c.residual), c.iterations, c.converged ? "" : ", NOT CONVERGED");
   if (c.other_ratios) text += other_ratios_text(*c.other_ratios);
-  const std::vector<Note> notes = evidence_of(c).notes;
-  if (!notes.empty()) text += "\nNotes\n" + notes_text(notes);
-  return text;
+  return text + calibration_notes(c);
 }
 
 std::string calibrated_drive(const Calibration& calibration, const GearSet& before,
                              const std::string& text) {
-  std::string head = "# Calibrated with " + calibration.source + ".\n";
+  std::string head = calibration.friction ? friction_head(calibration)
+                                          : "# Calibrated with " + calibration.source + ".\n";
   for (const CalibratedFactor& factor : calibration.factors)
     head += fmt::format("# {}: {:.4g}, was {:.4g}; standard uncertainty {:.2g}, {}\n",
                         enum_name(factor.factor), factor.value, factor.before, factor.uncertainty,
@@ -141,8 +208,10 @@ std::string calibrated_drive(const Calibration& calibration, const GearSet& befo
             (factor.at_limit    ? "#   the fit stopped at a limit of the factor\n"
              : factor.plausible ? ""
                                 : "#   outside the plausible range\n");
-  std::string drive =
-      with_numbers_of(text.empty() ? gear_text(before) : text, before, calibration.gear);
+  const std::string given = text.empty() ? gear_text(before) : text;
+  std::string drive = calibration.friction ? edit(given, "drivetrain.friction",
+                                                  friction_lines(calibration.friction->friction))
+                                           : with_numbers_of(given, before, calibration.gear);
   // A byte order mark and the line that names the schema to an editor stay first.
   std::size_t first = drive.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   if (drive.substr(first).starts_with("#:schema"))

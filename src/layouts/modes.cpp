@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "strainwave/core/shown_text.hpp"
@@ -184,6 +185,127 @@ TitledTable speed_table(const ModesReport& report) {
                         : std::string()};
 }
 
+/// Torques of one sense that have a row in the text.
+constexpr double kTorqueRows = 6;
+
+/// The rows of the first mode for a condition of the motor, by rising torque.
+std::vector<ModeAtTorque> first_over_torque(const ModesReport& report, MotorGives motor) {
+  std::vector<ModeAtTorque> rows;
+  for (const ModeAtTorque& row : report.over_torque)
+    if (row.motor == motor && row.number == 1) rows.push_back(row);
+  return rows;
+}
+
+TitledTable torque_table(const ModesReport& report) {
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit hertz = display_unit({}, "Hz");
+  const bool cracked = report.cracked_stiffness.has_value();
+  const std::vector<const MotorModes*> shown = with_modes(report);
+  Table table{.head = {with_unit("torque", torque)}};
+  add_heads(table, shown,
+            cracked ? std::vector<std::string>{with_unit("sound", hertz),
+                                               with_unit("cracked", hertz), "change [%]"}
+                    : std::vector<std::string>{with_unit("frequency", hertz)});
+  std::vector<std::vector<ModeAtTorque>> columns;
+  for (const MotorModes* of : shown) columns.push_back(first_over_torque(report, of->motor));
+  double least = 1.0;
+  for (const ModeAtTorque& row : report.over_torque)
+    if (row.number == 1) least = std::min(least, row.likeness.value_or(1.0));
+  for (std::size_t n = 0; !columns.empty() && n < columns.front().size(); ++n) {
+    const double largest = report.over_torque.back().torque;
+    const double here = columns.front()[n].torque;
+    if (std::abs(std::remainder(here, largest / kTorqueRows)) > 1e-9 * largest) continue;
+    auto& row = table.rows.emplace_back(cells(shown_number(here / torque.in_si, 4)));
+    for (const std::vector<ModeAtTorque>& column : columns) {
+      row.push_back(shown_number(column[n].intact / hertz.in_si, 5));
+      if (!cracked) continue;
+      row.push_back(column[n].cracked ? shown_number(*column[n].cracked / hertz.in_si, 5) : "-");
+      row.push_back(column[n].cracked ? in_percent(*column[n].change()) : "-");
+    }
+  }
+  return {
+      .title = "First mode over the torque at the output (DY-3, DY-11)",
+      .table = std::move(table),
+      .remark = fmt::format("The mode is followed from torque to torque by its shape; the least "
+                            "likeness of two neighbours is {}.",
+                            shown_number(least, 6))};
+}
+
+TitledTable growth_table(const ModesOverGrowth& over) {
+  const DisplayUnit hertz = display_unit({}, "Hz");
+  const DisplayUnit hours = display_unit("time", "s", {"h", 3600.0});
+  Table table{.head = {with_unit("time of duty", hours), with_unit("free", hertz), "change [%]",
+                       with_unit("locked", hertz), "change [%]"}};
+  const auto number = [&](const std::optional<double>& value, double unit, int digits) {
+    return value ? shown_number(*value / unit, digits) : std::string("-");
+  };
+  for (const ModeOverGrowth& row : over.rows)
+    table.rows.push_back(cells(shown_number(row.time / hours.in_si, 5),
+                               number(row.free, hertz.in_si, 6), number(row.free_change, 0.01, 4),
+                               number(row.locked, hertz.in_si, 6),
+                               number(row.locked_change, 0.01, 4)));
+  return {.title = "First mode while the cracks grow (DY-3, GR-25)",
+          .table = std::move(table),
+          .remark = over.sentence};
+}
+
+/// A curve over another quantity, in the units of the axes.
+template <class Row, class X, class Y>
+PlotSeries curve_of(std::string label, const std::vector<Row>& rows, const X& x, const Y& y) {
+  PlotSeries series{.label = std::move(label)};
+  for (const Row& row : rows)
+    if (const std::optional<double> value = y(row)) {
+      series.x.push_back(x(row));
+      series.y.push_back(*value);
+    }
+  return series;
+}
+
+/// Frequency and change of the first mode over the torque.
+void add_torque_panels(std::vector<PlotPanel>& panels, const ModesReport& report) {
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit hertz = display_unit({}, "Hz");
+  PlotPanel frequency{.title = "First mode over the torque at the output",
+                      .x_label = axis_label("torque at the output", torque),
+                      .y_label = axis_label("frequency", hertz)};
+  PlotPanel change{.title = "What the cracks change in the first mode",
+                   .x_label = axis_label("torque at the output", torque),
+                   .y_label = "change [%]"};
+  const auto at = [&](const ModeAtTorque& row) { return row.torque / torque.in_si; };
+  for (const MotorModes* of : with_modes(report)) {
+    const std::vector<ModeAtTorque> rows = first_over_torque(report, of->motor);
+    frequency.series.push_back(
+        curve_of(fmt::format("{} input, sound", input_word(of->motor)), rows, at,
+                 [&](const ModeAtTorque& row) { return std::optional(row.intact / hertz.in_si); }));
+    change.series.push_back(curve_of(fmt::format("{} input", input_word(of->motor)), rows, at,
+                                     [](const ModeAtTorque& row) -> std::optional<double> {
+                                       if (!row.cracked) return std::nullopt;
+                                       return 100 * *row.change();
+                                     }));
+  }
+  panels.push_back(std::move(frequency));
+  if (report.cracked_stiffness) panels.push_back(std::move(change));
+}
+
+PlotPanel growth_panel(const ModesOverGrowth& over) {
+  const DisplayUnit hours = display_unit("time", "s", {"h", 3600.0});
+  PlotPanel panel{.title = "First mode while the cracks grow",
+                  .x_label = axis_label("time of duty", hours),
+                  .y_label = "change [%]"};
+  const auto at = [&](const ModeOverGrowth& row) { return row.time / hours.in_si; };
+  const auto percent = [](const std::optional<double>& change) -> std::optional<double> {
+    if (!change) return std::nullopt;
+    return 100 * *change;
+  };
+  panel.series.push_back(curve_of("free input", over.rows, at, [&](const ModeOverGrowth& row) {
+    return percent(row.free_change);
+  }));
+  panel.series.push_back(curve_of("locked input", over.rows, at, [&](const ModeOverGrowth& row) {
+    return percent(row.locked_change);
+  }));
+  return panel;
+}
+
 }  // namespace
 
 std::vector<std::string> modes_sentences(const ModesReport& report) {
@@ -216,6 +338,8 @@ std::vector<TitledTable> modes_tables(const ModesReport& report) {
                                      energy_table(report)};
   if (report.cracked_stiffness) tables.push_back(crack_table(report));
   tables.push_back(speed_table(report));
+  if (!report.over_torque.empty()) tables.push_back(torque_table(report));
+  if (report.over_growth) tables.push_back(growth_table(*report.over_growth));
   return tables;
 }
 
@@ -252,6 +376,8 @@ std::vector<PlotPanel> modes_panels(const ModesReport& report) {
                               .y = {0.0, kBeyond * first.intact.frequency / hertz.in_si}});
     panels.push_back(std::move(panel));
   }
+  if (!report.over_torque.empty()) add_torque_panels(panels, report);
+  if (report.over_growth) panels.push_back(growth_panel(*report.over_growth));
   return panels;
 }
 

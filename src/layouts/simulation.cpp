@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/layouts/motion_record.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/present/evidence_text.hpp"
 
@@ -39,6 +40,10 @@ TitledTable summary_table(const SimulationReport& report) {
     row(with_unit("largest lag of the input", display_unit({}, "rad")),
         [](const MotionSummary& of) { return shown_number(of.largest_lag.value_or(0.0), 5); });
   number("largest torque of the input", torque, &MotionSummary::largest_input_torque);
+  if (report.intact.largest_output_torque)
+    row(with_unit("largest torque that moves the output", torque), [&](const MotionSummary& of) {
+      return shown_number(of.largest_output_torque.value_or(0.0) / torque.in_si, 5);
+    });
   number("lost energy", display_unit({}, "J"), &MotionSummary::lost_energy);
   row("imbalance of the energy",
       [](const MotionSummary& of) { return shown_number(of.imbalance, 2); });
@@ -49,7 +54,7 @@ TitledTable summary_table(const SimulationReport& report) {
           .remark =
               "The error of the output is its angle beyond that of an ideal stiff gear. The "
               "largest values are those among the sampled times. Lost energy contains what "
-              "the hysteresis stores."};
+              "the hysteresis stores, except in slip elements."};
 }
 
 TitledTable orders_table(const MotionOrders& orders) {
@@ -103,11 +108,31 @@ TitledTable orders_table(const MotionOrders& orders) {
 
 std::vector<std::string> simulation_sentences(const SimulationReport& report) {
   const DisplayUnit angle = display_unit("wind_up", "rad");
-  std::vector<std::string> sentences = {fmt::format(
-      "The motion takes {}. The spring is {}.",
-      number_and_unit(report.duration, display_unit({}, "s")),
-      report.springs == SpringModel::coupled_drive ? "the maker's three lines of the torsion curve"
-                                                   : "the sum of the members")};
+  std::vector<std::string> sentences = {
+      fmt::format("The motion takes {}. The spring is {}.",
+                  number_and_unit(report.duration, display_unit({}, "s")),
+                  report.springs == SpringModel::computed_curve
+                      ? "the computed torsion curve over the angle of the input"
+                  : report.springs == SpringModel::coupled_drive
+                      ? "the maker's three lines of the torsion curve"
+                      : "the sum of the members")};
+  if (report.table) {
+    const CurveTable& table = *report.table;
+    const auto shown = [&](double value) {
+      return shown_number(value / angle.in_si, 3) + " " + std::string(angle.text);
+    };
+    std::string words = fmt::format(
+        "The table of the curve ends at {}. Against the coupled drive at {} random angles, its "
+        "twist differs by {} at most and by {} as a root mean square.",
+        number_and_unit(table.most_torque, display_unit({}, "N*m")), shown_number(table.triples, 3),
+        shown(table.worst_difference), shown(table.rms_difference));
+    if (table.rms_share)
+      words += fmt::format(
+          " The twist that the cracks in the contacts add differs by {} % of its largest value at "
+          "most, and by {} % as root mean squares.",
+          shown_number(100 * *table.worst_share, 2), shown_number(100 * *table.rms_share, 2));
+    sentences.push_back(std::move(words));
+  }
   if (report.largest_difference)
     sentences.push_back(
         fmt::format("The cracks move the output by up to {} against the sound drive.",
@@ -164,22 +189,11 @@ std::string simulation_text(const SimulationReport& report, const GearSet& gear)
 }
 
 std::string simulation_csv(const SimulationReport& report) {
-  Table table{.head = {"time [s]", "input_angle [rad]", "input_speed [rad/s]", "output_angle [rad]",
-                       "output_speed [rad/s]", "output_error [rad]", "torque [N*m]",
-                       "input_torque [N*m]"}};
-  if (report.cracked)
-    table.head.insert(table.head.end(), {"cracked_output_angle [rad]", "cracked_output_error [rad]",
-                                         "cracked_torque [N*m]", "cracked_input_torque [N*m]"});
-  for (const SimulationRow& row : report.rows) {
-    auto& line = table.rows.emplace_back(cells(row.time, row.input_angle, row.input_speed,
-                                               row.output_angle, row.output_speed, row.output_error,
-                                               row.torque, row.input_torque));
-    if (!report.cracked) continue;
-    for (std::string& cell : cells(row.cracked_output_angle, row.cracked_output_error,
-                                   row.cracked_torque, row.cracked_input_torque))
-      line.push_back(std::move(cell));
-  }
-  return csv_table(table);
+  const RecordColumns columns{.cracked = report.cracked.has_value(),
+                              .output_given = report.intact.largest_output_torque.has_value()};
+  std::string text = record_head(RecordForm::csv, {}, columns);
+  for (const SimulationRow& row : report.rows) add_record_row(text, RecordForm::csv, row, columns);
+  return text;
 }
 
 std::string simulation_plot(const SimulationReport& report, const GearSet& gear) {

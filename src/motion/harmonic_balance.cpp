@@ -258,8 +258,14 @@ Vibration first_guess(Balance& balance, Eigen::Index size, double mean, double a
 
 void check_balance(const Joint& joint, const BalanceSettings& settings, JointEnd excited) {
   require_constants(joint);
+  if (joint.table)
+    throw InputError("table", "must be left out for periodic motions, which need a spring");
   require(settings.harmonics >= 1 && settings.harmonics <= kMostHarmonics, "harmonics",
           settings.harmonics, "1", "from 1 to 200");
+  if (!joint.slip_elements.empty())
+    throw InputError("slip_element",
+                     "must be empty for a periodic motion; give a hysteresis of Bouc and Wen, or "
+                     "simulate the joint");
   require(std::isfinite(settings.load_torque), "load_torque", settings.load_torque, "N*m",
           "a finite number");
   if (settings.input == VibratingInput::locked && excited == JointEnd::motor)

@@ -14,8 +14,10 @@ namespace {
 struct ElasticState {
   double input_arm = 0.0;  ///< d phi/d theta_m = 1/ratio + theta_k' [-]
   double twist = 0.0;      ///< phi [rad]
-  OpenCompliance open;
-  SpringState spring;
+  double torque = 0.0;     ///< T [N*m]
+  double energy = 0.0;     ///< V [J]
+  double on_input = 0.0;   ///< -dV/d theta_m at constant twist [N*m]
+  double on_output = 0.0;  ///< -dV/d theta_L at constant twist [N*m]
 };
 
 ElasticState elastic_state(const Joint& joint, const JointState& x) {
@@ -23,16 +25,42 @@ ElasticState elastic_state(const Joint& joint, const JointState& x) {
   ElasticState at;
   at.input_arm = 1 / joint.ratio + error.slope;
   at.twist = x.input_angle / joint.ratio - x.output_angle + error.value;  // (MO-11)
-  at.open = open_compliance(joint.cracks, at.twist < 0 ? -1.0 : 1.0, x.input_angle, x.output_angle);
-  at.spring = in_series(joint.spring, at.twist, at.open.value);
+  const auto open_under = [&](double sense) {
+    return open_compliance(joint.cracks, sense < 0 ? -1.0 : 1.0, x.input_angle, x.output_angle);
+  };
+  // A crack that opens with an angle pushes the shaft of this angle.
+  const auto push = [&](const OpenCompliance& open) {
+    const double square = at.torque * at.torque / 2;  // (MO-11)
+    at.on_input += square * open.by_input;
+    at.on_output += square * open.by_output;
+  };
+  if (joint.table) {
+    const EnergyTable::Slice slice = joint.table->at(x.input_angle);
+    const OpenCompliance open =
+        joint.cracks.empty() ? OpenCompliance{} : open_under(at.twist - slice.rest());
+    const EnergyTable::At state = slice.at_twist(at.twist, open.value);
+    at.torque = state.torque;
+    at.energy = state.torque * at.twist - state.energy;  // (MO-25)
+    at.on_input = state.by_input;                        // (MO-25)
+    push(open);
+    return at;
+  }
+  const OpenCompliance open = open_under(at.twist);
+  const SpringState spring = in_series(joint.spring, at.twist, open.value);
+  at.torque = spring.torque;
+  at.energy =
+      elastic_energy(joint.spring, spring.twist) + open.value * spring.torque * spring.torque / 2;
+  push(open);
   return at;
 }
 
-double friction_torque(const Joint& joint, const JointState& x, double& bristle_rate) {
+/// @param load  torque on the load [N*m]
+double friction_torque(const Joint& joint, const JointState& x, double load, double& bristle_rate) {
   double torque = joint.input_damping * x.input_speed;
   bristle_rate = 0.0;
   if (joint.input_friction) {
-    const LuGre::At friction = joint.input_friction->at(x.bristle, x.input_speed);
+    const LuGre::At friction = joint.input_friction->at(x.bristle, x.input_speed,
+                                                        std::abs(load / joint.ratio));  // (MO-40)
     torque += friction.torque;
     bristle_rate = friction.rate;
   }
@@ -126,31 +154,41 @@ JointState after_sample(const ServoDrive& drive, double time, JointState state) 
 
 JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   const ElasticState at = elastic_state(joint, x);
-  const double T = at.spring.torque;
+  const double T = at.torque;
   JointRate rate;
   JointForces& f = rate.forces;
   f.twist = at.twist;
   f.twist_rate = at.input_arm * x.input_speed - x.output_speed;
   f.elastic_torque = T;
   f.torque = T + joint.damping * f.twist_rate;
+  const double loop = joint.hysteresis ? x.hysteresis : 0.0;
   if (joint.hysteresis) {
-    f.torque += x.hysteresis;
+    f.torque += loop;
     rate.hysteresis = joint.hysteresis->rate(x.hysteresis, f.twist_rate);
   }
-  // A crack that opens with an angle pushes the shaft of this angle.
-  f.reaction = -at.input_arm * f.torque + T * T / 2 * at.open.by_input;  // (MO-11)
-  const double friction = friction_torque(joint, x, rate.bristle);
+  double slip_lost = 0.0;
+  if (!joint.slip_elements.empty() && x.slip) {
+    f.torque += slip_torque(joint.slip_elements, *x.slip, at.twist);  // (MO-44)
+    slip_lost = slip_loss(joint.slip_elements, *x.slip, at.twist, f.twist_rate);
+  }
+  f.reaction = -at.input_arm * f.torque + at.on_input;  // (MO-11)
+  const double friction = friction_torque(joint, x, f.torque, rate.bristle);
   const InputAt input = input_at(joint, time, x, f.reaction, friction);
   rate.servo = input.servo;
   f.input_torque = input.torque;
-  const double external = joint.output_torque.at(time);
   rate.input_acceleration = input.acceleration;
-  rate.output_acceleration =
-      (f.torque + T * T / 2 * at.open.by_output + external + gravity(joint, x.output_angle) -
-       joint.output_damping * x.output_speed) /
-      joint.output_inertia;                                                  // (MO-11)
-  rate.supplied = input.torque * x.input_speed + external * x.output_speed;  // (MO-12)
-  rate.lost = (f.torque - T) * f.twist_rate + friction * x.input_speed +
+  const double without = f.torque + at.on_output + gravity(joint, x.output_angle) -
+                         joint.output_damping * x.output_speed;
+  if (joint.output_speed) {
+    rate.output_acceleration = joint.output_speed->slope(time);
+    f.output_torque = joint.output_inertia * rate.output_acceleration - without;  // (MO-46)
+  } else {
+    f.output_torque = joint.output_torque.at(time);
+    rate.output_acceleration = (without + f.output_torque) / joint.output_inertia;  // (MO-11)
+  }
+  rate.supplied = input.torque * x.input_speed + f.output_torque * x.output_speed;  // (MO-12)
+  rate.lost = (joint.damping * f.twist_rate + loop) * f.twist_rate + slip_lost +
+              friction * x.input_speed +
               joint.output_damping * x.output_speed * x.output_speed;  // (MO-12)
   return rate;
 }
@@ -159,9 +197,8 @@ double stored_energy(const Joint& joint, const JointState& x) {
   const ElasticState at = elastic_state(joint, x);
   const double height = joint.gravity_torque * (1 - std::cos(x.output_angle - joint.gravity_angle));
   return joint.input_inertia * x.input_speed * x.input_speed / 2 +
-         joint.output_inertia * x.output_speed * x.output_speed / 2 +
-         elastic_energy(joint.spring, at.spring.twist) +
-         at.open.value * at.spring.torque * at.spring.torque / 2 + height;  // (MO-12)
+         joint.output_inertia * x.output_speed * x.output_speed / 2 + at.energy +
+         (x.slip ? slip_energy(joint.slip_elements, *x.slip, at.twist) : 0.0) + height;  // (MO-12)
 }
 
 void require_constants(const Joint& joint) {
@@ -183,6 +220,7 @@ void require_constants(const Joint& joint) {
           "a finite number");
   require_constants(joint.spring);
   if (joint.hysteresis) require_constants(*joint.hysteresis);
+  require_constants(joint.slip_elements);
   if (joint.input_friction) require_constants(*joint.input_friction);
   require_constants(joint.kinematic_error);
   require_constants(joint.cracks);
@@ -198,6 +236,7 @@ void require_constants(const Joint& joint) {
             "N*m", "a finite number");
   }
   check(joint.output_torque, "output_torque");
+  if (joint.output_speed) check(*joint.output_speed, "output_speed");
 }
 
 }  // namespace strainwave

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/motion/losses.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
@@ -8,9 +9,9 @@
 namespace strainwave {
 namespace {
 
-double bristle_torque(const LuGre& model, double speed) {
-  const double ratio = speed / model.stribeck_speed;
-  return model.coulomb + (model.breakaway - model.coulomb) * std::exp(-ratio * ratio);  // (MO-10)
+/// Torque of an element after a monotonic change of the twist.
+double torque_after(const SlipElement& element, double torque, double change) {
+  return std::clamp(torque + element.stiffness * change, -element.limit, element.limit);  // (MO-44)
 }
 
 }  // namespace
@@ -33,16 +34,63 @@ double dahl_after(const BoucWen& model, double torque, double change) {
   // (MO-9)
 }
 
-LuGre::At LuGre::at(double deflection, double speed) const {
-  const double g = bristle_torque(*this, speed);
+SlipState relaxed(const std::vector<SlipElement>& elements, double twist) {
+  return {.twist = twist, .torque = std::vector<double>(elements.size(), 0.0)};
+}
+
+SlipState slip_after(const std::vector<SlipElement>& elements, const SlipState& state,
+                     double twist) {
+  SlipState after{.twist = twist, .torque = state.torque};
+  for (std::size_t j = 0; j < elements.size(); ++j)
+    after.torque[j] = torque_after(elements[j], state.torque[j], twist - state.twist);
+  return after;
+}
+
+double slip_torque(const std::vector<SlipElement>& elements, const SlipState& state, double twist) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < elements.size(); ++j)
+    sum += torque_after(elements[j], state.torque[j], twist - state.twist);
+  return sum;  // (MO-44)
+}
+
+double slip_energy(const std::vector<SlipElement>& elements, const SlipState& state, double twist) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    const double torque = torque_after(elements[j], state.torque[j], twist - state.twist);
+    sum += torque * torque / (2 * elements[j].stiffness);  // (MO-45)
+  }
+  return sum;
+}
+
+double slip_loss(const std::vector<SlipElement>& elements, const SlipState& state, double twist,
+                 double twist_rate) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    const double torque = torque_after(elements[j], state.torque[j], twist - state.twist);
+    const bool slips = std::abs(state.torque[j]) >= elements[j].limit;
+    if (slips && torque * twist_rate > 0 && std::abs(torque) >= elements[j].limit)
+      sum += torque * twist_rate;  // (MO-45)
+  }
+  return sum;
+}
+
+double LuGre::sliding(double speed, double load) const {
+  const double ratio = speed / stribeck_speed;
+  const double turning = coulomb + load_coulomb * load;                              // (MO-40)
+  const double standing = breakaway + load_breakaway.value_or(load_coulomb) * load;  // (MO-40)
+  return turning + (standing - turning) * std::exp(-ratio * ratio);                  // (MO-10)
+}
+
+LuGre::At LuGre::at(double deflection, double speed, double load) const {
+  const double g = sliding(speed, load);
   const double rate = speed - bristle_stiffness * std::abs(speed) * deflection / g;  // (MO-10)
   return {.rate = rate,
           .torque = bristle_stiffness * deflection + bristle_damping * rate + viscous * speed};
 }
 
-double LuGre::steady(double speed) const {
+double LuGre::steady(double speed, double load) const {
   if (speed == 0) return 0.0;
-  return std::copysign(bristle_torque(*this, speed), speed) + viscous * speed;  // (MO-10)
+  return std::copysign(sliding(speed, load), speed) + viscous * speed;  // (MO-10)
 }
 
 void require_constants(const BoucWen& model) {
@@ -55,6 +103,17 @@ void require_constants(const BoucWen& model) {
           model.exponent, "1", ">= 1");
   require(model.asymmetry <= 0.5 && std::isfinite(model.asymmetry), "hysteresis.asymmetry",
           model.asymmetry, "1", "at most 1/2, so that each closed path loses energy");
+}
+
+void require_constants(const std::vector<SlipElement>& elements) {
+  const FieldPath at("slip_element");
+  for (std::size_t j = 0; j < elements.size(); ++j) {
+    const auto positive = [&](const char* field, double value, const char* unit) {
+      require(value > 0 && std::isfinite(value), (at[j] / field).text(), value, unit, "> 0");
+    };
+    positive("stiffness", elements[j].stiffness, "N*m/rad");
+    positive("limit", elements[j].limit, "N*m");
+  }
 }
 
 void require_constants(const LuGre& model) {
@@ -71,6 +130,9 @@ void require_constants(const LuGre& model) {
   rule(model.breakaway >= model.coulomb, "friction.breakaway", model.breakaway, "N*m",
        "at least friction.coulomb");
   rule(model.stribeck_speed > 0, "friction.stribeck_speed", model.stribeck_speed, "rad/s", "> 0");
+  rule(model.load_coulomb >= 0, "friction.load_coulomb", model.load_coulomb, "1", ">= 0");
+  rule(model.load_breakaway.value_or(0) >= 0, "friction.load_breakaway",
+       model.load_breakaway.value_or(0), "1", ">= 0");
 }
 
 }  // namespace strainwave

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/roots.hpp"
@@ -41,15 +42,18 @@ constexpr double kLargestFactor = 5.0;
 constexpr double kOrder = 5.0;
 constexpr double kShortestStep = 1e-15;  // of the duration [-]
 constexpr double kStepsPerPeriod = 5;    // of the fastest excitation [-]
+constexpr double kPointsPerOrder = 10;   // points of a table in a period of its fastest order [-]
 constexpr double kSmallShare = 1e-9;     // of the stored energy, which a balance neglects [-]
+constexpr double kUsualTwist = 1e-3;     // [rad]
 constexpr double kJustBehind = 1e-3;     // share of a step behind an event [-]
 
-JointState unpacked(const Joint& joint, const State& x) {
+JointState joint_state(const Joint& joint, const State& x, const std::optional<SlipState>& slip) {
   return {.input_angle = x[kInputAngle],
           .input_speed = x[kInputSpeed],
           .output_angle = x[kInputAngle] / joint.ratio - x[kWindUp],
           .output_speed = x[kOutputSpeed],
           .hysteresis = x[kHysteresis],
+          .slip = slip,
           .bristle = x[kBristle],
           .servo = x[kServo],
           .held_torque = x[kHeldTorque]};
@@ -68,45 +72,6 @@ State packed(const Joint& joint, const JointState& s) {
   return x;
 }
 
-/// Functions of the state whose change of sign ends a step.
-class Guards {
- public:
-  explicit Guards(const Joint& joint) : corners_(corner_torques(joint.spring)) {
-    events_.assign(corners_.size(), MotionEvent::spring_corner);
-    if (std::ranges::any_of(joint.cracks,
-                            [](const BreathingCrack& crack) { return crack.sense.has_value(); }))
-      events_.push_back(MotionEvent::torque_sense);
-    if (joint.hysteresis) events_.push_back(MotionEvent::twist_reversal);
-    if (joint.input_friction) events_.push_back(MotionEvent::speed_reversal);
-    servo_ = std::get_if<ServoDrive>(&joint.input);
-    if (servo_ != nullptr && servo_->servo.torque_limit && !servo_->servo.sample_time)
-      events_.push_back(MotionEvent::torque_limit);
-  }
-
-  [[nodiscard]] const std::vector<MotionEvent>& events() const { return events_; }
-  [[nodiscard]] double value(std::size_t n, double time, const JointForces& forces,
-                             const JointState& state) const {
-    switch (events_[n]) {
-      case MotionEvent::spring_corner:
-        return std::abs(forces.elastic_torque) - corners_[n];
-      case MotionEvent::torque_sense:
-        return forces.elastic_torque;
-      case MotionEvent::twist_reversal:
-        return forces.twist_rate;
-      case MotionEvent::speed_reversal:
-        return state.input_speed;
-      case MotionEvent::torque_limit:
-        return servo_torque(*servo_, time, state).excess;
-    }
-    return 0.0;
-  }
-
- private:
-  std::vector<double> corners_;  // the first guards
-  std::vector<MotionEvent> events_;
-  const ServoDrive* servo_ = nullptr;  // of the joint
-};
-
 /// Times at which the slope of a given profile jumps.
 std::vector<double> corners_in_time(const Joint& joint, double duration) {
   std::vector<double> times;
@@ -122,30 +87,32 @@ std::vector<double> corners_in_time(const Joint& joint, double duration) {
           add(given.speed);
       },
       joint.input);
-  add(joint.output_torque);
+  if (joint.output_speed)
+    add(*joint.output_speed);
+  else
+    add(joint.output_torque);
   times.push_back(duration);
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
-class Simulation {
+}  // namespace
+
+class MotionRun::Steps {
  public:
-  Simulation(const Joint& joint, const SimulationOptions& options, const SampleSink& sink)
-      : joint_(joint),
+  Steps(Joint joint, const SimulationOptions& options)
+      : joint_(std::move(joint)),
         options_(options),
-        sink_(sink),
-        guards_(joint),
-        corners_(corners_in_time(joint, options.duration)) {
+        guards_(joint_),
+        corners_(corners_in_time(joint_, options.duration)) {
     // Errors of all entries are compared as angles of the output.
-    const double K = tangent_stiffness(joint.spring, 0.0);
-    const double i = std::abs(joint.ratio);
-    const double J_in = joint.input_inertia * i * i;
-    omega_ = std::sqrt(K * (1 / joint.output_inertia + 1 / J_in));
+    const double K = joint_.table ? 1 / joint_.table->at(0.0).at_torque(0.0).compliance
+                                  : tangent_stiffness(joint_.spring, 0.0);
+    const double i = std::abs(joint_.ratio);
+    const double J_in = joint_.input_inertia * i * i;
+    omega_ = std::sqrt(K * (1 / joint_.output_inertia + 1 / J_in));
     to_angle_.fill(0.0);
-    guard_values_.assign(guards_.events().size(), 0.0);
-    guard_values_at_end_ = guard_values_;
-    for (std::size_t n = 0; n < guard_values_.size(); ++n) fresh_.push_back(n);
     to_angle_[kInputAngle] = 1 / i;
     to_angle_[kInputSpeed] = 1 / (i * omega_);
     to_angle_[kWindUp] = 1.0;
@@ -153,91 +120,188 @@ class Simulation {
     to_angle_[kHysteresis] = 1 / K;
     to_angle_[kBristle] = 1 / i;
     to_angle_[kServo] = 1 / i;
-    if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) {
+    if (const auto* const drive = std::get_if<ServoDrive>(&joint_.input)) {
       servo_ = drive->servo.sample_time ? drive : nullptr;
       if (drive->servo.integral_time)
         to_angle_[kServo] =
             std::max(1 / i, drive->servo.speed_gain / *drive->servo.integral_time * i / K);
     }
-    if (joint.input_friction)
-      to_angle_[kBristle] = std::max(1 / i, joint.input_friction->bristle_stiffness * i / K);
-    for (const ErrorOrder& line : joint.kinematic_error.orders)
+    // If both ends move as given, only the energy has an error.
+    if (joint_.output_speed && std::holds_alternative<GivenSpeed>(joint_.input))
+      to_angle_[kSupplied] = to_angle_[kLost] = 1 / (K * kUsualTwist);
+    if (joint_.input_friction)
+      to_angle_[kBristle] = std::max(1 / i, joint_.input_friction->bristle_stiffness * i / K);
+    if (joint_.table) fastest_order_ = joint_.table->points_per_turn() / kPointsPerOrder;
+    for (const ErrorOrder& line : joint_.kinematic_error.orders)
       fastest_order_ = std::max(fastest_order_, line.order);
-    for (const BreathingCrack& crack : joint.cracks)
+    for (const BreathingCrack& crack : joint_.cracks)
       if (crack.opening)
         fastest_order_ = std::max(fastest_order_,
                                   crack.opening->order *
                                       static_cast<double>(crack.opening->coefficients.size() - 1) /
                                       (crack.opening->shaft == BreathingShaft::output ? i : 1.0));
+    at_.guards.assign(guards_.events().size(), 0.0);
+    at_.fresh.assign(at_.guards.size(), true);
+    guards_at_end_ = at_.guards;
+  }
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+  Steps(Steps&&) = delete;
+  Steps& operator=(Steps&&) = delete;
+  ~Steps() = default;
+
+  void begin(const JointState& start) {
+    at_.state = packed(joint_, start);
+    if (const auto* const given = std::get_if<GivenSpeed>(&joint_.input))
+      at_.state[kInputSpeed] = given->speed.at(0.0);
+    if (joint_.output_speed) at_.state[kOutputSpeed] = joint_.output_speed->at(0.0);
+    if (!joint_.slip_elements.empty())
+      at_.slip = start.slip ? *start.slip : relaxed(joint_.slip_elements, twist_of(0.0, at_.state));
+    at_.at_start = stored_energy(joint_, unpacked(at_.state));
+    at_.step = std::min(0.01 / omega_, options_.duration);
   }
 
-  Motion run(const JointState& start, const Progress& progress) {
-    Motion motion;
-    State x = packed(joint_, start);
-    if (const auto* const given = std::get_if<GivenSpeed>(&joint_.input))
-      x[kInputSpeed] = given->speed.at(0.0);
-    const double at_start = stored_energy(joint_, unpacked(joint_, x));
-    double t = 0.0;
-    segment_end_ = corners_.front();
-    report(t, x);
-    std::size_t next_sample = 1;
-    State slope{};
-    double step = std::min(0.01 / omega_, options_.duration);
-    double next_sampling = 0.0;  // time of the next sample of the controller
-    for (std::size_t next_corner = 0; next_corner < corners_.size();) {
-      double corner = corners_[next_corner];
-      if (servo_ != nullptr) {
-        if (t >= next_sampling) {
-          const JointState after = after_sample(*servo_, t, unpacked(joint_, x));
-          x[kServo] = after.servo;
-          x[kHeldTorque] = after.held_torque;
-          next_sampling = static_cast<double>(++samplings_) * *servo_->servo.sample_time;
-        }
-        corner = std::min(corner, next_sampling);
-      }
-      if (corner == corners_[next_corner]) ++next_corner;
-      segment_end_ = corner;
-      slope = rate(t, x);
-      while (t < corner) {
-        if (motion.steps >= options_.max_steps)
-          return finish(motion, t, x, at_start,
-                        fmt::format("the motion took {} steps; raise max_steps, or loosen the "
-                                    "tolerance",
-                                    options_.max_steps));
-        progress.at(t / options_.duration);
-        Trial trial = try_step(t, x, slope, std::min({step, longest(x), corner - t}));
-        while (!(trial.error <= 1)) {
-          ++motion.rejected;
-          step = trial.length * std::max(kLeastFactor, factor(trial.error));
-          if (!(step > kShortestStep * options_.duration))
-            return finish(motion, t, x, at_start,
-                          fmt::format("at {:.6g} s no step is short enough for the tolerance", t));
-          trial = try_step(t, x, slope, step);
-        }
-        step = trial.length * std::min(kLargestFactor, factor(trial.error));
-        const std::optional<std::size_t> event = first_event(t, x, slope, trial);
-        const bool whole = !event && trial.length >= corner - t;
-        const double after = whole ? corner : t + trial.length;
-        for (; sample_time(next_sample) <= after && sample_time(next_sample) <= options_.duration;
-             ++next_sample)
-          report(sample_time(next_sample), between(t, x, slope, trial, sample_time(next_sample)));
-        exchanged_ += std::abs(kinetic(trial.state, kInputSpeed) - kinetic(x, kInputSpeed)) +
-                      std::abs(kinetic(trial.state, kOutputSpeed) - kinetic(x, kOutputSpeed));
-        t = after;
-        x = trial.state;
-        slope = trial.slope;
-        ++motion.steps;
-        if (event) {
-          ++motion.event_count;
-          if (motion.events.size() < kMostEvents)
-            motion.events.push_back({guards_.events()[*event], t});
-        }
-      }
+  void begin(const MotionCheckpoint& from) {
+    if (from.guards.size() != at_.guards.size() || from.fresh.size() != at_.guards.size() ||
+        from.next_corner > corners_.size() || !(from.time >= 0) || from.time > options_.duration ||
+        !(from.step > 0) || from.slip.has_value() == joint_.slip_elements.empty() ||
+        (from.slip && from.slip->torque.size() != joint_.slip_elements.size()))
+      throw InputError("checkpoint", "is not one of this joint; begin the motion again");
+    at_ = from;
+  }
+
+  [[nodiscard]] std::optional<MotionSample> next(const Progress& progress) {
+    if (at_.next_sample == 0) {
+      const MotionSample start = sample(0.0, at_.state);
+      ++at_.next_sample;
+      begin_segment();
+      return start;
     }
-    return finish(motion, t, x, at_start, {});
+    while (true) {
+      if (trial_) {
+        const double time = sample_time(at_.next_sample);
+        if (time <= after_ && time <= options_.duration) {
+          ++at_.next_sample;
+          return sample(time, between(at_.time, at_.state, at_.slope, *trial_, time));
+        }
+        accept();
+      }
+      if (!reason_.empty() || !(at_.time < options_.duration)) return std::nullopt;
+      progress.at(at_.time / options_.duration);
+      make_trial();
+    }
+  }
+
+  [[nodiscard]] MotionCheckpoint checkpoint() const {
+    MotionCheckpoint made = at_;
+    // The step that holds the next sample is made anew (MO-22).
+    if (trial_ || !reason_.empty()) {
+      made.rejected = rejected_before_;
+      made.step = step_before_;
+    }
+    return made;
+  }
+
+  [[nodiscard]] Motion motion() const {
+    Motion made{.converged = reason_.empty() && !(at_.time < options_.duration),
+                .reason = reason_,
+                .beyond_table = beyond_table_,
+                .time_reached = at_.time,
+                .last = unpacked(at_.state),
+                .steps = at_.steps,
+                .rejected = at_.rejected,
+                .event_count = at_.event_count,
+                .events = events_};
+    const State& x = at_.state;
+    MotionEnergy& energy = made.energy;
+    energy = {.at_start = at_.at_start,
+              .at_end = stored_energy(joint_, made.last),
+              .supplied = x[kSupplied],
+              .lost = x[kLost],
+              .exchanged = at_.exchanged + std::abs(x[kSupplied]) + std::abs(x[kLost])};
+    const double missing = energy.at_end - energy.at_start - energy.supplied + energy.lost;
+    // The stored energy has a rounding error, which is all that a joint at rest exchanges.
+    const double whole =
+        energy.exchanged + kSmallShare * (std::abs(energy.at_start) + std::abs(energy.at_end));
+    energy.imbalance = whole > 0 ? std::abs(missing) / whole : 0.0;
+    return made;
   }
 
  private:
+  /// Functions of the state whose change of sign ends a step.
+  class Guards {
+   public:
+    explicit Guards(const Joint& joint) {
+      if (!joint.table) corners_ = corner_torques(joint.spring);
+      events_.assign(corners_.size(), MotionEvent::spring_corner);
+      if (std::ranges::any_of(joint.cracks,
+                              [](const BreathingCrack& crack) { return crack.sense.has_value(); }))
+        events_.push_back(MotionEvent::torque_sense);
+      if (joint.hysteresis || !joint.slip_elements.empty())
+        events_.push_back(MotionEvent::twist_reversal);
+      if (joint.input_friction) events_.push_back(MotionEvent::speed_reversal);
+      servo_ = std::get_if<ServoDrive>(&joint.input);
+      if (servo_ != nullptr && servo_->servo.torque_limit && !servo_->servo.sample_time)
+        events_.push_back(MotionEvent::torque_limit);
+      if (joint.input_friction && joint.input_friction->by_load())
+        events_.push_back(MotionEvent::load_sense);
+      elements_ = &joint.slip_elements;
+      first_element_ = events_.size();
+      events_.insert(events_.end(), elements_->size(), MotionEvent::element_slip);
+    }
+
+    [[nodiscard]] const std::vector<MotionEvent>& events() const { return events_; }
+    [[nodiscard]] double value(std::size_t n, double time, const JointForces& forces,
+                               const JointState& state) const {
+      switch (events_[n]) {
+        case MotionEvent::spring_corner:
+          return std::abs(forces.elastic_torque) - corners_[n];
+        case MotionEvent::torque_sense:
+          return forces.elastic_torque;
+        case MotionEvent::twist_reversal:
+          return forces.twist_rate;
+        case MotionEvent::speed_reversal:
+          return state.input_speed;
+        case MotionEvent::torque_limit:
+          return servo_torque(*servo_, time, state).excess;
+        case MotionEvent::load_sense:
+          return forces.torque;
+        case MotionEvent::element_slip: {
+          const std::size_t j = n - first_element_;
+          const double change = forces.twist - state.slip->twist;
+          return std::abs(state.slip->torque[j] + (*elements_)[j].stiffness * change) -
+                 (*elements_)[j].limit;
+        }
+      }
+      return 0.0;
+    }
+    /// Puts the element whose event it is exactly on its limit.
+    void begin_slip(std::size_t event, SlipState& slip) const {
+      if (event < first_element_) return;
+      const std::size_t j = event - first_element_;
+      slip.torque[j] = std::copysign((*elements_)[j].limit, slip.torque[j]);
+    }
+    /// At the state of the elements itself, an element that slips has the value 0.
+    void restart(std::vector<double>& values, const SlipState& slip) const {
+      for (std::size_t j = 0; j < elements_->size(); ++j)
+        values[first_element_ + j] = std::abs(slip.torque[j]) - (*elements_)[j].limit;
+    }
+
+   private:
+    std::vector<double> corners_;  // the first guards
+    std::vector<MotionEvent> events_;
+    const ServoDrive* servo_ = nullptr;                   // of the joint
+    const std::vector<SlipElement>* elements_ = nullptr;  // of the joint
+    std::size_t first_element_ = 0;                       // guard of the first element
+  };
+
+  [[nodiscard]] JointState unpacked(const State& x) const {
+    return joint_state(joint_, x, at_.slip);
+  }
+  [[nodiscard]] double twist_of(double t, const State& x) const {
+    return joint_rate(joint_, inside(t), unpacked(x)).forces.twist;
+  }
+
   struct Trial {
     double length = 0.0;
     State state{};
@@ -245,6 +309,95 @@ class Simulation {
     JointForces forces;
     double error = 0.0;  ///< over the tolerance [-]
   };
+
+  /// Takes the sample of a controller, and finds the end of the segment that begins now.
+  void begin_segment() {
+    double corner = corners_[at_.next_corner];
+    if (servo_ != nullptr) {
+      const double sample_time = *servo_->servo.sample_time;
+      double next_sampling = static_cast<double>(at_.samplings) * sample_time;
+      if (at_.time >= next_sampling) {
+        const JointState after = after_sample(*servo_, at_.time, unpacked(at_.state));
+        at_.state[kServo] = after.servo;
+        at_.state[kHeldTorque] = after.held_torque;
+        next_sampling = static_cast<double>(++at_.samplings) * sample_time;
+      }
+      corner = std::min(corner, next_sampling);
+    }
+    if (corner == corners_[at_.next_corner]) ++at_.next_corner;
+    at_.segment_end = corner;
+    at_.slope = rate(at_.time, at_.state);
+    end_beyond_table(last_forces_);
+  }
+
+  /// Ends the motion at a torque that the table does not contain.
+  void end_beyond_table(const JointForces& forces) {
+    if (!joint_.table) return;
+    const double torque = forces.elastic_torque;
+    const double least = joint_.table->least_torque();
+    const double most = joint_.table->most_torque();
+    if (torque >= least && torque <= most) return;
+    beyond_table_ = true;
+    reason_ = fmt::format(
+        "the elastic torque of {:.4g} N*m is beyond the table of the computed curve, which ends at "
+        "{:.4g} N*m; raise drivetrain.curve_torque",
+        torque, torque < least ? least : most);
+  }
+
+  /// Finds the next step; without one, states the reason.
+  void make_trial() {
+    rejected_before_ = at_.rejected;
+    step_before_ = at_.step;
+    if (at_.steps >= options_.max_steps) {
+      reason_ = fmt::format("the motion took {} steps; raise max_steps, or loosen the tolerance",
+                            options_.max_steps);
+      return;
+    }
+    const double t = at_.time;
+    const State& x = at_.state;
+    const double left = at_.segment_end - t;
+    Trial trial = try_step(t, x, at_.slope, std::min({at_.step, longest(x), left}));
+    while (!(trial.error <= 1)) {
+      ++at_.rejected;
+      at_.step = trial.length * std::max(kLeastFactor, factor(trial.error));
+      if (!(at_.step > kShortestStep * options_.duration)) {
+        reason_ = fmt::format("at {:.6g} s no step is short enough for the tolerance", t);
+        return;
+      }
+      trial = try_step(t, x, at_.slope, at_.step);
+    }
+    at_.step = trial.length * std::min(kLargestFactor, factor(trial.error));
+    event_ = first_event(t, x, at_.slope, trial);
+    const bool whole = !event_ && trial.length >= left;
+    after_ = whole ? at_.segment_end : t + trial.length;
+    trial_ = trial;
+  }
+
+  void accept() {
+    const State& x = at_.state;
+    at_.exchanged += std::abs(kinetic(trial_->state, kInputSpeed) - kinetic(x, kInputSpeed)) +
+                     std::abs(kinetic(trial_->state, kOutputSpeed) - kinetic(x, kOutputSpeed));
+    at_.time = after_;
+    at_.state = trial_->state;
+    at_.slope = trial_->slope;
+    at_.guards.swap(guards_at_end_);
+    if (at_.slip) {
+      at_.slip = slip_after(joint_.slip_elements, *at_.slip, trial_->forces.twist);
+      if (event_) guards_.begin_slip(*event_, *at_.slip);
+      guards_.restart(at_.guards, *at_.slip);
+      at_.slope = rate(at_.time, at_.state);
+    }
+    at_.fresh.swap(fresh_at_end_);
+    ++at_.steps;
+    end_beyond_table(trial_->forces);
+    trial_.reset();
+    if (event_) {
+      ++at_.event_count;
+      if (events_.size() < kMostEvents) events_.push_back({guards_.events()[*event_], at_.time});
+    }
+    if (reason_.empty() && at_.time >= at_.segment_end && at_.next_corner < corners_.size())
+      begin_segment();
+  }
 
   [[nodiscard]] double sample_time(std::size_t n) const {
     // The last sample falls on the end although the division may round.
@@ -257,11 +410,11 @@ class Simulation {
 
   /// At the end of a segment of a profile, the slope before the corner holds.
   [[nodiscard]] double inside(double t) const {
-    return std::min(t, std::nextafter(segment_end_, 0.0));
+    return std::min(t, std::nextafter(at_.segment_end, 0.0));
   }
 
   [[nodiscard]] State rate(double t, const State& x) {
-    const JointState s = unpacked(joint_, x);
+    const JointState s = unpacked(x);
     const JointRate r = joint_rate(joint_, inside(t), s);
     last_forces_ = r.forces;
     State dx{};
@@ -317,101 +470,93 @@ class Simulation {
   }
 
   [[nodiscard]] double guard(std::size_t n, double time, const State& x) const {
-    const JointState s = unpacked(joint_, x);
+    const JointState s = unpacked(x);
     return guards_.value(n, inside(time), joint_rate(joint_, inside(time), s).forces, s);
   }
 
-  /// Shortens the step to the first event in it.
+  /// Shortens the step to the first event in it, and leaves the guards at its end.
   [[nodiscard]] std::optional<std::size_t> first_event(double t, const State& x, const State& slope,
                                                        Trial& trial) {
     // A step that begins at an event compares with the sign behind this event.
     const double behind = t + kJustBehind * trial.length;
-    if (!fresh_.empty()) {
+    std::vector<double>& at_begin = guards_at_begin_;
+    at_begin = at_.guards;
+    if (std::ranges::find(at_.fresh, true) != at_.fresh.end()) {
       const State inner = between(t, x, slope, trial, behind);
-      for (const std::size_t n : fresh_) guard_values_[n] = guard(n, behind, inner);
+      for (std::size_t n = 0; n < at_begin.size(); ++n)
+        if (at_.fresh[n]) at_begin[n] = guard(n, behind, inner);
     }
     std::optional<std::size_t> first;
     double earliest = t + trial.length;
-    const JointState end = unpacked(joint_, trial.state);
-    std::vector<double>& at_end = guard_values_at_end_;
+    const JointState end = unpacked(trial.state);
+    std::vector<double>& at_end = guards_at_end_;
     for (std::size_t n = 0; n < at_end.size(); ++n)
       at_end[n] = guards_.value(n, inside(t + trial.length), trial.forces, end);
     for (std::size_t n = 0; n < at_end.size(); ++n) {
-      if (guard_values_[n] * at_end[n] >= 0) continue;
-      const bool begins_here = std::ranges::find(fresh_, n) != fresh_.end();
+      if (at_begin[n] * at_end[n] >= 0) continue;
       const auto at = [&](double time) {
         return guard(n, time, between(t, x, slope, trial, time));
       };
-      const double root = bracketed_root(at, begins_here ? behind : t, t + trial.length);
+      const double root = bracketed_root(at, at_.fresh[n] ? behind : t, t + trial.length);
       if (root >= earliest) continue;
       earliest = root;
       first = n;
     }
     // Events at one time each end a step once: after its own, a guard stays fresh until time moves
     // on.
-    if (!first || earliest > behind) fresh_.clear();
-    if (!first) {
-      std::swap(guard_values_, guard_values_at_end_);
-      return first;
-    }
+    fresh_at_end_ = at_.fresh;
+    if (!first || earliest > behind) fresh_at_end_.assign(at_.fresh.size(), false);
+    if (!first) return first;
     // A step that is taken anew up to the event has the error of a step, not that of its inside.
     trial = try_step(t, x, slope, earliest - t);
-    const JointState there = unpacked(joint_, trial.state);
-    for (std::size_t n = 0; n < guard_values_.size(); ++n)
-      guard_values_[n] = guards_.value(n, inside(earliest), trial.forces, there);
-    fresh_.push_back(*first);
+    const JointState there = unpacked(trial.state);
+    for (std::size_t n = 0; n < at_end.size(); ++n)
+      at_end[n] = guards_.value(n, inside(earliest), trial.forces, there);
+    fresh_at_end_[*first] = true;
     return first;
   }
 
-  void report(double t, const State& x) const {
-    if (!sink_) return;
-    const JointState s = unpacked(joint_, x);
-    sink_({.time = t, .state = s, .forces = joint_rate(joint_, inside(t), s).forces});
+  [[nodiscard]] MotionSample sample(double t, const State& x) const {
+    const JointState s = unpacked(x);
+    return {.time = t, .state = s, .forces = joint_rate(joint_, inside(t), s).forces};
   }
 
-  Motion finish(Motion& motion, double t, const State& x, double at_start,
-                const std::string& reason) const {
-    motion.converged = reason.empty();
-    motion.reason = reason;
-    motion.time_reached = t;
-    motion.last = unpacked(joint_, x);
-    MotionEnergy& energy = motion.energy;
-    energy = {.at_start = at_start,
-              .at_end = stored_energy(joint_, motion.last),
-              .supplied = x[kSupplied],
-              .lost = x[kLost],
-              .exchanged = exchanged_ + std::abs(x[kSupplied]) + std::abs(x[kLost])};
-    const double missing = energy.at_end - energy.at_start - energy.supplied + energy.lost;
-    // The stored energy has a rounding error, which is all that a joint at rest exchanges.
-    const double whole =
-        energy.exchanged + kSmallShare * (std::abs(energy.at_start) + std::abs(energy.at_end));
-    energy.imbalance = whole > 0 ? std::abs(missing) / whole : 0.0;
-    return motion;
-  }
-
-  const Joint& joint_;
-  const SimulationOptions& options_;
-  const SampleSink& sink_;
+  Joint joint_;
+  SimulationOptions options_;
   Guards guards_;
   std::vector<double> corners_;
   Stepper stepper_;
   State to_angle_{};
   const ServoDrive* servo_ = nullptr;  ///< a controller that takes samples
-  std::uint64_t samplings_ = 0;
   double omega_ = 0.0;
   double fastest_order_ = 0.0;
-  double exchanged_ = 0.0;            ///< kinetic energy that came and went [J]
-  double segment_end_ = 0.0;          ///< the next corner of a profile [s]
-  JointForces last_forces_;           ///< of the last call of `rate`
-  std::vector<double> guard_values_;  ///< at the beginning of the step
-  std::vector<double> guard_values_at_end_;
-  std::vector<std::size_t> fresh_;  ///< guards that are zero at the beginning of the step
+  MotionCheckpoint at_;  ///< at the beginning of the step, apart from the length of the next one
+  std::optional<Trial> trial_;           ///< the step from there; absent: not made yet
+  double after_ = 0.0;                   ///< its end [s]
+  std::optional<std::size_t> event_;     ///< which ended it
+  std::uint64_t rejected_before_ = 0;    ///< before the step was made
+  double step_before_ = 0.0;             ///< likewise [s]
+  std::vector<double> guards_at_begin_;  ///< behind an event at the beginning of the step
+  std::vector<double> guards_at_end_;
+  std::vector<bool> fresh_at_end_;
+  JointForces last_forces_;  ///< of the last call of `rate`
+  std::vector<EventTime> events_;
+  bool beyond_table_ = false;
+  std::string reason_;  ///< why the motion cannot go on
 };
 
-}  // namespace
+namespace {
 
-Motion simulate(const Joint& joint, const JointState& start, const SimulationOptions& options,
-                const SampleSink& sink, const Progress& progress) {
+void require_state(const std::vector<SlipElement>& elements, const SlipState& state) {
+  require(std::isfinite(state.twist), "slip.twist", state.twist, "rad", "a finite number");
+  if (state.torque.size() != elements.size())
+    throw InputError("slip.torque", "must have as many values as the joint has slip elements");
+  for (std::size_t j = 0; j < elements.size(); ++j)
+    require(std::abs(state.torque[j]) <= elements[j].limit, (FieldPath("slip.torque")[j]).text(),
+            state.torque[j], "N*m", "within the limit of the element");
+}
+
+void require_options(const Joint& joint, const SimulationOptions& options) {
   require_constants(joint);
   const auto positive = [](const char* field, double value, const char* unit) {
     require(value > 0 && std::isfinite(value), field, value, unit, "> 0");
@@ -426,6 +571,9 @@ Motion simulate(const Joint& joint, const JointState& start, const SimulationOpt
     require(*drive->servo.sample_time > kShortestStep * options.duration, "servo.sample_time",
             *drive->servo.sample_time, "s", "long enough to move the time of the motion");
   if (options.max_steps < 1) throw InputError("max_steps", "must be at least 1");
+}
+
+void require_start(const Joint& joint, const JointState& start) {
   const auto finite = [](const char* field, double value, const char* unit) {
     require(std::isfinite(value), field, value, unit, "a finite number");
   };
@@ -434,10 +582,45 @@ Motion simulate(const Joint& joint, const JointState& start, const SimulationOpt
   finite("output_angle", start.output_angle, "rad");
   finite("output_speed", start.output_speed, "rad/s");
   finite("hysteresis", start.hysteresis, "N*m");
+  if (start.slip) require_state(joint.slip_elements, *start.slip);
   finite("bristle", start.bristle, "rad");
   finite("servo", start.servo, "rad");
   finite("held_torque", start.held_torque, "N*m");
-  return Simulation(joint, options, sink).run(start, progress);
+}
+
+}  // namespace
+
+MotionRun::MotionRun(Joint joint, const JointState& start, const SimulationOptions& options) {
+  require_options(joint, options);
+  require_start(joint, start);
+  steps_ = std::make_unique<Steps>(std::move(joint), options);
+  steps_->begin(start);
+}
+
+MotionRun::MotionRun(Joint joint, const MotionCheckpoint& from, const SimulationOptions& options) {
+  require_options(joint, options);
+  steps_ = std::make_unique<Steps>(std::move(joint), options);
+  steps_->begin(from);
+}
+
+MotionRun::~MotionRun() = default;
+MotionRun::MotionRun(MotionRun&&) noexcept = default;
+MotionRun& MotionRun::operator=(MotionRun&&) noexcept = default;
+
+std::optional<MotionSample> MotionRun::next(const Progress& progress) {
+  return steps_->next(progress);
+}
+
+MotionCheckpoint MotionRun::checkpoint() const { return steps_->checkpoint(); }
+
+Motion MotionRun::motion() const { return steps_->motion(); }
+
+Motion simulate(const Joint& joint, const JointState& start, const SimulationOptions& options,
+                const SampleSink& sink, const Progress& progress) {
+  MotionRun run(joint, start, options);
+  while (const std::optional<MotionSample> sample = run.next(progress))
+    if (sink) sink(*sample);
+  return run.motion();
 }
 
 }  // namespace strainwave

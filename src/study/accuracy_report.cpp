@@ -334,13 +334,16 @@ void note_budget(const GearSet& gear, AccuracyReport& report) {
                             "them is rating.friction_torque, which is 0",
                             "rating.friction_torque", "TC-17", Severity::care,
                             "Give rating.friction_torque."});
-  if (gear.drivetrain->hysteresis)
+  if (gear.drivetrain->hysteresis || !gear.drivetrain->slip_element.empty()) {
+    const std::string path =
+        gear.drivetrain->hysteresis ? "drivetrain.hysteresis" : "drivetrain.slip_element";
     report.notes.push_back(
         {"accuracy.own_hysteresis",
-         "drivetrain.hysteresis is left out; the hysteresis of the budget is the loss at zero "
-         "torque of the coupled drive",
-         "drivetrain.hysteresis", "DY-16", Severity::information,
-         "Run strainwave simulate for a motion with drivetrain.hysteresis."});
+         path + " is left out; the hysteresis of the budget is the loss at zero torque of the "
+                "coupled drive",
+         path, "DY-16", Severity::information,
+         "Run strainwave simulate for a motion with " + path + "."});
+  }
   if (gear.drivetrain->servo)
     report.notes.push_back({"accuracy.no_servo",
                             "the controller is left out, so its lag is not in the budget",

@@ -175,7 +175,11 @@ void note_large_torque(const GearSet& gear, BackboneReport& report) {
 BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings& settings,
                                const Progress& progress) {
   check_settings(gear, settings);
-  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1));
+  if (gear.drivetrain && !gear.drivetrain->slip_element.empty())
+    throw InputError("drivetrain.slip_element",
+                     "is not read by a backbone; give drivetrain.hysteresis in its place, or run "
+                     "strainwave simulate");
+  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1), RestoringTorque::lines);
   const Joint sound = made.sound();
   const bool cracked = !made.joint.cracks.empty();
   BackboneReport report{.load_torque = settings.load_torque.value_or(gear.load.torque),

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/drive_joint.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <string>
 #include <type_traits>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/drivetrain_chain.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/computed_curve.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -114,6 +118,32 @@ Note contact_note(const std::string& path) {
       .next_step = "Run strainwave torsion --compare, whose coupled drive contains this crack."};
 }
 
+/// Error of the table, over what the cracks add, from which a note says so.
+constexpr double kLargestShare = 0.1;
+
+Note cage_note() {
+  return {.code = "motion.cage",
+          .text =
+              "a ball stands at the lobe when the motion begins, and the cage rolls without "
+              "slip; both are assumed",
+          .path = "drivetrain.spring",
+          .equation = "MO-27",
+          .severity = Severity::information};
+}
+
+Note table_note(const CurveTable& table) {
+  return {
+      .code = "motion.curve_error",
+      .text = fmt::format("the energies of cage, flexspline and circular spline are added; against "
+                          "the coupled drive at {} random angles, the twist that the cracks "
+                          "add is off by {} %, as root mean squares",
+                          shown_number(table.triples, 3), shown_number(100 * *table.rms_share, 2)),
+      .path = "drivetrain.spring",
+      .equation = "MO-27",
+      .severity = Severity::care,
+      .next_step = "Run strainwave torsion --compare, which solves the cracks together."};
+}
+
 /// The maker's lines as pieces at the output (MO-14).
 CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, double shaft) {
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
@@ -128,13 +158,15 @@ CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, 
 
 }  // namespace
 
-DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
+DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
+                       std::optional<RestoringTorque> asked) {
   check(gear);
   if (!gear.drivetrain)
     throw InputError("drivetrain",
                      "must be given for a motion; give [drivetrain] with motor_inertia and "
                      "load_inertia");
   const Drivetrain& train = *gear.drivetrain;
+  const bool computed = asked.value_or(train.spring) == RestoringTorque::computed;
   DriveJoint made;
   Joint& joint = made.joint;
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
@@ -148,7 +180,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
   const bool coupled = missing_for_torsion_curve(gear).empty();
   made.notes = coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
   // In the coupled drive, all cracks of the wave generator act inside the contacts.
-  if (gear.wave_generator && coupled)
+  if (gear.wave_generator && coupled && !computed)
     for (const CrackReport& crack : wave_generator_compliance(gear).cracks)
       made.notes.push_back(contact_note(crack.path));
   if (gear.wave_generator && !coupled)
@@ -162,7 +194,17 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
     take(output_shaft_compliance(gear), sum.shaft, 1.0,
          [&](const std::string& path) { return opening_by_moment(gear, path); });
   progress.at(0.1);
-  if (coupled) {
+  if (computed) {
+    ComputedCurve curve = computed_curve(gear, progress.part(0.1, 1.0));
+    made.springs = SpringModel::computed_curve;
+    joint.spring = LinearSpring{1 / curve.sound->at(0.0).at_torque(0.0).compliance};
+    joint.table = std::move(curve.cracked);
+    made.sound_table = std::move(curve.sound);
+    made.table = curve.table;
+    made.notes.push_back(cage_note());
+    if (curve.table.rms_share.value_or(0.0) > kLargestShare)
+      made.notes.push_back(table_note(curve.table));
+  } else if (coupled) {
     made.springs = SpringModel::coupled_drive;
     joint.spring = pieces_at_output(gear, makers_lines(without_cracks(gear)), sum.shaft);
   } else {
@@ -178,6 +220,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
   joint.input_damping = train.motor_damping;
   joint.output_damping = train.load_damping;
   joint.hysteresis = train.hysteresis;
+  joint.slip_elements = train.slip_element;
   joint.input_friction = train.friction;
   joint.gravity_torque = train.gravity_torque;
   joint.gravity_angle = train.gravity_angle;
@@ -192,9 +235,19 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress) {
          .severity = Severity::care,
          .next_step = "Compare with strainwave modes, which contains the coupling."});
   for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack&) {
-    if constexpr (ContactCrack<Crack>) made.notes.push_back(contact_note(path));
+    if constexpr (ContactCrack<Crack>)
+      if (!computed) made.notes.push_back(contact_note(path));
   });
   if (!joint.cracks.empty()) made.notes.push_back(breathing_note(train.breathing));
+  if (!computed && train.spring == RestoringTorque::computed)
+    made.notes.push_back(
+        {.code = "motion.lines",
+         .text = "a periodic vibration is about the maker's lines of the torsion curve, not about "
+                 "the computed curve that drivetrain.spring asks for",
+         .path = "drivetrain.spring",
+         .equation = "MO-14",
+         .severity = Severity::care,
+         .next_step = "Compare with strainwave simulate, whose motion has the computed curve."});
   return made;
 }
 

@@ -189,12 +189,15 @@ void note_losses(const GearSet& gear, FrfReport& report) {
          .equation = "DY-13",
          .severity = Severity::information,
          .next_step = "Give drivetrain.gear_damping."});
-  if (gear.drivetrain->hysteresis || gear.drivetrain->friction)
+  if (gear.drivetrain->hysteresis || !gear.drivetrain->slip_element.empty() ||
+      gear.drivetrain->friction)
     report.notes.push_back(
         {.code = "frf.linear",
          .text = "hysteresis and friction are left out, because a frequency response is linear; "
                  "small vibrations are stiffer and more damped than here",
-         .path = gear.drivetrain->hysteresis ? "drivetrain.hysteresis" : "drivetrain.friction",
+         .path = gear.drivetrain->hysteresis              ? "drivetrain.hysteresis"
+                 : !gear.drivetrain->slip_element.empty() ? "drivetrain.slip_element"
+                                                          : "drivetrain.friction",
          .equation = "DY-6",
          .severity = Severity::information,
          .next_step = "Run strainwave simulate for a motion with both."});

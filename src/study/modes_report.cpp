@@ -9,9 +9,11 @@
 
 #include "strainwave/catalogue/torque_limits.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/dynamics/drivetrain_chain.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/study/drive_orders.hpp"
+#include "strainwave/torsion/compare.hpp"
 #include "vibrating_drive.hpp"
 
 namespace strainwave {
@@ -179,6 +181,75 @@ MotorModes motor_modes(const GearSet& gear, MotorGives motor, const VibratingDri
   return condition;
 }
 
+/// Intervals between the torques of the map, on both sides of zero together.
+constexpr int kIntervals = 48;
+
+/// The torques of the map [N*m].
+std::vector<double> torques_of_map(const GearSet& gear, double torque) {
+  const MakersLimits limits = makers_limits(gear);
+  double largest = std::abs(torque);
+  for (const auto& limit : {limits.repeated_peak, limits.rated_torque})
+    if (limit) {
+      largest = std::max(largest, limit->value);
+      break;
+    }
+  std::vector<double> torques;
+  for (int n = 0; n <= kIntervals; ++n) torques.push_back(largest * (2.0 * n / kIntervals - 1));
+  return torques;
+}
+
+/// Follows the modes from the torque of the report to smaller and to larger torques.
+std::vector<ModeAtTorque> modes_over_torque(const GearSet& gear, const VibratingStates& states) {
+  if (states.springs != SpringModel::coupled_drive) return {};
+  const std::vector<double> torques = torques_of_map(gear, states.torque);
+  const auto intact = vibrating_drives(without_cracks(gear), torques);
+  std::vector<std::optional<VibratingDrive>> cracked(torques.size());
+  if (states.with_cracks) cracked = vibrating_drives(gear, torques);
+  std::vector<ModeAtTorque> map;
+  for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
+    const TorsionalChain& chain = states.intact.made.chain;
+    const std::vector<ChainMode> asked = states.intact.modes(motor);
+    std::vector<std::vector<ModeAtTorque>> rows(torques.size());
+    // The rows of one torque, and the modes there in the order of those before.
+    const auto row_of = [&](std::size_t n, const std::vector<ChainMode>& before, bool nearest) {
+      const std::vector<ChainMode> here = intact[n]->modes(motor);
+      const std::vector<std::size_t> same = same_modes(chain, before, here);
+      std::vector<ChainMode> in_order;
+      for (const std::size_t at : same) in_order.push_back(here[at]);
+      std::vector<ChainMode> softer;
+      std::vector<std::size_t> same_softer;
+      if (cracked[n]) {
+        softer = cracked[n]->modes(motor);
+        same_softer = same_modes(chain, in_order, softer);
+      }
+      for (std::size_t m = 0; m < in_order.size(); ++m) {
+        ModeAtTorque& row = rows[n].emplace_back(ModeAtTorque{.torque = torques[n],
+                                                              .motor = motor,
+                                                              .number = static_cast<int>(m) + 1,
+                                                              .intact = in_order[m].frequency});
+        if (cracked[n]) row.cracked = softer[same_softer[m]].frequency;
+        if (!nearest) row.likeness = likeness(chain, before[m], in_order[m]);
+      }
+      return in_order;
+    };
+    std::optional<std::size_t> start;
+    for (std::size_t n = 0; n < torques.size(); ++n)
+      if (intact[n] && (!start || std::abs(torques[n] - states.torque) <
+                                      std::abs(torques[*start] - states.torque)))
+        start = n;
+    if (!start) continue;
+    const std::vector<ChainMode> first = row_of(*start, asked, true);
+    for (const int way : {-1, +1}) {
+      std::vector<ChainMode> before = first;
+      for (std::size_t n = *start + static_cast<std::size_t>(way); n < torques.size();
+           n += static_cast<std::size_t>(way))
+        if (intact[n]) before = row_of(n, before, false);
+    }
+    for (const std::vector<ModeAtTorque>& row : rows) map.insert(map.end(), row.begin(), row.end());
+  }
+  return map;
+}
+
 }  // namespace
 
 ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
@@ -195,10 +266,46 @@ ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
   for (const MotorGives motor : {MotorGives::torque, MotorGives::speed})
     report.conditions.push_back(
         motor_modes(gear, motor, states.intact, states.with_cracks, states.without_one));
+  report.over_torque = modes_over_torque(gear, states);
   report.notes = states.notes;
   note_damping(report, report.notes);
   report.equations = {"DY-1", "DY-2", "DY-3", "DY-4", "DY-5", "DY-8", "DY-9", "DY-10", "DY-11"};
   return report;
+}
+
+void add_modes_over_growth(ModesReport& report, const GearSet& gear, int points,
+                           const Progress& progress) {
+  GrowthOptions options;
+  options.points = points;
+  const GrowthReport growth = grow_cracks(gear, options, progress.part(0.0, 0.9));
+  ModesOverGrowth over{.sentence = growth.sentence, .life = growth.life};
+  std::array<std::vector<ChainMode>, 2> before;
+  for (std::size_t n = 0; n < growth.drives.size(); ++n) {
+    const VibratingDrive drive = vibrating_drive(growth.drives[n], report.torque);
+    ModeOverGrowth row{.time = growth.stiffness[n].time};
+    for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
+      const bool is_free = motor == MotorGives::torque;
+      std::vector<ChainMode>& last = before[is_free ? 0 : 1];
+      std::vector<ChainMode> here = drive.modes(motor);
+      if (here.empty()) continue;
+      if (last.empty()) last = here;
+      // The followed mode stands first from here on.
+      std::swap(here.front(), here[same_modes(drive.made.chain, last, here).front()]);
+      if (is_free && n > 0) row.likeness = likeness(drive.made.chain, last.front(), here.front());
+      (is_free ? row.free : row.locked) = here.front().frequency;
+      last = std::move(here);
+    }
+    const ModeOverGrowth& first = over.rows.empty() ? row : over.rows.front();
+    if (row.free) row.free_change = *row.free / *first.free - 1;
+    if (row.locked) row.locked_change = *row.locked / *first.locked - 1;
+    over.rows.push_back(row);
+  }
+  report.over_growth = std::move(over);
+  for (const Note& note : growth.notes)
+    if (std::ranges::find(report.notes, note) == report.notes.end()) report.notes.push_back(note);
+  for (const std::string& tag : growth.equations)
+    if (std::ranges::find(report.equations, tag) == report.equations.end())
+      report.equations.push_back(tag);
 }
 
 }  // namespace strainwave

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -32,6 +33,10 @@ constexpr double kLeastTurns = 4;           // of the input, for a spectrum [-]
 constexpr double kMostSamples = 400'000;    // of a spectrum [-]
 constexpr double kMostSampled = 8e8;        // of a motion, for a spectrum [-]
 constexpr double kMostSamplings = 1e7;      // of a controller [-]
+constexpr double kRecordedFactor = 100;     // a recorded motion may be longer by [-]
+constexpr std::uint64_t kMostRecordedSteps = 100'000'000'000;
+constexpr std::size_t kErrorSignal = 0;     // of the sums of the lines
+constexpr std::size_t kTorqueSignal = 1;    // likewise
 constexpr double kSameOrder = 1e-9;         // of the order [-]
 constexpr double kLargestImbalance = 1e-4;  // of the energy of a usable motion [-]
 
@@ -57,6 +62,12 @@ void apply(const GearSet& gear, Joint& joint) {
     load.value.push_back(output);
   }
   joint.output_torque = std::move(load);
+  if (manoeuvres.front().output_speed) {
+    Profile moved = input;
+    for (std::size_t i = 0; i < manoeuvres.size(); ++i)
+      moved.value[i + 1] = *manoeuvres[i].output_speed;
+    joint.output_speed = std::move(moved);
+  }
   if (by_speed && gear.drivetrain->servo)
     joint.input = ServoDrive{.servo = *gear.drivetrain->servo, .speed = std::move(input)};
   else if (by_speed)
@@ -65,8 +76,32 @@ void apply(const GearSet& gear, Joint& joint) {
     joint.input = GivenTorque{std::move(input)};
 }
 
+/// Speeds of both ends that wind up the drive without bound are refused (MO-46).
+void check_wind_up(const GearSet& gear, const Joint& joint) {
+  if (!joint.output_speed || !gear.manoeuvre.front().input_speed) return;
+  double twist = 0.0;
+  double before = 0.0;  // rate of the twist
+  for (std::size_t i = 0; i < gear.manoeuvre.size(); ++i) {
+    const Manoeuvre& piece = gear.manoeuvre[i];
+    const double rate = *piece.input_speed / joint.ratio - *piece.output_speed;
+    // The twist is largest at an end, or where its rate passes zero.
+    const double share = before * rate < 0 ? before / (before - rate) : 0.0;
+    const double inside = twist + before * share * piece.duration / 2;
+    twist += (before + rate) / 2 * piece.duration;
+    before = rate;
+    const double most = std::max(std::abs(inside), std::abs(twist));
+    if (most > kFarTwist / 2)
+      throw InputError((FieldPath("manoeuvre")[i] / "output_speed").text(),
+                       fmt::format("winds up the drive by {:.4g} rad against input_speed, more "
+                                   "than {:g} rad; give input_speed over {:g}, the ratio with its "
+                                   "sign, or input_torque",
+                                   most, kFarTwist / 2, joint.ratio));
+  }
+}
+
 /// The input at the angle 0 and the load where nothing accelerates it.
-JointState equilibrium(const Joint& joint) {
+JointState equilibrium(Joint joint) {
+  joint.output_speed.reset();  // the motion begins where it needs no torque on the output
   const auto accelerates = [&](double angle) {
     return joint_rate(joint, 0.0, {.output_angle = angle}).output_acceleration;
   };
@@ -142,101 +177,184 @@ std::vector<DriveOrder> named_orders(const GearSet& gear) {
   return named;
 }
 
-/// What a spectrum needs of a motion.
-struct SteadySignal {
-  std::vector<double> angle;
-  std::vector<double> error;
-  std::vector<double> torque;
-
-  [[nodiscard]] bool turns_on() const {
-    for (std::size_t n = 1; n < angle.size(); ++n)
-      if (angle[n] == angle[n - 1] || (angle[n] > angle[n - 1]) != (angle[1] > angle[0]))
-        return false;
-    return !angle.empty();
-  }
-};
-
 /// The lines of a motion, by rising order.
-MotionOrders orders_of(const GearSet& gear, const SteadyPart& part, const SteadySignal& sound,
-                       const std::optional<SteadySignal>& cracked) {
-  const std::vector<DriveOrder> named = named_orders(gear);
-  std::vector<double> orders;
-  for (const DriveOrder& of : named) orders.push_back(of.order);
+MotionOrders orders_of(const std::vector<DriveOrder>& named, const SteadyPart& part,
+                       const OrderSums& sound, const OrderSums* cracked) {
   MotionOrders made{.from = part.from, .to = part.to, .speed = part.speed};
   for (const DriveOrder& of : named)
     made.lines.push_back(OrderRow{.cause = of.words, .order = of.order});
-  const auto take = [&](const SteadySignal& signal, const std::vector<double>& values,
-                        auto amplitude) {
-    const OrderSpectrum spectrum = order_spectrum(signal.angle, values, orders);
+  const auto take = [&](const OrderSums& sums, std::size_t signal, auto amplitude) {
+    const OrderSpectrum spectrum = sums.spectrum(signal);
     made.turns = spectrum.turns;
-    for (std::size_t k = 0; k < orders.size(); ++k) {
+    for (std::size_t k = 0; k < named.size(); ++k) {
       made.lines[k].turns_needed = spectrum.lines[k].turns_needed;
       if (spectrum.lines[k].separate) made.lines[k].*amplitude = spectrum.lines[k].amplitude;
     }
     return spectrum.floor;
   };
-  made.error_floor = take(sound, sound.error, &OrderRow::error);
-  made.torque_floor = take(sound, sound.torque, &OrderRow::torque);
-  if (cracked) {
-    made.cracked_error_floor = take(*cracked, cracked->error, &OrderRow::cracked_error);
-    made.cracked_torque_floor = take(*cracked, cracked->torque, &OrderRow::cracked_torque);
+  made.error_floor = take(sound, kErrorSignal, &OrderRow::error);
+  made.torque_floor = take(sound, kTorqueSignal, &OrderRow::torque);
+  if (cracked != nullptr) {
+    made.cracked_error_floor = take(*cracked, kErrorSignal, &OrderRow::cracked_error);
+    made.cracked_torque_floor = take(*cracked, kTorqueSignal, &OrderRow::cracked_torque);
   }
   std::ranges::sort(made.lines, {}, &OrderRow::order);
   return made;
 }
 
-/// Angle of the output beyond that of an ideal stiff gear [rad].
-double output_error(const Joint& joint, const JointState& state) {
-  return state.output_angle - state.input_angle / joint.ratio;
-}
+/// A joint from its equilibrium on, sample by sample, with what its summary needs.
+class MovedJoint {
+ public:
+  MovedJoint(Joint joint, const SimulationOptions& options, const MotionState* from,
+             const std::vector<double>& orders, const std::optional<SteadyPart>& steady)
+      : ratio_(joint.ratio), steady_(steady), run_(begun(joint, options, from)) {
+    if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) given_ = drive->speed;
+    output_given_ = joint.output_speed.has_value();
+    if (steady_) sums_.emplace(orders, std::size_t{2});
+    if (from == nullptr) return;
+    largest_ = from->largest;
+    if (sums_) sums_->restore(from->orders);
+  }
 
-/// Moves a joint from its equilibrium and hands each sample on.
-MotionSummary moved(Joint joint, const SimulationOptions& options, const SampleSink& sink,
-                    const Progress& progress) {
-  const JointState start = equilibrium(joint);
-  hold(joint, start);
-  MotionSummary summary;
-  const auto* const drive = std::get_if<ServoDrive>(&joint.input);
-  if (drive != nullptr) summary.largest_lag = 0.0;
-  const Motion motion = simulate(
-      joint, start, options,
-      [&](const MotionSample& sample) {
-        const auto raise = [](double& most, double value) {
-          most = std::max(most, std::abs(value));
-        };
-        raise(summary.largest_torque, sample.forces.torque);
-        raise(summary.largest_error, output_error(joint, sample.state));
-        raise(summary.largest_input_torque, sample.forces.input_torque);
-        if (drive != nullptr)
-          raise(*summary.largest_lag,
-                drive->speed.integral(sample.time) - sample.state.input_angle);
-        sink(sample);
-      },
-      progress);
-  summary.last_error = output_error(joint, motion.last);
-  summary.lost_energy = motion.energy.lost;
-  summary.imbalance = motion.energy.imbalance;
-  summary.steps = static_cast<double>(motion.steps);
-  summary.events = static_cast<double>(motion.event_count);
-  summary.converged = motion.converged;
-  summary.reason = motion.reason;
-  summary.time_reached = motion.time_reached;
-  return summary;
+  /// Computes the next sample.
+  void advance(const Progress& progress) { now_ = run_.next(progress); }
+  /// The sample; absent: the motion has ended.
+  [[nodiscard]] const std::optional<MotionSample>& now() const { return now_; }
+  /// Torque that the given motion of the output needs; absent: the output is free [N*m].
+  [[nodiscard]] std::optional<double> output_torque() const {
+    return output_given_ ? std::optional(now_->forces.output_torque) : std::nullopt;
+  }
+  [[nodiscard]] double error() const {
+    return now_->state.output_angle - now_->state.input_angle / ratio_;
+  }
+
+  /// Adds the sample to the summary.
+  void take() {
+    if (!now_) return;
+    const auto raise = [](double& most, double value) { most = std::max(most, std::abs(value)); };
+    raise(largest_[0], now_->forces.torque);
+    raise(largest_[1], error());
+    raise(largest_[2], now_->forces.input_torque);
+    if (given_) raise(largest_[3], given_->integral(now_->time) - now_->state.input_angle);
+    if (output_given_) raise(largest_[4], now_->forces.output_torque);
+    if (!sums_ || now_->time < steady_->from || now_->time > steady_->to) return;
+    sums_->add((now_->time - steady_->from) / (steady_->to - steady_->from),
+               now_->state.input_angle, std::array{error(), now_->forces.torque});
+  }
+
+  /// State at a sample.
+  /// @param samples  those that were taken
+  [[nodiscard]] MotionState state(std::uint64_t samples) const {
+    MotionState made{.motion = run_.checkpoint(), .largest = largest_};
+    // A sample that is not taken yet comes again.
+    made.motion.next_sample = std::min(made.motion.next_sample, samples);
+    if (sums_) made.orders = sums_->numbers();
+    return made;
+  }
+
+  [[nodiscard]] MotionSummary summary() const {
+    const Motion motion = run_.motion();
+    MotionSummary made{.largest_torque = largest_[0],
+                       .largest_error = largest_[1],
+                       .largest_input_torque = largest_[2]};
+    if (given_) made.largest_lag = largest_[3];
+    if (output_given_) made.largest_output_torque = largest_[4];
+    made.last_error = motion.last.output_angle - motion.last.input_angle / ratio_;
+    made.lost_energy = motion.energy.lost;
+    made.imbalance = motion.energy.imbalance;
+    made.steps = static_cast<double>(motion.steps);
+    made.events = static_cast<double>(motion.event_count);
+    made.converged = motion.converged;
+    made.reason = motion.reason;
+    made.beyond_table = motion.beyond_table;
+    made.time_reached = motion.time_reached;
+    return made;
+  }
+
+  [[nodiscard]] const OrderSums* sums() const { return sums_ ? &*sums_ : nullptr; }
+
+ private:
+  static MotionRun begun(Joint& joint, const SimulationOptions& options, const MotionState* from) {
+    const JointState start = equilibrium(joint);
+    hold(joint, start);
+    return from != nullptr ? MotionRun(joint, from->motion, options)
+                           : MotionRun(joint, start, options);
+  }
+
+  double ratio_;
+  std::optional<SteadyPart> steady_;
+  MotionRun run_;
+  std::optional<Profile> given_ = {};  ///< speed that a controller follows
+  std::optional<OrderSums> sums_ = {};
+  std::optional<MotionSample> now_ = {};
+  bool output_given_ = false;  ///< whether the output moves as given
+  std::array<double, 5> largest_ = {};
+};
+
+/// Progress of two motions that go side by side, which never falls.  It counts from the share at
+/// which a motion goes on, so that the time left is that of the rest.
+class JointProgress {
+ public:
+  /// @param begin  share of the motion that is already done
+  JointProgress(const Progress& progress, double begin)
+      : progress_(progress), both_([this, begin](double share) {
+          if (begin < 1) most_ = std::max(most_, (share - begin) / (1 - begin));
+          progress_.at(most_);
+          return true;
+        }) {}
+  JointProgress(const JointProgress&) = delete;
+  JointProgress& operator=(const JointProgress&) = delete;
+  JointProgress(JointProgress&&) = delete;
+  JointProgress& operator=(JointProgress&&) = delete;
+  ~JointProgress() = default;
+
+  [[nodiscard]] const Progress& both() const { return both_; }
+
+ private:
+  Progress progress_;
+  double most_ = 0.0;
+  Progress both_;
+};
+
+/// The row of a time.
+SimulationRow row_of(const MovedJoint& sound, const MovedJoint* cracked) {
+  const MotionSample& at = *sound.now();
+  SimulationRow row{.time = at.time,
+                    .input_angle = at.state.input_angle,
+                    .input_speed = at.state.input_speed,
+                    .output_angle = at.state.output_angle,
+                    .output_speed = at.state.output_speed,
+                    .output_error = sound.error(),
+                    .torque = at.forces.torque,
+                    .input_torque = at.forces.input_torque};
+  row.output_torque = sound.output_torque();
+  if (cracked == nullptr || !cracked->now()) return row;
+  row.cracked_output_angle = cracked->now()->state.output_angle;
+  row.cracked_output_error = cracked->error();
+  row.cracked_torque = cracked->now()->forces.torque;
+  row.cracked_input_torque = cracked->now()->forces.input_torque;
+  row.cracked_output_torque = cracked->output_torque();
+  return row;
 }
 
 }  // namespace
 
 SimulationReport simulation_report(const GearSet& gear, const SimulationSettings& settings,
-                                   const Progress& progress) {
+                                   const Progress& progress, const SimulationRecord* record) {
   if (gear.manoeuvre.empty())
     throw InputError("manoeuvre",
                      "must be given for a motion; give [[manoeuvre]] with duration and "
                      "input_speed");
-  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1));
+  // A recorded motion is long against the making of its joint, and a computed curve takes long.
+  const bool computed = gear.drivetrain && gear.drivetrain->spring == RestoringTorque::computed;
+  const double joint_share = record != nullptr ? 0.01 : (computed ? 0.5 : 0.1);
+  DriveJoint made = drive_joint(gear, progress.part(0.0, joint_share));
   Joint& joint = made.joint;
   apply(gear, joint);
+  check_wind_up(gear, joint);
   SimulationReport report;
   report.springs = made.springs;
+  report.table = made.table;
   report.signed_ratio = joint.ratio;
   report.duration = joint.output_torque.time.back();
   require(settings.output_step >= 0 && std::isfinite(settings.output_step), "step",
@@ -250,75 +368,103 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
           settings.tolerance, "rad", "> 0 and <= 1e-5 rad");
   require(options.output_step <= report.duration, "step", options.output_step, "s",
           "at most the time of the motion");
-  require(options.output_step * kMostRows >= report.duration * (1 - 1e-9), "step",
-          options.output_step, "s", "at least a millionth of the motion");
+  if (record == nullptr)
+    require(options.output_step * kMostRows >= report.duration * (1 - 1e-9), "step",
+            options.output_step, "s", "at least a millionth of the motion without --record");
+  // A motion that is recorded goes on after an interruption, so it may take long.
+  const double longer = record != nullptr ? kRecordedFactor : 1.0;
+  if (record != nullptr) options.max_steps = kMostRecordedSteps;
   // A spectrum needs samples between the rows.
   std::optional<SteadyPart> steady = steady_part(gear.manoeuvre);
   std::size_t samples_per_row = 1;
+  std::vector<DriveOrder> named;
+  std::vector<double> orders;
   if (steady) {
+    named = named_orders(gear);
     double highest = 0.0;
-    for (const DriveOrder& of : named_orders(gear)) highest = std::max(highest, of.order);
+    for (const DriveOrder& of : named) {
+      orders.push_back(of.order);
+      highest = std::max(highest, of.order);
+    }
     const double period = 2 * pi / (std::abs(steady->speed) * highest);
     const double needed = std::ceil(options.output_step * kSamplesPerPeriod / period);
-    require(needed * report.duration / options.output_step <= kMostSampled, "manoeuvre",
+    require(needed * report.duration / options.output_step <= kMostSampled * longer, "manoeuvre",
             report.duration / period, "1",
-            "at most a hundred million periods of the highest order; give a shorter motion");
+            record != nullptr ? "at most ten thousand million periods of the highest order; give a "
+                                "shorter motion"
+                              : "at most a hundred million periods of the highest order without "
+                                "--record; give a shorter motion");
     samples_per_row = static_cast<std::size_t>(needed);
     options.output_step /= needed;
     steady->from = std::max(steady->from, steady->to - kMostSamples * options.output_step);
   }
-  const auto keep = [&](SteadySignal& signal, const MotionSample& at) {
-    if (!steady || at.time < steady->from || at.time > steady->to) return;
-    signal.angle.push_back(at.state.input_angle);
-    signal.error.push_back(output_error(joint, at.state));
-    signal.torque.push_back(at.forces.torque);
-  };
-  const bool cracked = !joint.cracks.empty();
+  const bool cracked = made.cracked();
   if (const auto* const drive = std::get_if<ServoDrive>(&joint.input);
       drive != nullptr && drive->servo.sample_time)
-    require(*drive->servo.sample_time * kMostSamplings >= report.duration,
+    require(*drive->servo.sample_time * kMostSamplings * longer >= report.duration,
             "drivetrain.servo.sample_time", *drive->servo.sample_time, "s",
-            "at least a ten millionth of the motion");
-  SteadySignal sound_signal;
-  std::size_t sample = 0;
-  const auto take_sound = [&](const MotionSample& at) {
-    keep(sound_signal, at);
-    if (sample++ % samples_per_row != 0) return;
-    report.rows.push_back({.time = at.time,
-                           .input_angle = at.state.input_angle,
-                           .input_speed = at.state.input_speed,
-                           .output_angle = at.state.output_angle,
-                           .output_speed = at.state.output_speed,
-                           .output_error = output_error(joint, at.state),
-                           .torque = at.forces.torque,
-                           .input_torque = at.forces.input_torque});
+            record != nullptr ? "at least a thousand millionth of the motion"
+                              : "at least a ten millionth of the motion without --record");
+  const SimulationCheckpoint* const from =
+      record != nullptr && record->from ? &*record->from : nullptr;
+  if (from != nullptr && from->cracked.has_value() != cracked)
+    throw InputError("checkpoint", "has other cracks than this drive; begin the motion again");
+  MovedJoint sound(made.sound(), options, from != nullptr ? &from->sound : nullptr, orders, steady);
+  std::optional<MovedJoint> with_cracks;
+  if (cracked)
+    with_cracks.emplace(joint, options, from != nullptr ? &*from->cracked : nullptr, orders,
+                        steady);
+  MovedJoint* const other = with_cracks ? &*with_cracks : nullptr;
+  SimulationCheckpoint at;
+  if (from != nullptr) at = *from;
+  const auto keep = [&] {
+    at.sound = sound.state(at.samples);
+    if (other != nullptr) at.cracked = other->state(at.samples);
+    record->keep(at);
   };
-  report.intact =
-      moved(made.sound(), options, take_sound, progress.part(0.1, cracked ? 0.55 : 1.0));
-  std::optional<SteadySignal> cracked_signal;
-  if (cracked) {
-    cracked_signal.emplace();
-    double most = 0.0;
-    std::size_t n = 0;
-    sample = 0;
-    const auto take = [&](const MotionSample& at) {
-      keep(*cracked_signal, at);
-      if (sample++ % samples_per_row != 0 || n == report.rows.size())
-        return;  // the sound drive may have stopped before
-      SimulationRow& row = report.rows[n++];
-      row.cracked_output_angle = at.state.output_angle;
-      row.cracked_output_error = output_error(joint, at.state);
-      row.cracked_torque = at.forces.torque;
-      row.cracked_input_torque = at.forces.input_torque;
-      most = std::max(most, std::abs(at.state.output_angle - row.output_angle));
-    };
-    report.cracked = moved(joint, options, take, progress.part(0.55, 1.0));
-    report.largest_difference = most;
+  if (record != nullptr) {
+    record->begin(cracked);
+    keep();
   }
+  const double begin = std::min(1.0, at.sound.motion.time / report.duration);
+  const JointProgress share(progress.part(joint_share, 1.0), from != nullptr ? begin : 0.0);
+  while (true) {
+    try {
+      sound.advance(share.both());
+      if (other != nullptr) other->advance(share.both());
+    } catch (const Stopped&) {
+      if (record != nullptr && at.samples > 0) keep();
+      throw;
+    }
+    if (!sound.now() && (other == nullptr || !other->now())) break;
+    sound.take();
+    if (other != nullptr) other->take();
+    // The sound drive may stop before the cracked one.
+    if (at.samples++ % samples_per_row == 0 && sound.now()) {
+      const SimulationRow row = row_of(sound, other);
+      if (row.cracked_output_angle)
+        at.largest_difference =
+            std::max(at.largest_difference, std::abs(*row.cracked_output_angle - row.output_angle));
+      ++at.rows;
+      if (record != nullptr)
+        record->write(row);
+      else
+        report.rows.push_back(row);
+    }
+    if (record != nullptr && record->due()) keep();
+  }
+  report.intact = sound.summary();
+  if (other != nullptr) {
+    report.cracked = other->summary();
+    report.largest_difference = at.largest_difference;
+  }
+  if (record != nullptr) report.recorded_rows = static_cast<double>(at.rows);
   const bool finished = report.intact.converged && (!report.cracked || report.cracked->converged);
-  const bool turns_on = sound_signal.turns_on() && (!cracked_signal || cracked_signal->turns_on());
-  if (steady && finished && turns_on)
-    report.orders = orders_of(gear, *steady, sound_signal, cracked_signal);
+  const bool turns_on =
+      steady && sound.sums()->turns_on() && (other == nullptr || other->sums()->turns_on());
+  if (finished && turns_on)
+    report.orders =
+        orders_of(named, *steady, *sound.sums(), other != nullptr ? other->sums() : nullptr);
   report.notes = std::move(made.notes);
   const auto demand_end = [&](const MotionSummary& of, std::string_view words) {
     if (of.converged) {
@@ -334,13 +480,15 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
            .next_step = "Choose a smaller --tolerance."});
       return;
     }
-    report.notes.push_back({.code = "motion.not_finished",
-                            .text = fmt::format("the motion of the {} drive ends at {}: {}", words,
-                                                shown_quantity(of.time_reached, "s", 4), of.reason),
-                            .path = "manoeuvre",
-                            .equation = "MO-13",
-                            .severity = Severity::critical,
-                            .next_step = "Choose a larger --tolerance, or a shorter motion."});
+    report.notes.push_back(
+        {.code = "motion.not_finished",
+         .text = fmt::format("the motion of the {} drive ends at {}: {}", words,
+                             shown_quantity(of.time_reached, "s", 4), of.reason),
+         .path = "manoeuvre",
+         .equation = "MO-13",
+         .severity = Severity::critical,
+         .next_step = of.beyond_table ? "Raise drivetrain.curve_torque."
+                                      : "Choose a larger --tolerance, or a shorter motion."});
   };
   if (steady && finished && !turns_on)
     report.notes.push_back({.code = "motion.no_orders",
@@ -350,13 +498,28 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
                             .equation = "MO-20",
                             .severity = Severity::information,
                             .next_step = "Give a faster input_speed, or a stiffer servo."});
+  if (record != nullptr)
+    report.notes.push_back(
+        {.code = "motion.recorded",
+         .text = fmt::format("{} rows of the motion stand in the record and not in this answer",
+                             shown_number(*report.recorded_rows, 12)),
+         .path = "manoeuvre",
+         .equation = "MO-22",
+         .severity = Severity::information});
   demand_end(report.intact, "sound");
   if (report.cracked) demand_end(*report.cracked, "cracked");
   report.equations = {"MO-1", "MO-4", "MO-5", "MO-11", "MO-12", "MO-13", "MO-14"};
+  if (report.table)
+    for (const char* const tag : {"MO-25", "MO-26", "MO-27"}) report.equations.emplace_back(tag);
   if (report.orders) report.equations.emplace_back("MO-20");
   if (gear.drivetrain->servo) report.equations.emplace_back("MO-21");
+  if (record != nullptr) report.equations.emplace_back("MO-22");
   if (gear.drivetrain->hysteresis) report.equations.emplace_back("MO-8");
   if (gear.drivetrain->friction) report.equations.emplace_back("MO-10");
+  if (gear.drivetrain->friction && gear.drivetrain->friction->by_load())
+    report.equations.emplace_back("MO-40");
+  if (!gear.drivetrain->slip_element.empty()) report.equations.emplace_back("MO-44");
+  if (joint.output_speed) report.equations.emplace_back("MO-46");
   return report;
 }
 

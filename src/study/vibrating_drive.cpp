@@ -89,17 +89,8 @@ SpringPlace spring_of(CurveMember member) {
   return SpringPlace::mesh;
 }
 
-/// The members by the tangent of the torsion curve.
-VibratingParts coupled_members(const AssembledDrive& drive, double torque, double output_torque) {
-  const TorsionCurve curve = torsion_curve(drive, std::array{torque});
-  if (!curve.usable()) throw SolverError(curve.unusable_because);
-  const CurvePoint& at = curve.points.front();
-  if (!std::isfinite(at.tangent_compliance))
-    throw SolverError(
-        fmt::format("no flank touches at {}, so the drive has no stiffness there; "
-                    "choose a larger torque",
-                    shown_quantity(torque, "N*m", 4, "torque")));
-  const GearSet& gear = drive.gear();
+/// The members by the tangent of the torsion curve at a point with a stiffness.
+VibratingParts coupled_members(const GearSet& gear, const CurvePoint& at, double output_torque) {
   VibratingParts made;
   for (std::size_t k = 0; k < kCurveMembers; ++k) {
     const auto member = static_cast<CurveMember>(k);
@@ -111,7 +102,7 @@ VibratingParts coupled_members(const AssembledDrive& drive, double torque, doubl
   }
   // The cracks in line are those of flexspline and shaft, and each acts where it is.
   if (gear.flexspline)
-    made.cracks = open_cracks(flexspline_compliance(gear), SpringPlace::body, torque);
+    made.cracks = open_cracks(flexspline_compliance(gear), SpringPlace::body, at.torque);
   if (gear.output_shaft) {
     const std::vector<SeriesCrack> of_shaft =
         open_cracks(output_shaft_compliance(gear), SpringPlace::shaft, output_torque);
@@ -185,17 +176,45 @@ GearSet without_crack(GearSet gear, const std::string& path) {
   return gear;
 }
 
-VibratingDrive vibrating_drive(const GearSet& gear, double torque) {
+std::vector<std::optional<VibratingDrive>> vibrating_drives(const GearSet& gear,
+                                                            std::span<const double> torques) {
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
-  VibratingParts parts = missing_for_torsion_curve(gear).empty()
-                             ? coupled_members(AssembledDrive(gear), step * torque, torque)
-                             : summed_members(gear, step * torque, torque);
-  DrivetrainChain made = drivetrain_chain(*gear.drivetrain, gear.drive.ratio,
-                                          springs_of(parts.members), gear_inertias(gear));
-  return {.members = std::move(parts.members),
-          .cracks = std::move(parts.cracks),
-          .made = std::move(made),
-          .step = step};
+  const GearInertias own = gear_inertias(gear);
+  const auto drive_with = [&](VibratingParts parts) {
+    DrivetrainChain made =
+        drivetrain_chain(*gear.drivetrain, gear.drive.ratio, springs_of(parts.members), own);
+    return VibratingDrive{.members = std::move(parts.members),
+                          .cracks = std::move(parts.cracks),
+                          .made = std::move(made),
+                          .step = step};
+  };
+  std::vector<std::optional<VibratingDrive>> drives;
+  if (!missing_for_torsion_curve(gear).empty()) {
+    for (const double torque : torques)
+      drives.emplace_back(drive_with(summed_members(gear, step * torque, torque)));
+    return drives;
+  }
+  std::vector<double> of_flexspline;
+  for (const double torque : torques) of_flexspline.push_back(step * torque);
+  const TorsionCurve curve = torsion_curve(AssembledDrive(gear), of_flexspline);
+  if (!curve.usable()) throw SolverError(curve.unusable_because);
+  for (std::size_t n = 0; n < torques.size(); ++n) {
+    drives.emplace_back();
+    if (std::isfinite(curve.points[n].tangent_compliance))
+      drives.back() = drive_with(coupled_members(gear, curve.points[n], torques[n]));
+  }
+  return drives;
+}
+
+VibratingDrive vibrating_drive(const GearSet& gear, double torque) {
+  std::optional<VibratingDrive> drive =
+      std::move(vibrating_drives(gear, std::array{torque}).front());
+  if (!drive)
+    throw SolverError(
+        fmt::format("no flank touches at {}, so the drive has no stiffness there; "
+                    "choose a larger torque",
+                    shown_quantity(torque, "N*m", 4, "torque")));
+  return std::move(*drive);
 }
 
 VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& options,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -77,6 +78,13 @@ struct VibratingStates {
 /// @param torque  T at the output [N*m]
 /// @throws SolverError  if the coupled drive has no equilibrium at the torque
 [[nodiscard]] VibratingDrive vibrating_drive(const GearSet& gear, double torque);
+
+/// The same about each of several torques.  Absent where no flank touches and where the twist is
+/// not known, because the drive has no stiffness there.
+/// @param torques  at the output [N*m]
+/// @throws SolverError  if the coupled drive cannot be assembled
+[[nodiscard]] std::vector<std::optional<VibratingDrive>> vibrating_drives(
+    const GearSet& gear, std::span<const double> torques);
 
 /// The drive without one of its cracks.
 [[nodiscard]] GearSet without_crack(GearSet gear, const std::string& path);

@@ -288,14 +288,17 @@ AssembledDrive AssembledDrive::without_cracks() const {
 }
 
 AssembledDrive AssembledDrive::turned(double angle) const {
+  return moved(flexspline_turn(gear().drive, angle), angle);
+}
+
+AssembledDrive AssembledDrive::moved(double flexspline, double spline) const {
   Contents contents = *contents_;
-  contents.gear = after_turn(gear(), angle);
-  const double of_flexspline = flexspline_turn(gear().drive, angle);
+  contents.gear = after_moves(gear(), flexspline, spline);
   for (RingHinge& hinge : contents.cracks.hinges)
     hinge.position = turned_position(hinge.position,
-                                     hinge.ring == RingHinge::Ring::spline ? angle : of_flexspline);
+                                     hinge.ring == RingHinge::Ring::spline ? spline : flexspline);
   for (SoftTooth& tooth : contents.cracks.teeth)
-    tooth.position = turned_position(tooth.position, of_flexspline);
+    tooth.position = turned_position(tooth.position, flexspline);
   crack(contents);
   return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
 }

@@ -149,11 +149,14 @@ double turned_position(double position, double angle) {
 }
 
 GearSet after_turn(const GearSet& gear, double angle) {
+  return after_moves(gear, flexspline_turn(gear.drive, angle), angle);
+}
+
+GearSet after_moves(const GearSet& gear, double flexspline, double spline) {
   GearSet turned = gear;
   for_each_crack(turned, [&]<class Crack>(const std::string&, Crack& crack) {
     if constexpr (ContactCrack<Crack>)
-      crack.position = turned_position(
-          crack.position, of_spline(crack) ? angle : flexspline_turn(gear.drive, angle));
+      crack.position = turned_position(crack.position, of_spline(crack) ? spline : flexspline);
   });
   drop_lost_paths(turned, gear);
   return turned;

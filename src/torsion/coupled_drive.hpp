@@ -52,6 +52,11 @@ class CoupledDrive {
   /// Equilibrium under a torque, from another state on this cam.
   [[nodiscard]] Equilibrium solve(double torque, const Equilibrium& start) const;
 
+  /// Complementary energy W = T c_0/R - V of rings and contacts [J]; dW/dT = c_0/R (MO-27).
+  [[nodiscard]] double complementary_energy(const Equilibrium& state) const {
+    return -energy(state, state.torque / g_.ring_radius);
+  }
+
   /// Tangent at a state: dQ/dT of all contacts and d c_0/dT.
   struct Tangent {
     Eigen::VectorXd force;  // [1/m]

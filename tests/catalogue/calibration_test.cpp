@@ -11,6 +11,7 @@
 
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/calibration.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
@@ -336,6 +337,90 @@ TEST(CalibrationOutput, BehaviourJson) {
   EXPECT_EQ(json["factors"]["value"]["values"][0], c.factors[0].value);
   EXPECT_EQ(json["stiffness"]["after"]["values"].size(), 3U);
   EXPECT_EQ(json["stiffness"]["wanted"]["values"][1], 50000);
+}
+
+/// A joint about as stiff and heavy as one of size 25.
+Joint bench_joint() {
+  return {.ratio = -100,
+          .input_inertia = 1e-4,
+          .output_inertia = 1,
+          .spring = LinearSpring{5e4},
+          .damping = 10};
+}
+
+TEST(Calibration, CrosscheckFrictionOfTheCatalogue) {
+  // (MO-41 to MO-43): all rows return their four values by simulation, and an input file with the
+  // printed section reads back the fitted numbers to their six digits.
+  for (const FrictionRow& row : friction_rows()) {
+    GearSet gear = typical_drive_of_size(row.size, row.ratio);
+    gear.drivetrain = Drivetrain{.motor_inertia = 1e-4, .load_inertia = 1.0};
+    const Calibration c =
+        calibrate_friction(gear, bench_joint(), friction_targets(gear), "the catalogue");
+    EXPECT_TRUE(c.converged);
+    EXPECT_LT(c.residual, 1e-3);
+    EXPECT_TRUE(evidence_of(c).unusable_because.empty());
+    const std::string text = calibration_text(c);
+    EXPECT_NE(text.find("[drivetrain.friction]"), std::string::npos);
+    EXPECT_NE(text.find("coulomb is assumed"), std::string::npos) << text;
+    const std::string drive = calibrated_drive(c, gear, {});
+    EXPECT_TRUE(
+        drive.starts_with("# drivetrain.friction is fitted to the catalogue, at 209.44 rad/s"))
+        << drive.substr(0, 200);
+    const GearSet written = read_gear_set(drive, "written.toml");
+    const LuGre& fitted = c.friction->friction;
+    const LuGre& read = written.drivetrain->friction.value();
+    test::expect_relative(read.breakaway, fitted.breakaway, 1e-5);
+    test::expect_relative(read.viscous, fitted.viscous, 1e-5);
+    test::expect_relative(read.load_coulomb, fitted.load_coulomb, 1e-5);
+    test::expect_relative(read.load_breakaway.value(), fitted.load_breakaway.value(), 1e-5);
+  }
+}
+
+TEST(Calibration, BehaviourFrictionThatContradictsIsNotUsable) {
+  // (MO-42, MO-43): the notes name the value and why it has a residual.
+  GearSet gear = typical_drive_of_size(25, 100);
+  FrictionTargets targets = friction_targets(gear);
+  targets.back_driving_torque = 6.0;
+  const auto evidence = [&] {
+    return evidence_of(calibrate_friction(gear, bench_joint(), targets, "made up"));
+  };
+  ResultEvidence of = evidence();
+  EXPECT_FALSE(of.unusable_because.empty());
+  ASSERT_EQ(of.notes.front().code, "calibration.friction_residual");
+  EXPECT_NE(of.notes.front().text.find("the back-driving torque is 6.9 N*m in place of 6 N*m"),
+            std::string::npos)
+      << of.notes.front().text;
+  targets.back_driving_torque = 7.26;
+  targets.efficiency = 0.9;
+  of = evidence();
+  ASSERT_EQ(of.notes.front().code, "calibration.friction_residual");
+  EXPECT_EQ(of.notes.front().equation, "MO-43");
+  // A bench that is too slow for its steps has no value.
+  targets.efficiency = 0.77;
+  Calibration c = calibrate_friction(gear, bench_joint(), targets, "made up");
+  EXPECT_TRUE(evidence_of(c).unusable_because.empty());
+  c.converged = false;
+  c.friction->values[1].simulated.reset();
+  c.friction->values[1].reason = "the input does not turn";
+  of = evidence_of(c);
+  EXPECT_EQ(of.notes.front().code, "calibration.friction_not_simulated");
+  EXPECT_NE(of.notes.front().text.find("the starting torque has no value: the input does not turn"),
+            std::string::npos)
+      << of.notes.front().text;
+}
+
+TEST(Calibration, InputFrictionOfNoRow) {
+  GearSet turned = typical_drive_of_size(25, 100);
+  turned.drivetrain = Drivetrain{.fixed = FixedMember::flexspline};
+  EXPECT_TRUE(broken_rule([&] {
+                (void)friction_targets(turned);
+              }).starts_with("catalogue: states friction with the circular spline fixed only"));
+  EXPECT_TRUE(broken_rule([] {
+                (void)friction_targets(typical_drive_of_size(32, 100));
+              }).starts_with("catalogue: the catalogue states no friction of a drive with"));
+  EXPECT_TRUE(broken_rule([] {
+                (void)friction_targets(typical_drive_of_size(25, 80));
+              }).starts_with("catalogue: the catalogue states no friction of a drive with"));
 }
 
 }  // namespace

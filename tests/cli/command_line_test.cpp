@@ -5,13 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "exit_code.hpp"
 #include "files.hpp"
 #include "progress_line.hpp"
+#include "recording.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -62,6 +65,61 @@ TEST(CommandLine, InputAJournalThatCannotBeReadBackIsRefused) {
   for (const char* const path : {"/dev/full", "/dev/zero", "/dev/null", "/dev/stdout", "/"})
     EXPECT_THROW((void)FileJournal(path), UnwritableError) << path;
   EXPECT_NO_THROW((void)FileJournal("not there yet"));
+}
+
+TEST(CommandLine, InputARecordThatCannotBeReadBackIsRefused) {
+  for (const char* const path : {"/dev/full", "/dev/zero", "/dev/null", "/dev/stdout", "/"})
+    EXPECT_THROW((void)FileRecording(path, false), UnwritableError) << path;
+  EXPECT_NO_THROW((void)FileRecording("not there yet", false));
+  EXPECT_NO_THROW((void)FileRecording("not there yet", true));
+}
+
+TEST(CommandLine, BehaviourOfARecordInAFile) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "strainwave_recording";
+  std::filesystem::create_directories(folder);
+  const std::string path = folder / "motion.bin";
+  const std::string checkpoint = path + ".checkpoint";
+  const auto clean = [&] {
+    std::filesystem::remove(path);
+    std::filesystem::remove(checkpoint);
+  };
+  clean();
+  {
+    FileRecording recording(path, false);
+    EXPECT_FALSE(recording.can_go_on());
+    EXPECT_FALSE(std::filesystem::exists(path));
+    recording.begin("first");
+    EXPECT_TRUE(recording.can_go_on());
+    // One run at a time.
+    FileRecording second(path, true);
+    EXPECT_THROW(second.go_on(0), UnwritableError);
+    recording.append("abc");
+    recording.keep("second");
+    EXPECT_FALSE(recording.due());
+    EXPECT_EQ(recording.size(), 3U);
+    recording.append("def");
+    recording.store();
+    EXPECT_EQ(text_of(path), "abcdef");
+  }
+  // Without a word the record of a run that was not finished is not replaced.
+  EXPECT_THROW((void)FileRecording(path, false), UsageError);
+  {
+    FileRecording recording(path, true);
+    EXPECT_EQ(recording.checkpoint(), "second");
+    recording.go_on(3);
+    recording.append("ghi");
+    EXPECT_EQ(recording.size(), 6U);
+    recording.store();
+    recording.finish();
+  }
+  EXPECT_EQ(text_of(path), "abcghi");
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  // A finished record cannot go on, and a shorter one neither.
+  EXPECT_THROW((void)FileRecording(path, true), UsageError);
+  FileRecording shorter(path, false);
+  EXPECT_THROW(shorter.go_on(7), InputError);
+  clean();
 }
 
 TEST(CommandLine, BehaviourProgressInWords) {

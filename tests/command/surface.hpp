@@ -85,6 +85,7 @@ inline std::string surface(std::span<const Command> table) {
                                             : "\n");
     for (const Option& option : command.options.options) all += option_line(option);
     if (!command.journal.empty()) all += "  journal: " + std::string(command.journal) + '\n';
+    if (!command.record.empty()) all += "  record: " + std::string(command.record) + '\n';
     for (const Document& document : command.documents)
       all += "  document " + std::string(document.name) + ": " +
              std::string(enum_name(document.format)) + (document.folder ? " files\n" : "\n");

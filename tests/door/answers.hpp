@@ -55,7 +55,10 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"life", "{}"},
       {"grow", "{}"},
       {"grow", R"({"interaction": "wheeler", "zone_factor": 2, "wheeler_exponent": 1.5})"},
+      {"transmission", R"({"draws": 0})"},
+      {"transmission", R"({"spline_teeth": "spline_teeth.csv"})"},
       {"modes", "{}"},
+      {"modes", R"({"growth": true})"},
       {"modes", R"({"torque": "20 N*m"})"},
       {"frf", R"({"torque": "20 N*m", "from": "1 Hz", "to": "100 Hz", "points": 30})"},
       {"accuracy",
@@ -98,7 +101,8 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
 /// The texts that they name.
 inline OptionTexts trial_texts() {
   OptionTexts texts;
-  for (const char* const name : {"article.toml", "through_crack.toml", "joint_history.csv"})
+  for (const char* const name :
+       {"article.toml", "through_crack.toml", "joint_history.csv", "spline_teeth.csv"})
     texts[name] = contents(std::filesystem::path(STRAINWAVE_EXAMPLES) / name);
   return texts;
 }

@@ -926,6 +926,38 @@ TEST(Check, InputAMotion) {
             "drivetrain.friction.coulomb = 0 N*m violates: > 0");
   EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->hysteresis->asymmetry = 0.6; }),
             "drivetrain.hysteresis.asymmetry = 0.6 violates: <= 0.5");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->friction->load_coulomb = -0.1; }),
+            "drivetrain.friction.load_coulomb = -0.1 violates: >= 0");
+  EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->friction->load_breakaway = -0.1; }),
+            "drivetrain.friction.load_breakaway = -0.1 violates: >= 0");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.drivetrain->hysteresis.reset();
+              g.drivetrain->slip_element = {{1e4, 1.0}, {1e4, 2.0}};
+            }),
+            ": accepted");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.drivetrain->hysteresis.reset();
+              g.drivetrain->slip_element = {{1e4, 1.0}, {1e4, 0.0}};
+            }),
+            "drivetrain.slip_element[1].limit = 0 N*m violates: > 0");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.drivetrain->slip_element = {{1e4, 1.0}};
+            }),
+            "drivetrain.slip_element: is read in place of drivetrain.hysteresis; give one of the "
+            "two");
+  EXPECT_EQ(refused([](GearSet& g) { g.manoeuvre[1].output_speed = 1.0; }),
+            "manoeuvre[1].output_speed: must be given in all pieces or in none; write output_speed "
+            "= \"0 rpm\" for an output that stands");
+  EXPECT_EQ(refused([](GearSet& g) {
+              for (Manoeuvre& piece : g.manoeuvre) piece.output_speed = 0.1;
+            }),
+            ": accepted");
+  EXPECT_EQ(refused([](GearSet& g) {
+              for (Manoeuvre& piece : g.manoeuvre) piece.output_speed = 0.1;
+              g.manoeuvre[1].output_torque = 1.0;
+            }),
+            "manoeuvre[1].output_speed: needs whatever torque the output has, so output_torque "
+            "cannot be given beside it; give one of the two");
   EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->hysteresis->exponent = 0.5; }),
             "drivetrain.hysteresis.exponent = 0.5 violates: >= 1");
   // A kinematic error of a degree is no error.
@@ -1457,6 +1489,7 @@ TEST(CheckRange, ReferenceRanges) {
                                      "manoeuvre[0].input_speed",
                                      "manoeuvre[0].input_torque",
                                      "manoeuvre[0].output_torque",
+                                     "manoeuvre[0].output_speed",
                                      "load.axial_force",
                                      "wave_generator.crack[0].stress",
                                      "wave_generator.crack[1].stress",
@@ -1501,6 +1534,8 @@ TEST(CheckRange, ReferenceRanges) {
                                              "drivetrain.load_damping",
                                              "drivetrain.friction.bristle_damping",
                                              "drivetrain.friction.viscous",
+                                             "drivetrain.friction.load_coulomb",
+                                             "drivetrain.friction.load_breakaway",
                                              "duty.resonance.frequency_ratio"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "support/expect.hpp"
 
@@ -124,6 +128,198 @@ TEST(Friction, LimitSteadySpeed) {
   test::expect_relative(model.at(0.0, 1.5).torque, (0.4 + 0.002) * 1.5, 1e-14);
 }
 
+/// Uniform numbers that are the same on every machine.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : generator_(seed) {}
+  double operator()(double from, double to) {
+    return from + (to - from) * static_cast<double>(generator_() >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+TEST(Friction, IdentityLoadAddsToBothTorques) {
+  // (MO-40): g = F_c + kappa_c L + (F_s + kappa_s L - F_c - kappa_c L) exp(-(w/w_s)^2), by hand.
+  LuGre model{.bristle_stiffness = 300,
+              .viscous = 0.002,
+              .coulomb = 0.03,
+              .breakaway = 0.05,
+              .stribeck_speed = 2,
+              .load_coulomb = 0.07,
+              .load_breakaway = 0.05};
+  EXPECT_TRUE(model.by_load());
+  test::expect_relative(model.sliding(0.0, 0.4), 0.07, 1e-15);
+  test::expect_relative(model.sliding(1e3, 0.4), 0.058, 1e-15);
+  test::expect_relative(model.steady(-3, 0.4), -(0.058 + 0.012 * std::exp(-2.25)) - 0.006, 1e-14);
+  test::expect_relative(model.at(0.058 / 300, 1e3, 0.4).torque, 0.058 + 2, 1e-14);
+  EXPECT_NEAR(model.at(0.058 / 300, 1e3, 0.4).rate, 0, 1e-10);
+  model.load_breakaway.reset();  // as load_coulomb
+  test::expect_relative(model.sliding(0.0, 0.4), 0.078, 1e-15);
+  model.load_coulomb = 0.0;
+  EXPECT_FALSE(model.by_load());
+  EXPECT_EQ(model.sliding(1.0, 0.4), model.sliding(1.0));
+}
+
+TEST(Friction, IdentityEveryPathUnderEveryLoadLosesEnergy) {
+  // (MO-40): at constant speed and load the deflection of the bristles and its integral are exact,
+  // so the work less the energy stored in the bristles is too.  It is positive in every piece.
+  Uniform uniform(11);
+  for (int trial = 0; trial < 40; ++trial) {
+    LuGre model{.bristle_stiffness = uniform(10, 1000),
+                .viscous = uniform(0, 1e-3),
+                .coulomb = uniform(0.01, 0.1),
+                .stribeck_speed = uniform(0.1, 5),
+                .load_coulomb = uniform(0, 0.5),
+                .load_breakaway = uniform(0, 0.5)};
+    model.breakaway = model.coulomb * uniform(1, 3);
+    double u = 0.0;
+    for (int n = 0; n < 200; ++n) {
+      const double w = uniform(-10, 10);
+      const double g = model.sliding(w, uniform(0, 2));
+      const double end = std::copysign(g / model.bristle_stiffness, w);
+      const double rate = model.bristle_stiffness * std::abs(w) / g;
+      const double time = uniform(0, 2) / rate;
+      const double next = end + (u - end) * std::exp(-rate * time);
+      const double integral = end * time + (u - next) / rate;
+      const double work = (model.bristle_stiffness * integral + model.viscous * w * time) * w;
+      const double stored = model.bristle_stiffness * (next * next - u * u) / 2;
+      EXPECT_GE(work - stored, -1e-15 * (std::abs(work) + std::abs(stored)));
+      u = next;
+    }
+  }
+}
+
+/// Four elements that slip one after the other.
+std::vector<SlipElement> four_elements() {
+  return {{4e4, 0.4}, {2e4, 0.6}, {1e4, 1.0}, {5e3, 1.5}};
+}
+
+/// The curve of the first loading: the sum of min(k x, F).
+double first_loading(const std::vector<SlipElement>& elements, double twist) {
+  double sum = 0.0;
+  for (const SlipElement& of : elements) sum += std::min(of.stiffness * twist, of.limit);
+  return sum;
+}
+
+TEST(SlipElements, IdentityFirstLoadingAndMasing) {
+  // (MO-44): behind a reversal at phi_a the branch is the first curve at twice its size:
+  // z = z_a - 2 f((phi_a - phi)/2), as long as it stays inside the first reversal.
+  const std::vector<SlipElement> elements = four_elements();
+  SlipState state = relaxed(elements, 1e-3);
+  EXPECT_EQ(slip_torque(elements, state, 1e-3), 0.0);
+  const double top = 2.3e-4;
+  for (const double x : {1e-6, 1e-5, 2.9e-5, 9e-5, top}) {
+    test::expect_relative(slip_torque(elements, state, 1e-3 + x), first_loading(elements, x),
+                          1e-10);
+    test::expect_relative(slip_torque(elements, state, 1e-3 - x), -first_loading(elements, x),
+                          1e-10);
+  }
+  state = slip_after(elements, state, 1e-3 + top);
+  const double at_top = first_loading(elements, top);
+  for (const double x : {1e-5, 2.1e-5, 1e-4, 2e-4, 2 * top})
+    EXPECT_NEAR(slip_torque(elements, state, 1e-3 + top - x),
+                at_top - 2 * first_loading(elements, x / 2), 1e-10);
+  // The loop closes at the opposite twist.
+  EXPECT_NEAR(slip_torque(elements, state, 1e-3 - top), -at_top, 1e-10);
+}
+
+TEST(SlipElements, ReferenceAreaOfTheLoop) {
+  // (MO-45): W = sum 4 F (X - F/k) over the elements that slip; the area is integrated here by
+  // trapezoids over pieces between all corners of the loop, which is exact.
+  const std::vector<SlipElement> elements = four_elements();
+  for (const double X : {5e-6, 2e-5, 5e-5, 2e-4, 1e-3}) {
+    double expected = 0.0;
+    for (const SlipElement& of : elements)
+      expected += 4 * of.limit * std::max(0.0, X - of.limit / of.stiffness);
+    SlipState state = slip_after(elements, relaxed(elements, 0.0), X);
+    double area = 0.0;
+    for (const double end : {-X, X}) {
+      std::vector<double> twists = {state.twist, end};
+      const double way = end > 0 ? 1.0 : -1.0;
+      for (const SlipElement& of : elements)
+        if (of.limit / of.stiffness < X)
+          twists.push_back(state.twist + way * 2 * of.limit / of.stiffness);
+      std::ranges::sort(twists);
+      if (way < 0) std::ranges::reverse(twists);
+      for (std::size_t n = 1; n < twists.size(); ++n)
+        area += (slip_torque(elements, state, twists[n]) +
+                 slip_torque(elements, state, twists[n - 1])) /
+                2 * (twists[n] - twists[n - 1]);
+      state = slip_after(elements, state, end);
+    }
+    EXPECT_NEAR(area, expected, 1e-12 * (expected + 1e-4)) << X;
+  }
+}
+
+TEST(SlipElements, IdentityWipingOut) {
+  // (MO-44): a closed inner loop leaves nothing behind, and a larger swing forgets the smaller.
+  const std::vector<SlipElement> elements = four_elements();
+  const SlipState start = relaxed(elements, 0.0);
+  const auto along = [&](std::initializer_list<double> path) {
+    SlipState state = start;
+    for (const double twist : path) state = slip_after(elements, state, twist);
+    return state.torque;
+  };
+  const auto expect_equal = [](const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t j = 0; j < a.size(); ++j) EXPECT_NEAR(a[j], b[j], 1e-12);
+  };
+  expect_equal(along({2e-4, -1e-4, 5e-5, -1e-4, -1.5e-4}), along({2e-4, -1.5e-4}));
+  expect_equal(along({2e-4, -1e-4, 5e-5, -5e-5, 2e-4}), along({2e-4}));
+  expect_equal(along({1e-4, -5e-5, 3e-4}), along({3e-4}));
+}
+
+TEST(SlipElements, IdentityWorkIsStoredOrLost) {
+  // (MO-45): the work along random paths, by trapezoids over short steps, is the change of the
+  // elastic energy and what slips away; each step across a corner adds less than 1e-6 of the work.
+  Uniform uniform(5);
+  const std::vector<SlipElement> elements = four_elements();
+  for (int trial = 0; trial < 20; ++trial) {
+    SlipState state = relaxed(elements, 0.0);
+    double work = 0.0;
+    double lost = 0.0;
+    for (int piece = 0; piece < 12; ++piece) {
+      const double way = uniform(-6e-4, 6e-4);
+      const double step = way / 2000;
+      for (int n = 0; n < 2000; ++n) {
+        const SlipState next = slip_after(elements, state, state.twist + step);
+        const double before = slip_torque(elements, state, state.twist);
+        work += (before + slip_torque(elements, next, next.twist)) / 2 * step;
+        const double power = slip_loss(elements, next, next.twist, step);
+        EXPECT_GE(power, 0.0);
+        lost += power;
+        state = next;
+      }
+    }
+    EXPECT_NEAR(work, slip_energy(elements, state, state.twist) + lost, 2e-3 * work);
+    EXPECT_GT(lost, 0.0);
+    EXPECT_GE(work, slip_energy(elements, state, state.twist));
+  }
+}
+
+TEST(SlipElements, LimitElementThatNeverSlipsIsASpring) {
+  const std::vector<SlipElement> elements = {{3e4, 1e9}};
+  SlipState state = relaxed(elements, 0.0);
+  for (const double twist : {1e-3, -5e-4, 2e-3}) {
+    state = slip_after(elements, state, twist);
+    test::expect_relative(state.torque[0], 3e4 * twist, 1e-12);
+    test::expect_relative(slip_energy(elements, state, twist), 1.5e4 * twist * twist, 1e-12);
+    EXPECT_EQ(slip_loss(elements, state, twist, 1.0), 0.0);
+  }
+}
+
+TEST(Losses, InputSlipElements) {
+  const auto broken = [](const SlipElement& element) {
+    return test::broken_rule([&] {
+      require_constants(std::vector<SlipElement>{{1e4, 1.0}, element});
+    });
+  };
+  EXPECT_EQ(broken({1e4, 2.0}), "no error");
+  EXPECT_EQ(broken({0.0, 2.0}), "slip_element[1].stiffness = 0 N*m/rad violates: > 0");
+  EXPECT_EQ(broken({1e4, -2.0}), "slip_element[1].limit = -2 N*m violates: > 0");
+}
+
 TEST(Losses, InputEachRuleBrokenOnce) {
   const BoucWen sound{.stiffness = 1e5, .limit = 5};
   const auto hysteresis = [&](double BoucWen::*member, double value) {
@@ -149,6 +345,11 @@ TEST(Losses, InputEachRuleBrokenOnce) {
   EXPECT_NE(friction(&LuGre::coulomb, 0).find("coulomb"), std::string::npos);
   EXPECT_NE(friction(&LuGre::breakaway, 0.9).find("breakaway"), std::string::npos);
   EXPECT_NE(friction(&LuGre::stribeck_speed, 0).find("stribeck_speed"), std::string::npos);
+  EXPECT_NE(friction(&LuGre::load_coulomb, -0.1).find("friction.load_coulomb"), std::string::npos);
+  LuGre negative = steel;
+  negative.load_breakaway = -0.1;
+  EXPECT_NE(test::broken_rule([&] { require_constants(negative); }).find("friction.load_breakaway"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -134,6 +134,50 @@ TEST(OrderSpectrum, LimitALineActsLittleOnOrdersFarAway) {
   EXPECT_LT(made.lines[0].amplitude, 1e-5);
 }
 
+TEST(OrderSpectrum, IdentityOfSumsThatGoOn) {
+  // (MO-20, MO-22): sums of two signals that were kept in the middle are those of one go, bit for
+  // bit, and each signal has the lines that it has alone.
+  const std::vector<double> at = angles(30);
+  const std::vector<double> one = signal_of(at, [](double a) { return 5 + std::cos(2 * a); });
+  const std::vector<double> two = signal_of(at, [](double a) { return std::sin(3.5 * a); });
+  const std::vector<double> orders = {2, 3.5};
+  OrderSums whole(orders, 2);
+  OrderSums before(orders, 2);
+  OrderSums after(orders, 2);
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    const double share = static_cast<double>(n) / static_cast<double>(at.size() - 1);
+    const std::vector<double> values = {one[n], two[n]};
+    whole.add(share, at[n], values);
+    if (n == 1234) after.restore(before.numbers());
+    (n < 1234 ? before : after).add(share, at[n], values);
+  }
+  EXPECT_EQ(after.numbers(), whole.numbers());
+  EXPECT_EQ(whole.count(), static_cast<double>(at.size()));
+  EXPECT_EQ(whole.whole(), at.back() - at.front());
+  for (const std::size_t signal : {0U, 1U}) {
+    const OrderSpectrum made = whole.spectrum(signal);
+    const OrderSpectrum alone = order_spectrum(at, signal == 0 ? one : two, orders);
+    for (const std::size_t k : {0U, 1U}) {
+      EXPECT_NEAR(made.lines[k].amplitude, signal == k ? 1.0 : 0.0, 1e-12);
+      EXPECT_NEAR(made.lines[k].amplitude, alone.lines[k].amplitude, 1e-13);
+    }
+    EXPECT_NEAR(made.floor, alone.floor, 1e-13);
+  }
+  OrderSums turned(orders, 1);
+  EXPECT_FALSE(turned.turns_on());
+  for (const double angle : {0.0, 1.0, 2.0, 1.5, 3.0, 4.0, 5.0, 6.0, 7.0})
+    turned.add(0.5, angle, std::vector<double>{angle});
+  EXPECT_FALSE(turned.turns_on());
+  EXPECT_NE(test::broken_rule([&] { (void)turned.spectrum(0); }).find("must rise, or fall"),
+            std::string::npos);
+  EXPECT_NE(test::broken_rule([&] { turned.restore({1.0}); }).find("has other orders"),
+            std::string::npos);
+  EXPECT_NE(test::broken_rule([&] {
+              (void)OrderSums(orders, 1).spectrum(0);
+            }).find("at least four values more"),
+            std::string::npos);
+}
+
 TEST(OrderSpectrum, InputEachRuleBrokenOnce) {
   const std::vector<double> at = angles(10);
   const std::vector<double> orders = {2};

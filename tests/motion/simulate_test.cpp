@@ -389,6 +389,283 @@ TEST(Simulate, BehaviourAMotionThatCannotBeFinishedSaysWhy) {
   EXPECT_NE(exact.reason.find("no step is short enough"), std::string::npos);
 }
 
+TEST(Simulate, IdentityFrictionByLoadLosesEnergy) {
+  // (MO-12, MO-40): torques of both ends that turn back and forth.  The balance counts
+  // what the bristles store as lost.
+  Joint joint = locked(CubicSpring{3e4, 1e9}, 0.5);
+  joint.damping = 5;
+  joint.input_friction = LuGre{.bristle_stiffness = 60,
+                               .viscous = 1e-4,
+                               .coulomb = 0.04,
+                               .breakaway = 0.06,
+                               .stribeck_speed = 2,
+                               .load_coulomb = 0.07,
+                               .load_breakaway = 0.05};
+  joint.input = GivenTorque{{{0.0, 0.1, 0.2, 0.3}, {0.0, 0.6, -0.6, 0.2}}};
+  joint.output_torque = {{0.0, 0.05, 0.15, 0.3}, {0.0, -30.0, 25.0, 0.0}};
+  const Motion motion =
+      simulate(joint, {}, {.duration = 0.4, .output_step = 0.4, .tolerance = 1e-11});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_LT(motion.energy.imbalance, 1e-8);
+  EXPECT_GT(motion.energy.lost, 0.0);
+  EXPECT_FALSE(times_of(motion, MotionEvent::load_sense).empty());
+  // Without its part of the load the friction loses less.
+  joint.input_friction->load_coulomb = 0.0;
+  joint.input_friction->load_breakaway = 0.0;
+  const Motion less =
+      simulate(joint, {}, {.duration = 0.4, .output_step = 0.4, .tolerance = 1e-11});
+  EXPECT_TRUE(times_of(less, MotionEvent::load_sense).empty());
+  EXPECT_NE(less.energy.lost, motion.energy.lost);
+}
+
+/// Both ends have a given speed: the output stands, and the input swings the twist by X, with four
+/// straight pieces of the twist over 4 s.
+Joint swung(double X) {
+  const double w = 100 * X;  // of the input, ratio 100
+  Joint joint = locked(LinearSpring{1e4}, 1.0);
+  const double e = 1e-6;  // a reversal takes this time
+  joint.input = GivenSpeed{{{0.0, 1 - e, 1 + e, 3 - e, 3 + e}, {w, w, -w, -w, w}}};
+  joint.output_speed = Profile{.value = {0.0}};
+  return joint;
+}
+
+TEST(Simulate, ReferenceLoopOfSlipElements) {
+  // (MO-44, MO-45): a swing 0, X, -X, 0 of the twist.  The first loading loses F (X - F/k), and
+  // each later swing by 2 X twice as much, that of X from the end what slips behind 2 F/k.
+  const double X = 1e-4;
+  Joint joint = swung(X);
+  joint.slip_elements = {{4e4, 1.0}, {2e4, 1.0}, {1e4, 4.0}};
+  std::vector<double> torque;
+  const Motion motion =
+      simulate(joint, {}, {.duration = 4, .output_step = 0.5, .tolerance = 1e-11},
+               [&](const MotionSample& at) { torque.push_back(at.forces.torque); });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  double lost = 0.0;
+  for (const SlipElement& of : joint.slip_elements) {
+    const double slip = of.limit / of.stiffness;
+    if (slip < X) lost += of.limit * ((X - slip) + 2 * (X - slip) + std::max(0.0, X - 2 * slip));
+  }
+  // The reversal takes 1e-6 of the swing.
+  test::expect_relative(motion.energy.lost, lost, 1e-5);
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+  // The output bears M, given by the spring and the elements: at 0.5 s, 1 s and 2 s.
+  test::expect_relative(torque[1], 0.5 + 1.0 + 1.0 + 0.5, 1e-9);
+  test::expect_relative(torque[2], 1.0 + 1.0 + 1.0 + 1.0, 1e-5);
+  test::expect_relative(torque[4], 0.0 - 1.0 - 1.0 + 0.0, 1e-5);
+  // The elements begin to slip at F/k and 2 F/k behind a reversal.
+  const std::vector<double> slips = times_of(motion, MotionEvent::element_slip);
+  ASSERT_EQ(slips.size(), 5U);
+  const double expected[] = {0.25, 0.5, 1.5, 2.0, 3.5};
+  for (std::size_t n = 0; n < 5; ++n) EXPECT_NEAR(slips[n], expected[n], n < 2 ? 1e-9 : 3e-6);
+  EXPECT_EQ(times_of(motion, MotionEvent::twist_reversal).size(), 2U);
+}
+
+TEST(Simulate, ReferenceTimeOfASlip) {
+  // (MO-44): a load is let go at x_0 with the element at its limit.  It moves about
+  // x_e = (k x_0 - F)/(k_0 + k), and the element slips back behind 2 F/k, in closed form.
+  const double k0 = 2e4, k = 3e4, F = 3.0, J = 0.8, x0 = 4e-4;
+  Joint joint = locked(LinearSpring{k0}, J);
+  joint.slip_elements = {{k, F}};
+  const JointState start{.output_angle = -x0, .slip = SlipState{.twist = x0, .torque = {F}}};
+  const Motion motion =
+      simulate(joint, start, {.duration = 0.05, .output_step = 0.05, .tolerance = 1e-13});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+  const double xe = (k * x0 - F) / (k0 + k);
+  const double expected = std::acos(1 - 2 * F / k / (x0 - xe)) / std::sqrt((k0 + k) / J);
+  const std::vector<double> slips = times_of(motion, MotionEvent::element_slip);
+  ASSERT_GE(slips.size(), 2U);
+  EXPECT_NEAR(slips[0], expected, 1e-9);
+  // Behind it the load swings about F/k_0 with the spring alone until it turns.
+  const double x = x0 - 2 * F / k;
+  const double v = std::sqrt((k0 + k) / J) * std::sqrt(std::pow(x0 - xe, 2) - std::pow(x - xe, 2));
+  const double w = std::sqrt(k0 / J);
+  const double turn = expected + (pi - std::atan2(v / w, x - F / k0)) / w;
+  const std::vector<double> turns = times_of(motion, MotionEvent::twist_reversal);
+  ASSERT_FALSE(turns.empty());
+  EXPECT_NEAR(turns[0], turn, 1e-8);
+}
+
+TEST(Simulate, LimitSlipElementThatNeverSlips) {
+  // (MO-44): an element that sticks is a spring: the motion is that of the sum, without loss.
+  const SimulationOptions options{.duration = 0.2, .output_step = 0.2, .tolerance = 1e-13};
+  Joint joint = locked(LinearSpring{3e4}, 0.7);
+  joint.slip_elements = {{2e4, 1e6}};
+  const Motion one =
+      simulate(joint, {.output_speed = 0.02, .slip = SlipState{0.0, {0.0}}}, options);
+  const Motion sum = simulate(locked(LinearSpring{5e4}, 0.7), {.output_speed = 0.02}, options);
+  EXPECT_NEAR(one.last.output_angle, sum.last.output_angle, 1e-11);
+  EXPECT_EQ(one.energy.lost, 0.0);
+  EXPECT_LT(one.energy.imbalance, 1e-9);
+}
+
+TEST(Simulate, ConvergenceManySlipElementsAreDahl) {
+  // (MO-9, MO-44): elements whose first loading interpolates F (1 - exp(-x/d)) return Dahl's first
+  // loading; the difference falls with the square of their distance.
+  const double F = 3.0, d = 3e-5, X = 2e-4;
+  const auto difference = [&](int n) {
+    std::vector<SlipElement> elements;
+    const double step = 10 * d / n;
+    const auto f = [&](double x) { return F * (1 - std::exp(-x / d)); };
+    const auto slope = [&](int at) {
+      return at < n ? (f((at + 1) * step) - f(at * step)) / step : 0.0;
+    };
+    for (int at = 1; at <= n; ++at) {
+      const double k = slope(at - 1) - slope(at);
+      elements.push_back({k, k * at * step});
+    }
+    Joint joint = swung(X);
+    joint.slip_elements = elements;
+    double most = 0.0;
+    (void)simulate(joint, {}, {.duration = 0.9, .output_step = 0.01, .tolerance = 1e-11},
+                   [&](const MotionSample& at) {
+                     const double z = at.forces.torque - at.forces.elastic_torque;
+                     most = std::max(most, std::abs(z - f(at.forces.twist)));
+                   });
+    return most;
+  };
+  const double coarse = difference(20);
+  EXPECT_LT(coarse, 0.1);
+  EXPECT_LT(difference(80), coarse / 12);
+}
+
+TEST(Simulate, ReferenceOutputAtAGivenAcceleration) {
+  // (MO-46): a free motor behind an output that accelerates by a: the twist swings about
+  // -i^2 J_m a/k, and T_ext = J_L a + i^2 J_m a (1 - cos(w t)), w^2 = k/(i^2 J_m), in closed form.
+  const double a = 2.0, k = 3e4;
+  for (const double i : {100.0, -80.0}) {
+    Joint joint{.ratio = i,
+                .input_inertia = 1e-4,
+                .output_inertia = 0.6,
+                .spring = LinearSpring{k},
+                .output_speed = Profile{{0.0, 0.3}, {0.0, 0.3 * a}}};
+    const double J = i * i * 1e-4;
+    const double w = std::sqrt(k / J);
+    const Motion motion = simulate(
+        joint, {}, {.duration = 0.3, .output_step = 0.01, .tolerance = 1e-13},
+        [&](const MotionSample& at) {
+          EXPECT_NEAR(at.state.output_speed, a * at.time, 1e-12);
+          EXPECT_NEAR(at.forces.output_torque, 0.6 * a + J * a * (1 - std::cos(w * at.time)), 1e-7);
+          EXPECT_NEAR(at.state.input_speed, i * a * (at.time - std::sin(w * at.time) / w), 1e-7);
+        });
+    ASSERT_TRUE(motion.converged) << motion.reason;
+    EXPECT_LT(motion.energy.imbalance, 1e-10);
+    // The work of T_ext is the energy of motor, load and spring: nothing else drives the joint.
+    test::expect_relative(motion.energy.supplied, motion.energy.at_end, 1e-9);
+  }
+}
+
+TEST(Simulate, LimitBothSpeedsGiven) {
+  // (MO-46): the twist is given.  Ends that move as an ideal gear need the torques of their own
+  // inertias; with gravity, damping and a slower output also those.
+  Joint joint{.ratio = -50,
+              .input_inertia = 2e-4,
+              .output_inertia = 0.4,
+              .spring = LinearSpring{2e4},
+              .damping = 7,
+              .input_damping = 1e-3,
+              .output_damping = 0.3,
+              .input = GivenSpeed{{{0.0, 0.5}, {0.0, -50.0}}},
+              .output_speed = Profile{{0.0, 0.5}, {0.0, 1.0}},
+              .gravity_torque = 12,
+              .gravity_angle = 0.1};
+  const SimulationOptions options{.duration = 0.5, .output_step = 0.1, .tolerance = 1e-12};
+  Motion motion = simulate(joint, {.output_angle = 0.1}, options, [&](const MotionSample& at) {
+    const double w = 2 * at.time;
+    const double angle = at.time * at.time;
+    const double M = 2e4 * -0.1;
+    EXPECT_NEAR(at.forces.torque, M, 1e-7);
+    EXPECT_NEAR(at.forces.output_torque, 0.4 * 2 - M + 0.3 * w + 12 * std::sin(angle), 1e-7);
+    EXPECT_NEAR(at.forces.input_torque, 2e-4 * -100 + 1e-3 * -50 * w + M / -50, 1e-9);
+  });
+  EXPECT_LT(motion.energy.imbalance, 1e-10);
+  // An output at nine tenths of the speed is wound up by 0.1 t^2.
+  joint.output_speed = Profile{{0.0, 0.5}, {0.0, 0.9}};
+  motion = simulate(joint, {}, options, [&](const MotionSample& at) {
+    EXPECT_NEAR(at.forces.torque, 2e4 * 0.1 * at.time * at.time + 7 * 0.2 * at.time, 1e-7);
+  });
+  EXPECT_LT(motion.energy.imbalance, 1e-10);
+}
+
+TEST(Simulate, BehaviourAGivenOutputBeginsAtItsSpeed) {
+  // (MO-46): the speed of the start gives way to the given one, as at the input.
+  Joint joint = reference_joint();
+  joint.output_speed = Profile{.value = {0.5}};
+  const Motion motion = simulate(
+      joint, {.output_speed = -3}, {.duration = 0.2, .output_step = 0.2, .tolerance = 1e-12},
+      [](const MotionSample& at) { EXPECT_NEAR(at.state.output_angle, 0.5 * at.time, 1e-12); });
+  EXPECT_EQ(motion.last.output_speed, 0.5);
+}
+
+TEST(Simulate, IdentityGivenOutputWithBreathingCracks) {
+  // (MO-12, MO-46): cracks that open with either shaft push it, which T_ext has to bear; without
+  // the push on the output the energy would not balance.  No loss, so the rest is rounding and
+  // steps.
+  Joint joint = reference_joint();
+  joint.cracks = {
+      {.compliance = 2e-6, .opening = AngleOpening{.order = 2.02}},
+      {.compliance = 3e-6, .opening = AngleOpening{.shaft = BreathingShaft::output, .order = 1}}};
+  joint.gravity_torque = 20;
+  joint.output_speed = Profile{{0.0, 0.2, 0.5}, {0.0, 2.0, -1.0}};
+  const Motion motion = simulate(joint, {.input_speed = 30, .output_angle = 0.5},
+                                 {.duration = 0.6, .output_step = 0.6, .tolerance = 1e-13});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_EQ(motion.energy.lost, 0.0);
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+  EXPECT_NEAR(motion.last.output_speed, -1.0, 1e-12);
+  EXPECT_NEAR(motion.last.output_angle, 0.5 + 0.2 + 0.15 - 0.1, 1e-10);
+}
+
+TEST(Simulate, CrosscheckGivenOutputAgainstGivenTorque) {
+  // (MO-46): a load that is moved by the torque which its given motion needs moves as given.
+  Joint joint = locked(CubicSpring{3e4, 1e10}, 0.5);
+  joint.damping = 20;
+  joint.input = GivenTorque{{.value = {0.0}}};
+  joint.input_friction = LuGre{.bristle_stiffness = 60, .coulomb = 0.04, .breakaway = 0.04};
+  joint.output_speed = Profile{{0.0, 0.1, 0.2}, {0.0, 1.0, -0.5}};
+  Profile torque{.time = {}, .value = {}};
+  constexpr double kStep = 1e-4;
+  const Motion given =
+      simulate(joint, {}, {.duration = 0.2, .output_step = kStep, .tolerance = 1e-11},
+               [&](const MotionSample& at) {
+                 torque.time.push_back(at.time);
+                 torque.value.push_back(at.forces.output_torque);
+               });
+  // T_ext jumps by J_L times the change of acceleration where the speed has a corner; the samples
+  // state it before the jump.
+  const auto corner = static_cast<std::size_t>(std::lround(0.1 / kStep));
+  torque.time.insert(torque.time.begin() + static_cast<std::ptrdiff_t>(corner) + 1, 0.1 + 1e-9);
+  torque.value.insert(torque.value.begin() + static_cast<std::ptrdiff_t>(corner) + 1,
+                      torque.value[corner] - 0.5 * 25);
+  joint.output_speed.reset();
+  joint.output_torque = torque;
+  const Motion driven =
+      simulate(joint, {}, {.duration = 0.2, .output_step = 0.2, .tolerance = 1e-11});
+  ASSERT_TRUE(driven.converged) << driven.reason;
+  // Straight lines between the samples.
+  EXPECT_NEAR(driven.last.output_angle, given.last.output_angle, 1e-6);
+  EXPECT_NEAR(driven.last.output_speed, -0.5, 1e-4);
+  test::expect_relative(driven.energy.supplied, given.energy.supplied, 1e-3);
+}
+
+TEST(Simulate, InputStateOfSlipElements) {
+  Joint joint = locked(LinearSpring{1e4}, 1.0);
+  joint.slip_elements = {{1e4, 1.0}};
+  const SimulationOptions options{.duration = 1, .output_step = 1};
+  const auto refused = [&](const SlipState& slip) {
+    return test::broken_rule([&] { (void)simulate(joint, {.slip = slip}, options); });
+  };
+  EXPECT_EQ(refused({0.0, {0.5}}), "no error");
+  EXPECT_EQ(refused({0.0, {1.5}}),
+            "slip.torque[0] = 1.5 N*m violates: within the limit of the element");
+  EXPECT_EQ(refused({0.0, {}}),
+            "slip.torque: must have as many values as the joint has slip elements");
+  EXPECT_EQ(refused({std::numeric_limits<double>::infinity(), {0.5}}),
+            "slip.twist = inf rad violates: a finite number");
+  joint.output_speed = Profile{.value = {}};
+  EXPECT_EQ(refused({0.0, {0.5}}), "output_speed: must have at least one value");
+}
+
 TEST(Simulate, InputEachRuleBrokenOnce) {
   const auto broken = [](const SimulationOptions& options, const JointState& start = {}) {
     return test::broken_rule(

@@ -14,6 +14,8 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_growth/grow_cracks.hpp"
+#include "strainwave/dynamics/drivetrain_chain.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/modes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
@@ -335,6 +337,122 @@ TEST(ModesReport, BehaviourInertiasOfTheGearAddModesFarAbove) {
       with.notes, [](const Note& note) { return note.code == "modes.large_damping"; }));
   EXPECT_TRUE(std::ranges::none_of(
       without.notes, [](const Note& note) { return note.code == "modes.large_damping"; }));
+}
+
+/// The rows of one mode for a condition of the motor.
+std::vector<ModeAtTorque> over_torque(const ModesReport& report, MotorGives motor, int number) {
+  std::vector<ModeAtTorque> rows;
+  for (const ModeAtTorque& row : report.over_torque)
+    if (row.motor == motor && row.number == number) rows.push_back(row);
+  return rows;
+}
+
+TEST(ModesReport, CrosscheckTheModesOverTheTorque) {
+  // (DY-3), (DY-11): each row against the closed form of two inertias on the tangent of a torsion
+  // curve that is solved for this torque alone.
+  const GearSet gear = robot_joint();
+  const ModesReport report = modes_report(gear);
+  const double J = gear.drivetrain->load_inertia;
+  const auto locked = over_torque(report, MotorGives::speed, 1);
+  const auto free = over_torque(report, MotorGives::torque, 1);
+  ASSERT_GE(locked.size(), 24U);
+  ASSERT_EQ(free.size(), locked.size());
+  EXPECT_EQ(locked.front().torque, -locked.back().torque);
+  EXPECT_GE(locked.back().torque, *gear.rating->rated_torque);
+  for (std::size_t n = 0; n < locked.size(); ++n) {
+    const auto frequency = [&](const GearSet& of) {
+      const double K =
+          torsion_curve(of, std::array{locked[n].torque}).points.front().tangent_stiffness();
+      return std::sqrt(K / (J + gear_inertias(of).shaft)) / (2 * pi);
+    };
+    GearSet sound = gear;
+    sound.flexspline->crack.clear();
+    sound.output_shaft->crack.clear();
+    EXPECT_NEAR(locked[n].intact / frequency(sound), 1.0, 1e-6) << locked[n].torque;
+    EXPECT_NEAR(*locked[n].cracked / frequency(gear), 1.0, 1e-6) << locked[n].torque;
+    EXPECT_EQ(*locked[n].change(), *locked[n].cracked / locked[n].intact - 1);
+    // One mode of two inertias has one shape at all torques.
+    EXPECT_NEAR(free[n].likeness.value_or(1.0), 1.0, 1e-12);
+    // The ratio of both conditions holds at each torque.
+    EXPECT_NEAR(free[n].intact / locked[n].intact, free[0].intact / locked[0].intact, 1e-9);
+  }
+  // Positive torque opens the crack of the wall; the annular crack of the shaft stays open.
+  EXPECT_LT(*locked.back().change(), *locked.front().change() - 5e-5);
+  EXPECT_LT(*locked.front().change(), -1e-3);
+}
+
+TEST(ModesReport, BehaviourModesThatCrossKeepTheirNumber) {
+  // (DY-11): the motor on a stiff coupling vibrates at 11.7 kHz at each torque.  A mode of the
+  // flexspline passes this frequency while the torque rises, and each shape keeps its number.
+  GearSet gear = example("joint_size25");
+  gear.drivetrain->coupling_stiffness = 1.19e5;
+  const ModesReport report = modes_report(gear);
+  const auto second = over_torque(report, MotorGives::torque, 2);
+  const auto third = over_torque(report, MotorGives::torque, 3);
+  ASSERT_EQ(second.size(), third.size());
+  bool below = false;
+  bool above = false;
+  for (std::size_t n = 0; n < second.size(); ++n) {
+    below |= second[n].intact < third[n].intact;
+    above |= second[n].intact > third[n].intact;
+    EXPECT_GT(second[n].likeness.value_or(1.0), 0.8) << second[n].torque;
+    EXPECT_GT(third[n].likeness.value_or(1.0), 0.8) << third[n].torque;
+  }
+  EXPECT_TRUE(below);
+  EXPECT_TRUE(above);
+}
+
+TEST(ModesReport, LimitTheSumOfTheMembersHasNoModesOverTheTorque) {
+  GearSet gear = robot_joint();
+  gear.mesh.reset();
+  gear.circular_spline.reset();
+  const ModesReport report = modes_report(gear);
+  ASSERT_EQ(report.springs, SpringModel::members);
+  EXPECT_TRUE(report.over_torque.empty());
+}
+
+TEST(ModesReport, CrosscheckTheFirstModeWhileACrackGrows) {
+  // (GR-25), (DY-3): each row against the closed form of one inertia on the tangent of the torsion
+  // curve of the drive with the crack at its size.
+  GearSet gear = example("resonance_shift_size25");
+  gear.material.at("steel").density.reset();
+  ModesReport report = modes_report(gear);
+  EXPECT_FALSE(report.over_growth.has_value());
+  add_modes_over_growth(report, gear, 12);
+  const ModesOverGrowth& over = *report.over_growth;
+  GrowthOptions options;
+  options.points = 12;
+  const GrowthReport growth = grow_cracks(gear, options);
+  ASSERT_TRUE(growth.life.has_value());
+  EXPECT_EQ(over.life, growth.life);
+  EXPECT_EQ(over.sentence, growth.sentence);
+  ASSERT_EQ(over.rows.size(), growth.drives.size());
+  ASSERT_GE(over.rows.size(), 8U);
+  const auto tangent = [&](const GearSet& of) {
+    return torsion_curve(of, std::array{of.load.torque}).points.front().tangent_stiffness();
+  };
+  for (std::size_t n = 0; n < over.rows.size(); ++n) {
+    const double expected = std::sqrt(tangent(growth.drives[n]) / tangent(gear)) - 1;
+    EXPECT_EQ(over.rows[n].time, growth.stiffness[n].time);
+    EXPECT_NEAR(*over.rows[n].locked_change, expected, 1e-9);
+    EXPECT_NEAR(*over.rows[n].free_change, expected, 1e-9);
+    EXPECT_EQ(over.rows[n].likeness.has_value(), n > 0);
+    EXPECT_NEAR(over.rows[n].likeness.value_or(1.0), 1.0, 1e-12);
+  }
+  EXPECT_EQ(over.rows.front().free_change, 0.0);
+  EXPECT_NEAR(*over.rows.front().free, *report.free_frequency(), 1e-9 * *report.free_frequency());
+  EXPECT_LT(*over.rows.back().free_change, -1e-3);
+  // The report tells the notes and the equations of the growth, each once.
+  for (const Note& note : growth.notes)
+    EXPECT_EQ(std::ranges::count(report.notes, note), 1) << note.text;
+  EXPECT_EQ(std::ranges::count(report.equations, "GR-24"), 1);
+}
+
+TEST(ModesReport, InputGrowthWithoutADuty) {
+  const GearSet gear = robot_joint();
+  ModesReport report = modes_report(gear);
+  EXPECT_THROW(add_modes_over_growth(report, gear), InputError);
+  EXPECT_FALSE(report.over_growth.has_value());
 }
 
 TEST(ModesReport, InputADriveWithoutADrivetrain) {

@@ -10,12 +10,15 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/motion_record.hpp"
 #include "strainwave/layouts/simulation.hpp"
+#include "strainwave/present/json.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/study/drive_joint.hpp"
 #include "strainwave/torsion/compare.hpp"
@@ -331,6 +334,143 @@ TEST(SimulationReport, BehaviourOfTheServo) {
   EXPECT_FALSE(stuck.orders);
 }
 
+/// A record that is held in memory, with a checkpoint at every so many samples.
+struct HeldRecord {
+  explicit HeldRecord(std::size_t every) {
+    record.begin = [this](bool with_cracks) { cracked = with_cracks; };
+    record.write = [this](const SimulationRow& row) {
+      add_record_row(rows, RecordForm::binary, row, {.cracked = cracked});
+    };
+    record.due = [this, every] { return ++asked % every == 0; };
+    record.keep = [this](const SimulationCheckpoint& at) { kept.emplace_back(rows.size(), at); };
+  }
+
+  bool cracked = false;
+  std::string rows = {};
+  std::size_t asked = 0;
+  std::vector<std::pair<std::size_t, SimulationCheckpoint>> kept = {};  // with the bytes before it
+  SimulationRecord record = {};
+};
+
+/// A drive that turns 18 times, with cracks, friction and a motor with a sampled controller.
+GearSet recorded_joint(bool sampled, bool slips = false) {
+  GearSet gear = summed_joint("gear_damping = \"400 N*m*s/rad\"\nbreathing = \"turn\"\n");
+  gear.kinematic_error = {{.order = 2, .amplitude = 1e-4}};
+  gear.drivetrain->hysteresis = dahl(1e5, 1);
+  gear.drivetrain->friction = LuGre{.bristle_stiffness = 100, .coulomb = 0.01, .breakaway = 0.02};
+  if (slips) {
+    gear.drivetrain->hysteresis.reset();
+    gear.drivetrain->slip_element = {{.stiffness = 5e4, .limit = 0.5},
+                                     {.stiffness = 5e4, .limit = 2.0}};
+  }
+  if (sampled)
+    gear.drivetrain->servo = Servo{.speed_gain = 0.05, .position_time = 0.02, .sample_time = 1e-3};
+  gear.manoeuvre = {{.duration = 0.1, .input_speed = 1000 * units::rpm, .output_torque = 30.0},
+                    {.duration = 1, .input_speed = 1000 * units::rpm}};
+  return gear;
+}
+
+TEST(SimulationReport, IdentityRecordedMotionGoesOnToTheSameDigits) {
+  // (MO-22): rows and answer, bit for bit, from any checkpoint on, in text and back.
+  for (const auto& [sampled, slips] : {std::pair{false, false}, {true, false}, {false, true}}) {
+    const GearSet gear = recorded_joint(sampled, slips);
+    const SimulationSettings settings{.output_step = 1e-3, .tolerance = 1e-8};
+    HeldRecord whole(170);
+    const SimulationReport expected = simulation_report(gear, settings, {}, &whole.record);
+    ASSERT_TRUE(expected.orders);
+    EXPECT_TRUE(expected.rows.empty());
+    EXPECT_EQ(expected.recorded_rows, 1101.0);
+    EXPECT_TRUE(has_note(expected.notes, "motion.recorded"));
+    ASSERT_GE(whole.kept.size(), 7U);
+    for (std::size_t n = 0; n < whole.kept.size(); n += 2) {
+      const auto& [bytes, checkpoint] = whole.kept[n];
+      const std::string text = checkpoint_text(checkpoint);
+      HeldRecord rest(100'000'000);
+      rest.record.from = read_simulation_checkpoint(text);
+      EXPECT_EQ(*rest.record.from, checkpoint);
+      const SimulationReport made = simulation_report(gear, settings, {}, &rest.record);
+      EXPECT_EQ(whole.rows.substr(0, bytes) + rest.rows, whole.rows);
+      EXPECT_EQ(json_of(made), json_of(expected));
+    }
+    // The rows and the lines are those of a motion that is not recorded.
+    const SimulationReport held = simulation_report(gear, settings);
+    std::string rows;
+    for (const SimulationRow& row : held.rows)
+      add_record_row(rows, RecordForm::binary, row, {.cracked = whole.cracked});
+    EXPECT_EQ(rows, whole.rows);
+    EXPECT_EQ(json_of(*held.orders), json_of(*expected.orders));
+    EXPECT_EQ(json_of(*held.cracked), json_of(*expected.cracked));
+  }
+}
+
+TEST(SimulationReport, IdentityAStoppedRecordLosesNothing) {
+  // (MO-22): a stop keeps the state at its last sample, wherever it comes.
+  const GearSet gear = recorded_joint(true);
+  const SimulationSettings settings{.output_step = 0.05, .tolerance = 1e-8};
+  HeldRecord whole(100'000'000);
+  const SimulationReport expected = simulation_report(gear, settings, {}, &whole.record);
+  for (const int stop : {0, 300, 1501, 1502}) {
+    HeldRecord before(100'000'000);
+    int left = stop;
+    // The first hundredth makes the joint.
+    const Progress progress([&](double share) { return share <= 0.01 || --left >= 0; });
+    EXPECT_THROW((void)simulation_report(gear, settings, progress, &before.record), Stopped);
+    ASSERT_FALSE(before.kept.empty());
+    EXPECT_EQ(before.kept.back().first, before.rows.size());
+    HeldRecord rest(100'000'000);
+    rest.record.from = before.kept.back().second;
+    EXPECT_EQ(json_of(simulation_report(gear, settings, {}, &rest.record)), json_of(expected));
+    EXPECT_EQ(before.rows + rest.rows, whole.rows);
+  }
+}
+
+TEST(SimulationReport, LimitARecordMayBeLonger) {
+  // Neither the rows nor the samples of a controller have the limits of a motion that is held.
+  GearSet gear = without_cracks(summed_joint());
+  HeldRecord record(100'000'000);
+  const SimulationReport report =
+      simulation_report(gear, {.output_step = 1e-8}, {}, &record.record);
+  EXPECT_EQ(report.recorded_rows, 2'000'001.0);
+  EXPECT_EQ(record.rows.size(), 2'000'001 * 8 * sizeof(double));
+  EXPECT_TRUE(report.rows.empty());
+  gear.drivetrain->servo = Servo{.speed_gain = 0.05, .sample_time = 1e-11};
+  EXPECT_NE(test::broken_rule([&] {
+              (void)simulation_report(gear, {}, {}, &record.record);
+            }).find("thousand millionth"),
+            std::string::npos);
+}
+
+TEST(SimulationReport, InputOfACheckpoint) {
+  const GearSet gear = recorded_joint(false);
+  const SimulationSettings settings{.output_step = 0.05, .tolerance = 1e-8};
+  HeldRecord whole(100);
+  (void)simulation_report(gear, settings, {}, &whole.record);
+  const auto broken = [&](const GearSet& of, const SimulationCheckpoint& from) {
+    HeldRecord rest(100'000'000);
+    rest.record.from = from;
+    return test::broken_rule([&] { (void)simulation_report(of, settings, {}, &rest.record); });
+  };
+  const SimulationCheckpoint good = whole.kept.at(1).second;
+  EXPECT_EQ(broken(gear, good), "no error");
+  EXPECT_NE(broken(without_cracks(gear), good).find("has other cracks"), std::string::npos);
+  SimulationCheckpoint other = good;
+  other.sound.orders.pop_back();
+  EXPECT_NE(broken(gear, other).find("has other orders"), std::string::npos);
+  // A text that was cut, or changed in a word, is refused.
+  const std::string text = checkpoint_text(good);
+  const auto refused = [](const std::string& changed) {
+    return test::broken_rule([&] { (void)read_simulation_checkpoint(changed); });
+  };
+  const std::string message = "checkpoint: cannot be read; begin the motion again";
+  EXPECT_EQ(refused(text), "no error");
+  EXPECT_EQ(refused(""), message);
+  EXPECT_EQ(refused("2" + text.substr(1)), message);
+  EXPECT_EQ(refused(text + " 0"), message);
+  EXPECT_EQ(refused(text.substr(0, text.rfind(' '))), message);
+  EXPECT_EQ(refused("1 x"), message);
+  EXPECT_EQ(refused("1 18446744073709551616"), message);
+}
+
 TEST(SimulationReport, InputEachRuleBrokenOnce) {
   const auto broken = [](const GearSet& gear, const SimulationSettings& settings = {}) {
     return test::broken_rule([&] { (void)simulation_report(gear, settings); });
@@ -363,6 +503,91 @@ TEST(SimulationReport, InputEachRuleBrokenOnce) {
               (void)drive_joint(gear);
             }).find("motor_inertia"),
             std::string::npos);
+}
+
+TEST(SimulationReport, CrosscheckGivenOutput) {
+  // (MO-46): motor and load move as an ideal stiff gear from rest, so the drive hangs on gravity
+  // alone, and T_ext is J_L times the acceleration with gravity's change, for either arrangement.
+  for (const bool spline_fixed : {true, false}) {
+    GearSet gear = without_cracks(summed_joint(spline_fixed ? "" : "fixed = \"flexspline\"\n"));
+    const DriveJoint made = drive_joint(gear);
+    const double i = made.joint.ratio;
+    gear.manoeuvre = {{.duration = 0.2, .input_speed = 1.0 * i, .output_speed = 1.0},
+                      {.duration = 0.1, .input_speed = 1.0 * i, .output_speed = 1.0}};
+    const SimulationReport report = simulation_report(gear, {.tolerance = 1e-12});
+    ASSERT_TRUE(report.intact.converged) << report.intact.reason;
+    EXPECT_LT(report.intact.imbalance, 1e-9);
+    EXPECT_NE(std::ranges::find(report.equations, "MO-46"), report.equations.end());
+    // 5 rad/s^2 in the first piece.
+    const double torque = made.joint.output_inertia * 5;
+    EXPECT_NEAR(report.rows[10].output_torque.value(), torque, 1e-6 * torque);
+    EXPECT_NEAR(report.rows[900].output_torque.value(), 0.0, 1e-6 * torque);
+    EXPECT_NEAR(report.intact.largest_output_torque.value(), torque, 1e-6 * torque);
+    EXPECT_NEAR(report.rows[10].torque, 0.0, 1e-6 * torque);
+    EXPECT_FALSE(report.cracked.has_value());
+    // An output that is free has no such torque.
+    for (Manoeuvre& piece : gear.manoeuvre) piece.output_speed.reset();
+    const SimulationReport free = simulation_report(gear, {.tolerance = 1e-9});
+    EXPECT_FALSE(free.intact.largest_output_torque.has_value());
+    EXPECT_FALSE(free.rows[0].output_torque.has_value());
+  }
+}
+
+TEST(SimulationReport, InputSpeedsThatWindUp) {
+  // (MO-46): 1 rad/s of the output against a standing input for 1 s is 1 rad.
+  GearSet gear = without_cracks(summed_joint());
+  const auto refused = [&](std::vector<Manoeuvre> pieces) {
+    gear.manoeuvre = std::move(pieces);
+    return test::broken_rule([&] { (void)simulation_report(gear); });
+  };
+  const std::string text = refused({{.duration = 1e-3, .input_speed = 0.0, .output_speed = 0.0},
+                                    {.duration = 2.0, .input_speed = 0.0, .output_speed = 1.0}});
+  EXPECT_TRUE(text.starts_with("manoeuvre[1].output_speed: winds up the drive by")) << text;
+  // The twist is largest inside a piece that turns back.
+  EXPECT_TRUE(refused({{.duration = 1.0, .input_speed = 0.0, .output_speed = 0.8},
+                       {.duration = 1.0, .input_speed = 0.0, .output_speed = -0.8}})
+                  .starts_with("manoeuvre[1].output_speed"));
+  EXPECT_EQ(refused({{.duration = 0.1, .input_speed = 0.0, .output_speed = 1e-3},
+                     {.duration = 0.1, .input_speed = 0.0, .output_speed = -1e-3}}),
+            "no error");
+}
+
+TEST(SimulationReport, CrosscheckFrictionByLoad) {
+  // (MO-40): at a constant speed against a torque, the motor bears T/i and the friction of the
+  // turning input with its part of the load, after the ramp of 20 ms.
+  GearSet gear = without_cracks(summed_joint("gear_damping = \"200 N*m*s/rad\"\n"));
+  gear.drivetrain->friction = LuGre{.bristle_stiffness = 50,
+                                    .viscous = 1e-4,
+                                    .coulomb = 0.05,
+                                    .breakaway = 0.06,
+                                    .stribeck_speed = 2,
+                                    .load_coulomb = 0.08};
+  const double i = drive_joint(gear).joint.ratio;
+  const double torque = 60;
+  gear.manoeuvre = {
+      {.duration = 0.3, .input_speed = 100.0, .output_torque = i > 0 ? -torque : torque},
+      {.duration = 0.7, .input_speed = 100.0}};
+  const SimulationReport report = simulation_report(gear);
+  const double load = torque / std::abs(i);
+  test::expect_relative(report.rows.back().input_torque, load * 1.08 + 0.05 + 1e-4 * 100, 1e-4);
+  EXPECT_NE(std::ranges::find(report.equations, "MO-40"), report.equations.end());
+  EXPECT_LT(report.intact.imbalance, 1e-6);
+}
+
+TEST(SimulationReport, IdentitySlipElementsInADrive) {
+  // (MO-44, MO-45): the elements end in the balance of energy; without them the drive moves
+  // otherwise.
+  GearSet gear = without_cracks(summed_joint());
+  gear.manoeuvre = {{.duration = 0.05, .input_speed = 0.0, .output_torque = 0.0},
+                    {.duration = 0.05, .input_speed = 0.0, .output_torque = 40.0},
+                    {.duration = 0.1, .input_speed = 0.0, .output_torque = -40.0}};
+  const SimulationReport without = simulation_report(gear, {.tolerance = 1e-12});
+  gear.drivetrain->slip_element = {{1e5, 2.0}, {4e4, 4.0}};
+  const SimulationReport report = simulation_report(gear, {.tolerance = 1e-12});
+  EXPECT_NE(std::ranges::find(report.equations, "MO-44"), report.equations.end());
+  EXPECT_LT(report.intact.imbalance, 1e-7);
+  EXPECT_GT(report.intact.lost_energy, without.intact.lost_energy);
+  EXPECT_GT(std::abs(report.intact.last_error - without.intact.last_error), 1e-7);
 }
 
 }  // namespace

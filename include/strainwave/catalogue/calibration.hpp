@@ -12,6 +12,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
+#include "strainwave/motion/friction_fit.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -150,15 +151,18 @@ struct Calibration {
   GearSet gear;
   std::string source;
   const StiffnessRow* row = nullptr;  ///< row of the catalogue that was fitted, if any
-  std::vector<CalibratedFactor> factors;
-  std::vector<FactorCombination> combinations;
-  std::vector<CalibratedStiffness> stiffnesses;
+  std::vector<CalibratedFactor> factors = {};
+  std::vector<FactorCombination> combinations = {};
+  std::vector<CalibratedStiffness> stiffnesses = {};
   double residual = 0.0;  ///< root mean square of ln(after/target) [-]
   /// relative uncertainty of one value, from which the others follow [-]
   double relative_uncertainty = 0.0;
   bool converged = false;
   int iterations = 0;
   std::optional<OtherRatios> other_ratios = {};  ///< predict_other_ratios, if asked for
+  /// friction of the input; then there are no factors and stiffnesses, and the residual is that of
+  /// the simulated values
+  std::optional<FrictionFit> friction = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -175,6 +179,8 @@ struct Calibration {
     field({"stiffness", "", "each stiffness before and after the fit"}, &Calibration::stiffnesses);
     field({"other_ratios", "", "predictions at other ratios of the size, and their errors"},
           &Calibration::other_ratios);
+    field({"friction", "", "friction of the input that is fitted to a maker's four values"},
+          &Calibration::friction);
   }
 };
 
@@ -192,6 +198,19 @@ struct Calibration {
                                     const std::vector<Factor>& factors,
                                     const CoupledOptions& options = {},
                                     const Progress& progress = {});
+/// The four values of friction of the maker's row of a drive's size and ratio.
+/// @throws InputError  if no row has the pitch diameter within 2 % and the ratio, or the circular
+///                     spline turns
+[[nodiscard]] FrictionTargets friction_targets(const GearSet& gear);
+/// Fits the friction of the input, and measures its four values on the joint by simulation.
+/// Converged if each simulated value is within 0.2 %.
+/// @param joint   of the drive
+/// @param source  origin of the values, one line
+/// @throws InputError  if a number is out of range
+/// @throws Stopped     if the caller requests a stop
+[[nodiscard]] Calibration calibrate_friction(const GearSet& gear, const Joint& joint,
+                                             const FrictionTargets& targets, std::string source,
+                                             const Progress& progress = {});
 /// Notes and usability of a calibration; not usable if the fit did not converge.
 [[nodiscard]] ResultEvidence evidence_of(const Calibration& calibration);
 

@@ -151,11 +151,24 @@ struct RatingRow {
   }
 };
 
+/// One row of the tables of friction, at 20 degrees Celsius with grease.
+struct FrictionRow {
+  std::string_view series;
+  int size = 0;
+  int ratio = 0;
+  double rated = 0.0;         ///< rated torque, for the efficiency [N*m]
+  double efficiency = 0.0;    ///< at the rated torque and an input of 2000 rpm [-]
+  double no_load = 0.0;       ///< torque of the input without load at 2000 rpm [N*m]
+  double starting = 0.0;      ///< torque that starts the input without load [N*m]
+  double back_driving = 0.0;  ///< torque on the output that starts the free input [N*m]
+};
+
 /// The rows of the catalogue.  Only these may enter a fit.
 [[nodiscard]] std::span<const StiffnessRow> stiffness_rows();
 /// Rows of other series.  They judge only; no fit and no calibration reads them.
 [[nodiscard]] std::span<const StiffnessRow> other_series_rows();
 [[nodiscard]] std::span<const RatingRow> rating_rows();
+[[nodiscard]] std::span<const FrictionRow> friction_rows();
 
 /// Sizes of the stiffness table, in ascending order.
 [[nodiscard]] std::vector<int> catalogue_sizes();

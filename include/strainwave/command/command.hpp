@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -65,12 +66,42 @@ class Journal {
   virtual void append(const std::string& line) = 0;
 };
 
+/// Rows that a long computation writes while it runs, with a checkpoint from which a stopped
+/// computation goes on.  For a command line, each is a file.
+class Recording {
+ public:
+  Recording() = default;
+  virtual ~Recording() = default;
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+  Recording(Recording&&) = delete;
+  Recording& operator=(Recording&&) = delete;
+
+  [[nodiscard]] virtual std::string name() const = 0;  ///< name of the record in messages
+  /// The checkpoint to go on from; absent: the record begins.
+  [[nodiscard]] virtual std::optional<std::string> checkpoint() const = 0;
+  /// Begins an empty record.
+  /// @param checkpoint  kept before the record is emptied
+  virtual void begin(const std::string& checkpoint) = 0;
+  /// Goes on behind the first `size` bytes of the record and drops the rest.
+  /// @throws InputError  if the record is shorter
+  virtual void go_on(std::uint64_t size) = 0;
+  virtual void append(std::string_view bytes) = 0;
+  /// Bytes of the record, those that were appended included.
+  [[nodiscard]] virtual std::uint64_t size() const = 0;
+  /// Whether it is time to keep a checkpoint.
+  [[nodiscard]] virtual bool due() = 0;
+  /// Stores what was appended, and then the checkpoint in place of the one before, permanently.
+  virtual void keep(const std::string& checkpoint) = 0;
+};
+
 inline const Ranks kAlone;
 
 /// Services that only some programs offer to their commands.
 struct Host {
   const Ranks& ranks = kAlone;  ///< processes that all run the same command
   Journal* journal = nullptr;
+  Recording* recording = nullptr;
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
@@ -93,6 +124,7 @@ struct Request {
   Journal* journal;  ///< null unless the command keeps a journal and this is the first rank
   const std::function<Attachments(const std::string& name)>& beside;  ///< as Host::beside
   const std::function<TextPieces(const std::string& name)>& open;     ///< as Host::open
+  Recording* recording = nullptr;  ///< null unless rows are to be recorded
 
   /// The text that an option names, piece by piece.
   /// @throws OptionError  if no text has this name
@@ -193,6 +225,9 @@ struct Command {
   /// Option of the command line that names the journal, which may then be left out.  Empty:
   /// `--output` names it, and it must be given.
   std::string_view journal_option;
+  /// Content of the record that the command can write while it runs; its answer then has no rows.
+  /// Empty: the command writes none.
+  std::string_view record;
   /// Option whose result stands neither in the CSV of one drive nor in the text of several.  Empty:
   /// there is none.
   std::string_view not_in_tables;
@@ -223,6 +258,7 @@ struct CommandOf {
   std::string_view example;
   std::string_view journal = {};
   std::string_view journal_option = {};
+  std::string_view record = {};
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
   std::function<Result(const Request& request, const Options& options)> function;
@@ -241,6 +277,7 @@ template <class Options, class Result>
       .example = of.example,
       .journal = of.journal,
       .journal_option = of.journal_option,
+      .record = of.record,
       .not_in_tables = of.not_in_tables,
       .takes = of.takes,
       .options = options_type<Options>(),

@@ -35,7 +35,7 @@ inline constexpr std::array<ExitStatusMeaning, 10> kExitStatuses = {{
     {kUnwritable, "the output cannot be written"},
     {kInternal, "internal error: please report it"},
     {kNoMemory, "there is not enough memory"},
-    {kInterrupted, "interrupted; nothing was written"},
+    {kInterrupted, "interrupted; nothing was written, apart from a record to go on with"},
 }};
 
 }  // namespace strainwave

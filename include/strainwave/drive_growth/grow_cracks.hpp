@@ -202,12 +202,13 @@ struct GrowthReport {
   double duty_duration = 0.0;  ///< of one repetition [s]
   std::vector<CrackGrowth> cracks;
   std::vector<StiffnessOverLife> stiffness;
-  int steps = 0;            ///< of the integration
-  double tolerance = 0.0;   ///< of each step [-]
-  double step_error = 0.0;  ///< largest difference to a computation with half steps [-]
-  std::string rainflow;     ///< rule of the residue
-  std::string mixed_mode;   ///< rule of mixed modes
-  std::string interaction;  ///< rule of overloads
+  std::vector<GearSet> drives;  ///< the drive at each row of `stiffness`, with its cracks there
+  int steps = 0;                ///< of the integration
+  double tolerance = 0.0;       ///< of each step [-]
+  double step_error = 0.0;      ///< largest difference to a computation with half steps [-]
+  std::string rainflow;         ///< rule of the residue
+  std::string mixed_mode;       ///< rule of mixed modes
+  std::string interaction;      ///< rule of overloads
   std::vector<Note> notes;
   std::vector<std::string> equations;
 

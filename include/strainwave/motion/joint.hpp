@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include "strainwave/motion/breathing_crack.hpp"
+#include "strainwave/motion/energy_table.hpp"
 #include "strainwave/motion/kinematic_error.hpp"
 #include "strainwave/motion/losses.hpp"
 #include "strainwave/motion/servo.hpp"
@@ -53,17 +55,23 @@ struct Joint {
   double input_inertia = 0.0;   ///< J_m [kg*m^2]; > 0
   double output_inertia = 0.0;  ///< J_L [kg*m^2]; > 0
   Spring spring;                ///< sound drive, at the output
+  /// in place of `spring`: the energy of the drive at the output (MO-25)
+  std::shared_ptr<const EnergyTable> table = {};
   double damping = 0.0;         ///< c, parallel to the spring [N*m*s/rad]; >= 0
   double input_damping = 0.0;   ///< B_m [N*m*s/rad]; >= 0
   double output_damping = 0.0;  ///< B_L [N*m*s/rad]; >= 0
   std::optional<BoucWen> hysteresis = {};
+  std::vector<SlipElement> slip_elements = {};  ///< parallel to the spring
   std::optional<LuGre> input_friction = {};
   KinematicError kinematic_error = {};
   std::vector<BreathingCrack> cracks = {};
   InputDrive input = GivenTorque{{.value = {0.0}}};
   Profile output_torque = {.value = {0.0}};  ///< T_ext on the output [N*m]
-  double gravity_torque = 0.0;               ///< m g l of an arm on the output [N*m]; any sign
-  double gravity_angle = 0.0;                ///< theta_L at which the arm hangs straight down [rad]
+  /// speed of the output [rad/s], whatever torque T_ext it needs in place of `output_torque`
+  /// (MO-46); absent: the output moves freely
+  std::optional<Profile> output_speed = {};
+  double gravity_torque = 0.0;  ///< m g l of an arm on the output [N*m]; any sign
+  double gravity_angle = 0.0;   ///< theta_L at which the arm hangs straight down [rad]
 };
 
 /// Angles and speeds of a joint, and what its losses remember.
@@ -73,17 +81,20 @@ struct JointState {
   double output_angle = 0.0;  ///< theta_L [rad]
   double output_speed = 0.0;  ///< [rad/s]
   double hysteresis = 0.0;    ///< z [N*m]
-  double bristle = 0.0;       ///< u of the input's friction [rad]
-  double servo = 0.0;         ///< q, integral of the controller's error [rad]
-  double held_torque = 0.0;   ///< of the motor since the last sample of its controller [N*m]
+  /// of the slip elements; absent: they bear nothing at this twist
+  std::optional<SlipState> slip = {};
+  double bristle = 0.0;      ///< u of the input's friction [rad]
+  double servo = 0.0;        ///< q, integral of the controller's error [rad]
+  double held_torque = 0.0;  ///< of the motor since the last sample of its controller [N*m]
 };
 
 /// Torques of a joint at one time.
 struct JointForces {
   double twist = 0.0;           ///< phi = theta_m/ratio + theta_k - theta_L [rad]
   double twist_rate = 0.0;      ///< [rad/s]
-  double elastic_torque = 0.0;  ///< T_el of the spring [N*m]
+  double elastic_torque = 0.0;  ///< T_el of the spring or of the table [N*m]
   double torque = 0.0;          ///< T_el + c phi' + z, on the output [N*m]
+  double output_torque = 0.0;   ///< T_ext on the output, given or needed [N*m]
   double input_torque = 0.0;    ///< torque that drives the input [N*m]
   double reaction = 0.0;        ///< torque of the drive on the input, with its cracks [N*m]
 };
@@ -97,7 +108,8 @@ struct JointRate {
   double bristle = 0.0;              ///< du/dt [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]
   double supplied = 0.0;             ///< power of the input and of T_ext [W]
-  double lost = 0.0;                 ///< power lost in damping and friction, or stored in z [W]
+  /// power lost in damping, friction and slip, or stored in z and the bristles [W]
+  double lost = 0.0;
 };
 
 /// Equations of motion of a joint (MO-11).

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "strainwave/core/fields.hpp"
 
 /// @file
@@ -61,25 +64,83 @@ struct BoucWen {
 /// z of Dahl after a monotonic change of the twist, exact (MO-9) [N*m].
 [[nodiscard]] double dahl_after(const BoucWen& model, double torque, double change);
 
-/// Friction of the input by bristles, with sticking (MO-10): state u, deflection of the bristles,
-///
-///     u' = w - sigma_0 |w| u/g(w),   g = F_c + (F_s - F_c) exp(-(w/w_s)^2),
-///     T_f = sigma_0 u + sigma_1 u' + sigma_2 w.
-struct LuGre {
-  double bristle_stiffness = 0.0;  ///< sigma_0 [N*m/rad]; > 0
-  double bristle_damping = 0.0;    ///< sigma_1 [N*m*s/rad]; >= 0
-  double viscous = 0.0;            ///< sigma_2 [N*m*s/rad]; >= 0
-  double coulomb = 0.0;            ///< F_c [N*m]; > 0
-  double breakaway = 0.0;          ///< F_s [N*m]; >= F_c
-  double stribeck_speed = 1.0;     ///< w_s [rad/s]; > 0
+/// An elastic, perfectly plastic element of a hysteresis: a spring behind a block that slips
+/// (MO-44).
+struct SlipElement {
+  double stiffness = 0.0;  ///< k [N*m/rad]; > 0
+  double limit = 0.0;      ///< F, torque at which the element slips [N*m]; > 0
 
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "stiffness",
+                .unit = "N*m/rad",
+                .doc = "stiffness of the element while it sticks",
+                .range = kPositive,
+                .example = R"("5e4 N*m/rad")"},
+          &SlipElement::stiffness);
+    field(Field{.name = "limit",
+                .unit = "N*m",
+                .doc = "torque at which the element slips, at the output",
+                .range = kPositive,
+                .example = R"("1 N*m")"},
+          &SlipElement::limit);
+  }
+};
+
+/// What slip elements in parallel remember: their torques at a twist.
+struct SlipState {
+  double twist = 0.0;               ///< phi_0 [rad]
+  std::vector<double> torque = {};  ///< z_j of each element there [N*m]; |z_j| <= F_j
+
+  friend bool operator==(const SlipState&, const SlipState&) = default;
+};
+/// Elements that bear no torque at a twist [rad].
+[[nodiscard]] SlipState relaxed(const std::vector<SlipElement>& elements, double twist);
+/// The state after a monotonic change of the twist, exact (MO-44).
+/// @param twist  where the change ends [rad]
+[[nodiscard]] SlipState slip_after(const std::vector<SlipElement>& elements, const SlipState& state,
+                                   double twist);
+/// The torque of all elements after a monotonic change of the twist (MO-44) [N*m].
+[[nodiscard]] double slip_torque(const std::vector<SlipElement>& elements, const SlipState& state,
+                                 double twist);
+/// Elastic energy of the elements after a monotonic change of the twist (MO-45) [J].
+[[nodiscard]] double slip_energy(const std::vector<SlipElement>& elements, const SlipState& state,
+                                 double twist);
+/// Power that the elements lose after a monotonic change of the twist, if they slip at its
+/// beginning already (MO-45) [W].  A change must therefore end where an element begins to slip.
+/// @param twist_rate  of the twist, to the side of the change [rad/s]
+[[nodiscard]] double slip_loss(const std::vector<SlipElement>& elements, const SlipState& state,
+                               double twist, double twist_rate);
+
+/// Friction of the input by bristles, with sticking (MO-10), also in proportion to the load
+/// (MO-40): state u, deflection of the bristles,
+///
+///     u' = w - sigma_0 |w| u/g(w),   g = G_c + (G_s - G_c) exp(-(w/w_s)^2),
+///     G_c = F_c + kappa_c L,  G_s = F_s + kappa_s L,   T_f = sigma_0 u + sigma_1 u' + sigma_2 w,
+///
+/// where L is the magnitude of the torque on the load over the ratio.
+struct LuGre {
+  double bristle_stiffness = 0.0;             ///< sigma_0 [N*m/rad]; > 0
+  double bristle_damping = 0.0;               ///< sigma_1 [N*m*s/rad]; >= 0
+  double viscous = 0.0;                       ///< sigma_2 [N*m*s/rad]; >= 0
+  double coulomb = 0.0;                       ///< F_c [N*m]; > 0
+  double breakaway = 0.0;                     ///< F_s [N*m]; >= F_c
+  double stribeck_speed = 1.0;                ///< w_s [rad/s]; > 0
+  double load_coulomb = 0.0;                  ///< kappa_c [-]; >= 0
+  std::optional<double> load_breakaway = {};  ///< kappa_s [-]; >= 0; absent: as load_coulomb
+
+  /// Whether the friction depends on the load.
+  [[nodiscard]] bool by_load() const { return load_coulomb > 0 || load_breakaway.value_or(0) > 0; }
+  /// g, the torque of the bristles at constant speed (MO-40) [N*m].
+  /// @param load  L, torque on the load over the ratio [N*m]; >= 0
+  [[nodiscard]] double sliding(double speed, double load = 0.0) const;
   struct At {
     double rate = 0.0;    ///< u' [rad/s]
     double torque = 0.0;  ///< T_f, against the speed [N*m]
   };
-  [[nodiscard]] At at(double deflection, double speed) const;
+  [[nodiscard]] At at(double deflection, double speed, double load = 0.0) const;
   /// T_f at constant speed [N*m].
-  [[nodiscard]] double steady(double speed) const;
+  [[nodiscard]] double steady(double speed, double load = 0.0) const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -108,11 +169,28 @@ struct LuGre {
     };
     optional("bristle_damping", "damping of the sticking input", &LuGre::bristle_damping);
     optional("viscous", "friction torque over the speed", &LuGre::viscous);
+    field(Field{.name = "load_coulomb",
+                .unit = "1",
+                .doc = "share of the torque on the load, over the ratio, that adds to coulomb",
+                .range = kNonNegative,
+                .example = "0.07",
+                .fallback = "0",
+                .in_template = InTemplate::commented},
+          &LuGre::load_coulomb);
+    field(Field{.name = "load_breakaway",
+                .unit = "1",
+                .doc = "share of the torque on the load, over the ratio, that adds to breakaway; "
+                       "load_coulomb if left out",
+                .range = kNonNegative,
+                .example = "0.05",
+                .in_template = InTemplate::commented},
+          &LuGre::load_breakaway);
   }
 };
 
 /// Throws InputError, which names the constant, unless each constant is in its range.
 void require_constants(const BoucWen& model);
+void require_constants(const std::vector<SlipElement>& elements);
 void require_constants(const LuGre& model);
 
 }  // namespace strainwave

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,11 +39,14 @@ enum class MotionEvent {
   twist_reversal,  ///< the twist begins to fall or to rise, which turns the hysteresis
   speed_reversal,  ///< the input begins to turn backward or forward
   torque_limit,    ///< the controller of the motor meets or leaves its limit
+  load_sense,      ///< the torque on the load changes its sign, on which the friction depends
+  element_slip,    ///< an element of the hysteresis begins to slip
 };
 template <>
 struct EnumNames<MotionEvent> {
-  static constexpr std::array<std::string_view, 5> names = {
-      "spring_corner", "torque_sense", "twist_reversal", "speed_reversal", "torque_limit"};
+  static constexpr std::array<std::string_view, 7> names = {
+      "spring_corner", "torque_sense", "twist_reversal", "speed_reversal",
+      "torque_limit",  "load_sense",   "element_slip"};
 };
 
 /// Time of an event.
@@ -55,7 +60,7 @@ struct MotionEnergy {
   double at_start = 0.0;  ///< stored [J]
   double at_end = 0.0;    ///< stored [J]
   double supplied = 0.0;  ///< work of the input and of T_ext [J]
-  double lost = 0.0;      ///< in damping and friction, or stored in the hysteresis [J]
+  double lost = 0.0;      ///< in damping, friction and slip, or stored in z and the bristles [J]
   /// kinetic energy that came and went, with supplied and lost: what the balance is compared with
   /// [J]
   double exchanged = 0.0;
@@ -67,6 +72,7 @@ struct MotionEnergy {
 struct Motion {
   bool converged = false;
   std::string reason = {};    ///< why it did not converge; empty if it did
+  bool beyond_table = false;  ///< whether the elastic torque left the table of the joint
   double time_reached = 0.0;  ///< [s]
   JointState last = {};       ///< the last good state
   MotionEnergy energy = {};
@@ -79,11 +85,68 @@ struct Motion {
 /// Receives the samples in the order of time; the first is the start.
 using SampleSink = std::function<void(const MotionSample&)>;
 
+/// All that the rest of a motion depends on, apart from its joint and its options (MO-22).
+///
+/// It is the beginning of the step in which the next sample lies.  A motion that goes on from it
+/// has the same digits as one that was not interrupted.
+struct MotionCheckpoint {
+  double time = 0.0;  ///< [s]
+  /// theta_m [rad], its speed [rad/s], wind-up theta_m/ratio - theta_L [rad], speed of the output
+  /// [rad/s], z [N*m], u [rad], q [rad], held torque [N*m], supplied and lost energy [J]
+  std::array<double, 10> state = {};
+  std::array<double, 10> slope = {};  ///< of the state, per second
+  double step = 0.0;                  ///< length of the next trial [s]
+  double segment_end = 0.0;           ///< next point of a profile or sample of a controller [s]
+  std::uint64_t next_corner = 0;      ///< points of the profiles before the end of the segment [-]
+  std::uint64_t samplings = 0;        ///< of the controller [-]
+  std::uint64_t next_sample = 0;      ///< samples that were handed out [-]
+  double at_start = 0.0;              ///< energy stored at the start [J]
+  double exchanged = 0.0;             ///< kinetic energy that came and went [J]
+  std::uint64_t steps = 0;            ///< accepted [-]
+  std::uint64_t rejected = 0;         ///< [-]
+  std::uint64_t event_count = 0;
+  std::optional<SlipState> slip = {};  ///< of the slip elements; absent: the joint has none
+  std::vector<double> guards = {};     ///< functions whose change of sign is an event
+  std::vector<bool> fresh = {};        ///< whether the step begins at an event of this function
+
+  friend bool operator==(const MotionCheckpoint&, const MotionCheckpoint&) = default;
+};
+
+/// A motion that is computed sample by sample, by the method of `simulate` (MO-13).  Its memory
+/// does not grow with the time.
+class MotionRun {
+ public:
+  /// @throws InputError  as `simulate`
+  MotionRun(Joint joint, const JointState& start, const SimulationOptions& options);
+  /// Goes on from a checkpoint of the same joint with the same options.  The events of `motion` are
+  /// those from there on; their number is that of the whole motion.
+  /// @throws InputError  as `simulate`, or if the checkpoint cannot be one of this joint
+  MotionRun(Joint joint, const MotionCheckpoint& from, const SimulationOptions& options);
+  ~MotionRun();
+  MotionRun(MotionRun&&) noexcept;
+  MotionRun& operator=(MotionRun&&) noexcept;
+  MotionRun(const MotionRun&) = delete;
+  MotionRun& operator=(const MotionRun&) = delete;
+
+  /// The next sample; the first is the start.  Absent at the end of the motion.
+  /// @throws Stopped  if the caller requests a stop; the run may then be called again
+  [[nodiscard]] std::optional<MotionSample> next(const Progress& progress = {});
+  /// State from which the next sample follows.
+  [[nodiscard]] MotionCheckpoint checkpoint() const;
+  /// What the motion did until now.
+  [[nodiscard]] Motion motion() const;
+
+ private:
+  class Steps;
+  std::unique_ptr<Steps> steps_;
+};
+
 /// Motion of a joint over time (MO-13).
 ///
 /// Steps of Dormand and Prince with an error estimate end exactly at the corners of the spring, at
-/// changes of the sense of torque, at reversals of twist and speed, at the points of the
-/// profiles, and at the samples of a controller.  Cost grows with the time and memory does not.
+/// changes of the sense of torque, at reversals of twist and speed, where an element slips, at the
+/// points of the profiles, and at the samples of a controller.  Cost grows with the time and memory
+/// does not.
 ///
 /// A motion that cannot be finished has `converged` false, the reason, and the last good state.
 /// @throws InputError  if a number is out of range

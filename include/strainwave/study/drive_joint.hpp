@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/motion/joint.hpp"
+#include "strainwave/study/computed_curve.hpp"
 #include "strainwave/study/modes_report.hpp"
 
 namespace strainwave {
@@ -15,23 +18,31 @@ namespace strainwave {
 struct DriveJoint {
   Joint joint;  ///< with the cracks that the series model contains
   SpringModel springs = SpringModel::members;
+  /// energy of the sound drive, and the error of the table; absent without a computed curve
+  std::shared_ptr<const EnergyTable> sound_table = {};
+  std::optional<CurveTable> table = {};
   std::vector<Note> notes = {};
 
   [[nodiscard]] Joint sound() const {
     Joint without = joint;
     without.cracks.clear();
+    without.table = sound_table;
     return without;
   }
+  /// Whether a crack acts in the joint.
+  [[nodiscard]] bool cracked() const { return !joint.cracks.empty() || joint.table != sound_table; }
 };
 
 /// Implements theory manual eq. (MO-14).
 ///
-/// The spring is the sound drive: the maker's three lines of its torsion curve if the file gives
-/// enough for them, else the sum of its members.  Each crack adds its compliance under the senses
-/// of the torque that open it.  The inertia of the wave generator moves with the motor, and the
-/// gear's own inertias with the load.
+/// The spring is the sound drive: its computed curve if the file asks for it, else the maker's
+/// three lines of its torsion curve if the file gives enough for them, else the sum of its members.
+/// Each crack adds its compliance under the senses of the torque that open it.  The inertia of the
+/// wave generator moves with the motor, and the gear's own inertias with the load.
 /// @throws InputError   if the drive has no drivetrain
 /// @throws SolverError  if a compliance is not usable
-[[nodiscard]] DriveJoint drive_joint(const GearSet& gear, const Progress& progress = {});
+/// @param spring  in place of `drivetrain.spring`
+[[nodiscard]] DriveJoint drive_joint(const GearSet& gear, const Progress& progress = {},
+                                     std::optional<RestoringTorque> spring = {});
 
 }  // namespace strainwave

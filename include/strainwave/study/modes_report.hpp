@@ -19,12 +19,14 @@ namespace strainwave {
 
 /// Where the compliances of the springs come from.
 enum class SpringModel {
-  coupled_drive,  ///< tangent of the torsion curve at the torque
-  members,        ///< sum of wave generator, flexspline and output shaft
+  coupled_drive,   ///< tangent of the torsion curve at the torque
+  members,         ///< sum of wave generator, flexspline and output shaft
+  computed_curve,  ///< the torsion curve over the angle of the input
 };
 template <>
 struct EnumNames<SpringModel> {
-  static constexpr std::array<std::string_view, 2> names = {"coupled_drive", "members"};
+  static constexpr std::array<std::string_view, 3> names = {"coupled_drive", "members",
+                                                            "computed_curve"};
 };
 
 /// What the motor keeps constant.
@@ -176,6 +178,73 @@ struct MotorModes {
   }
 };
 
+/// A mode about one of several torques.
+struct ModeAtTorque {
+  double torque = 0.0;  ///< T at the output [N*m]
+  MotorGives motor = MotorGives::torque;
+  int number = 0;                       ///< of the mode in `ModePair::number`
+  double intact = 0.0;                  ///< f [Hz]
+  std::optional<double> cracked = {};   ///< absent: no crack
+  std::optional<double> likeness = {};  ///< MAC with the sound mode one torque before (DY-11) [-]
+  [[nodiscard]] std::optional<double> change() const {
+    return cracked ? std::optional(*cracked / intact - 1) : std::nullopt;
+  }
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "N*m", "torque at the output"}, &ModeAtTorque::torque);
+    field({"motor", "", "what the motor gives"}, &ModeAtTorque::motor);
+    field({"number", "", "number of the mode at the torque of the springs"}, &ModeAtTorque::number);
+    field({"intact", "Hz", "natural frequency of the sound drive"}, &ModeAtTorque::intact);
+    field({"cracked", "Hz", "natural frequency with the cracks"}, &ModeAtTorque::cracked);
+    field({"change", "1", "f cracked/sound - 1"}, &ModeAtTorque::change);
+    field({"likeness", "1",
+           "modal assurance criterion (MAC) with the shape one torque nearer to that of the "
+           "springs; absent for the nearest torque"},
+          &ModeAtTorque::likeness);
+  }
+};
+
+/// The first mode at one moment of the growth of the cracks.
+struct ModeOverGrowth {
+  double time = 0.0;                       ///< of duty [s]
+  std::optional<double> free = {};         ///< f, the motor gives its torque [Hz]
+  std::optional<double> locked = {};       ///< f, the motor keeps its speed [Hz]
+  std::optional<double> free_change = {};  ///< of `free` since the first row [-]
+  std::optional<double> locked_change = {};
+  std::optional<double> likeness = {};  ///< MAC with the free mode one row before (DY-11) [-]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using M = ModeOverGrowth;
+    field({"time", "s", "time of duty"}, &M::time);
+    field({"free", "Hz", "f of the first mode while the motor gives its torque"}, &M::free);
+    field({"locked", "Hz", "f of the first mode while the motor keeps its speed"}, &M::locked);
+    field({"free_change", "1", "change of free since the first row"}, &M::free_change);
+    field({"locked_change", "1", "change of locked since the first row"}, &M::locked_change);
+    field({"likeness", "1",
+           "modal assurance criterion (MAC) of the free mode with that one row before"},
+          &M::likeness);
+  }
+};
+
+/// The first mode while the cracks grow, with what ends their growth.
+struct ModesOverGrowth {
+  std::string sentence = {};        ///< the end of the growth, in words
+  std::optional<double> life = {};  ///< of the cracks [s]; absent: no end is known
+  std::vector<ModeOverGrowth> rows = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"sentence", "", "the end of the growth, in words"}, &ModesOverGrowth::sentence);
+    field({"life", "s", "time of duty until a crack ends the life; absent: no end is known"},
+          &ModesOverGrowth::life);
+    field({"rows", "", "the first mode over the time of duty"}, &ModesOverGrowth::rows);
+  }
+};
+
 /// The result of `strainwave modes`.
 struct ModesReport {
   double torque = 0.0;  ///< T at the output, at which the springs are taken [N*m]
@@ -185,6 +254,9 @@ struct ModesReport {
   std::optional<double> cracked_stiffness = {};
   std::optional<double> largest_speed = {};  ///< that the maker allows the input [rad/s]
   std::vector<MotorModes> conditions = {};
+  /// the modes over the torque; empty for the sum of the members, which does not depend on it
+  std::vector<ModeAtTorque> over_torque = {};
+  std::optional<ModesOverGrowth> over_growth = {};  ///< by `add_modes_over_growth`
   std::vector<Note> notes = {};
   std::vector<std::string> equations = {};
 
@@ -242,6 +314,10 @@ struct ModesReport {
     field({"largest_speed", "rad/s", "largest speed that the maker allows the input"},
           &ModesReport::largest_speed);
     field({"conditions", "", "modes for each condition of the motor"}, &ModesReport::conditions);
+    field({"over_torque", "", "the same modes over the torque at the output"},
+          &ModesReport::over_torque);
+    field({"over_growth", "", "the first mode while the cracks grow over the duty"},
+          &ModesReport::over_growth);
   }
 };
 
@@ -250,10 +326,24 @@ struct ModesReport {
 /// Implements theory manual eqs. (DY-1) to (DY-5) and (DY-8) to (DY-11).  The springs are linear
 /// about a torque: the tangent of the torsion curve if the file gives enough for it, else the sum
 /// of the members.  Cracks are open or closed as under this torque.  Friction is left out.
+///
+/// With the torsion curve the report has each mode over torques of both senses too, up to the
+/// repeated peak of the maker, else up to the rated torque, and at least up to the torque itself.
+/// The modes of the sound drive are followed from torque to torque by their shapes (DY-11).
 /// @param torque  T at the output [N*m]; absent: that of the load
 /// @throws InputError   if the drive has no drivetrain, or no compliance
 /// @throws SolverError  if the coupled drive has no equilibrium at the torque
 [[nodiscard]] ModesReport modes_report(const GearSet& gear, std::optional<double> torque = {},
                                        const Progress& progress = {});
+
+/// Adds the first mode while the cracks of the drive grow over its duty (GR-21 to GR-26).
+///
+/// The springs are taken at the torque of the report.  The mode is followed from row to row by its
+/// shape (DY-11).
+/// @param points  largest number of rows [-]; >= 2
+/// @throws InputError   if the duty or the law of growth of a crack is missing
+/// @throws SolverError  if a drive with grown cracks has no equilibrium at the torque
+void add_modes_over_growth(ModesReport& report, const GearSet& gear, int points = 25,
+                           const Progress& progress = {});
 
 }  // namespace strainwave

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +12,8 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
+#include "strainwave/motion/simulate.hpp"
+#include "strainwave/study/computed_curve.hpp"
 #include "strainwave/study/modes_report.hpp"
 
 /// @file
@@ -38,6 +42,9 @@ struct SimulationRow {
   std::optional<double> cracked_output_error = {};
   std::optional<double> cracked_torque = {};
   std::optional<double> cracked_input_torque = {};
+  /// external torque that the given motion of the output needs [N*m]; absent: the output is free
+  std::optional<double> output_torque = {};
+  std::optional<double> cracked_output_torque = {};
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -61,6 +68,12 @@ struct SimulationRow {
           &SimulationRow::cracked_torque);
     field({"cracked_input_torque", "N*m", "torque that drives the input, cracked"},
           &SimulationRow::cracked_input_torque);
+    field(
+        {"output_torque", "N*m", "external torque that the given speed of the output needs, sound"},
+        &SimulationRow::output_torque);
+    field({"cracked_output_torque", "N*m",
+           "external torque that the given speed of the output needs, cracked"},
+          &SimulationRow::cracked_output_torque);
   }
 };
 
@@ -72,6 +85,9 @@ struct MotionSummary {
   double last_error = 0.0;            ///< error of the output at the end [rad]
   /// largest magnitude of the input's angle behind the given one; absent: no controller [rad]
   std::optional<double> largest_lag = {};
+  /// largest magnitude of the external torque on an output whose speed is given; absent: the output
+  /// is free [N*m]
+  std::optional<double> largest_output_torque = {};
   double lost_energy = 0.0;  ///< [J]
   double imbalance = 0.0;    ///< of the energy, over that exchanged [-]
   double steps = 0.0;
@@ -79,6 +95,7 @@ struct MotionSummary {
   bool converged = false;
   std::string reason = {};    ///< why it did not converge
   double time_reached = 0.0;  ///< [s]
+  bool beyond_table = false;  ///< whether the motion left the table of the computed curve
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -99,8 +116,13 @@ struct MotionSummary {
     field({"largest_lag", "rad",
            "largest magnitude of the angle of the input behind the given one, with a controller"},
           &MotionSummary::largest_lag);
-    field({"lost_energy", "J", "energy lost in damping and friction, or stored in the hysteresis"},
-          &MotionSummary::lost_energy);
+    field({"largest_output_torque", "N*m",
+           "largest magnitude of the external torque that the given speed of the output needs, "
+           "among the samples"},
+          &MotionSummary::largest_output_torque);
+    field(
+        {"lost_energy", "J", "energy lost, or stored in drivetrain.hysteresis and in the friction"},
+        &MotionSummary::lost_energy);
     field({"imbalance", "1", "imbalance of the energy over the energy that was exchanged"},
           &MotionSummary::imbalance);
     field({"steps", "1", "accepted steps"}, &MotionSummary::steps);
@@ -108,6 +130,8 @@ struct MotionSummary {
     field({"converged", "", "whether the motion reached its end"}, &MotionSummary::converged);
     field({"reason", "", "why the motion did not reach its end"}, &MotionSummary::reason);
     field({"time_reached", "s", "time that the motion reached"}, &MotionSummary::time_reached);
+    field({"beyond_table", "", "whether the motion left the table of the computed curve"},
+          &MotionSummary::beyond_table);
   }
 };
 
@@ -179,13 +203,15 @@ struct SimulationReport {
   double duration = 0.0;  ///< [s]
   double signed_ratio = 0.0;
   SpringModel springs = SpringModel::members;
+  std::optional<CurveTable> table = {};  ///< absent: the spring is not the computed curve
   MotionSummary intact;
   std::optional<MotionSummary> cracked = {};  ///< absent: no crack that a motion contains
   /// largest difference of the output's angle between both motions, among the samples [rad]
   std::optional<double> largest_difference = {};
   /// absent: the input never turns four times at one given speed, in the half of that time
   std::optional<MotionOrders> orders = {};
-  std::vector<SimulationRow> rows = {};
+  std::optional<double> recorded_rows = {};  ///< absent: the rows are in `rows`
+  std::vector<SimulationRow> rows = {};      ///< empty if they were recorded
   std::vector<Note> notes = {};
   std::vector<std::string> equations = {};
 
@@ -194,8 +220,9 @@ struct SimulationReport {
     field({"duration", "s", "time of the motion"}, &SimulationReport::duration);
     field({"signed_ratio", "1", "turns of the input per turn of the output"},
           &SimulationReport::signed_ratio);
-    field({"springs", "", "origin of the spring: coupled_drive or members"},
+    field({"springs", "", "origin of the spring: coupled_drive, members or computed_curve"},
           &SimulationReport::springs);
+    field({"table", "", "the table of the computed curve and its error"}, &SimulationReport::table);
     field({"intact", "", "the sound drive"}, &SimulationReport::intact);
     field({"cracked", "", "the drive with its cracks"}, &SimulationReport::cracked);
     field({.name = "largest_difference",
@@ -206,23 +233,72 @@ struct SimulationReport {
           &SimulationReport::largest_difference);
     field({"orders", "", "lines of the motion while the input turns at a constant speed"},
           &SimulationReport::orders);
-    field({"rows", "", "the motion over time"}, &SimulationReport::rows);
+    field({"recorded_rows", "1",
+           "number of rows in the record of the motion; absent: the rows are here"},
+          &SimulationReport::recorded_rows);
+    field({"rows", "", "the motion over time; empty if the rows were recorded"},
+          &SimulationReport::rows);
   }
 };
 
-/// Most rows of a motion.
+/// Most rows of a motion that is not recorded.
 inline constexpr double kMostRows = 1e6;
+
+/// State of one motion at a sample.
+struct MotionState {
+  MotionCheckpoint motion = {};
+  /// largest magnitudes until now: torque [N*m], error [rad], torque of the input [N*m], lag [rad],
+  /// torque on an output that moves as given [N*m]
+  std::array<double, 5> largest = {};
+  std::vector<double> orders = {};  ///< sums of the lines (MO-20); empty: no lines are computed
+
+  friend bool operator==(const MotionState&, const MotionState&) = default;
+};
+
+/// All that the rest of a recorded motion depends on, apart from the drive and the settings
+/// (MO-22).
+struct SimulationCheckpoint {
+  std::uint64_t samples = 0;        ///< computed of each motion [-]
+  std::uint64_t rows = 0;           ///< written [-]
+  double largest_difference = 0.0;  ///< between both motions until now [rad]
+  MotionState sound = {};
+  std::optional<MotionState> cracked = {};
+
+  friend bool operator==(const SimulationCheckpoint&, const SimulationCheckpoint&) = default;
+};
+
+/// A checkpoint as one line of text, with all bits of its numbers.
+[[nodiscard]] std::string checkpoint_text(const SimulationCheckpoint& checkpoint);
+/// The checkpoint of such a text.
+/// @throws InputError  if the text is not that of a checkpoint
+[[nodiscard]] SimulationCheckpoint read_simulation_checkpoint(std::string_view text);
+
+/// Takes the rows of a motion while it is computed, and its state, so that no row is held.
+struct SimulationRecord {
+  /// State to go on from; absent: the motion begins.
+  std::optional<SimulationCheckpoint> from = {};
+  /// Called once before the first row, after all input has been checked.
+  std::function<void(bool cracked)> begin = {};
+  std::function<void(const SimulationRow& row)> write = {};  ///< takes each row in its order
+  std::function<bool()> due = {};  ///< whether the state is to be kept now; called often
+  /// Takes the state after the rows that were written.  Called at the begin, when due, and before
+  /// Stopped is thrown.
+  std::function<void(const SimulationCheckpoint& checkpoint)> keep = {};
+};
 
 /// The motion of a drive through its manoeuvres, sound and with its cracks.
 ///
-/// Implements theory manual eqs. (MO-1) to (MO-14).  The drive starts in the equilibrium of its
-/// external torque and gravity, with the input at rest.
+/// Implements theory manual eqs. (MO-1) to (MO-14), (MO-20) to (MO-22).  The drive starts in the
+/// equilibrium of its external torque and gravity, with the input at rest.  Both motions go side by
+/// side.
+/// @param record  takes the rows, whose number then has no limit; null: the result has them
 /// @throws InputError   if the drive has no drivetrain or no manoeuvre, or a setting is out of
-/// range
+/// range, or a checkpoint cannot be one of this drive
 /// @throws SolverError  if a compliance is not usable
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] SimulationReport simulation_report(const GearSet& gear,
                                                  const SimulationSettings& settings = {},
-                                                 const Progress& progress = {});
+                                                 const Progress& progress = {},
+                                                 const SimulationRecord* record = nullptr);
 
 }  // namespace strainwave

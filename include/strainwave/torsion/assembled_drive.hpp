@@ -34,6 +34,10 @@ class AssembledDrive {
   /// outer ring and circular spline move against the wave, each by its own angle (TC-28).  Cracks
   /// of the inner race do not move, and the cage keeps its phase.
   [[nodiscard]] AssembledDrive turned(double angle) const;
+  /// The same drive after its parts have moved against the wave, each by its own angle [rad]:
+  /// cracks of flexspline, teeth and outer ring by the first, those of the circular spline by the
+  /// second.
+  [[nodiscard]] AssembledDrive moved(double flexspline, double spline) const;
 
   /// The same drive with deviations of its parts in place of those it has, on the cam of the drive
   /// without them (TC-36).  The rings are reused, so this costs one solve.  Cracks of the inner

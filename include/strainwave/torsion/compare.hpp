@@ -127,6 +127,9 @@ struct CurveComparison {
 /// the inner race do not move, and the cage keeps its phase.  Ranges and scatters of moved
 /// positions are removed (drop_lost_paths).
 [[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
+/// The drive after flexspline and circular spline have moved against the wave, each by its own
+/// angle [rad]; as `after_turn`.
+[[nodiscard]] GearSet after_moves(const GearSet& gear, double flexspline, double spline);
 
 /// The changes of the maker's stiffnesses over a turn, under both senses of torque.
 struct TurnChanges {

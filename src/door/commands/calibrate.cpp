@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/calibration.hpp"
+#include "strainwave/study/drive_joint.hpp"
 
 namespace strainwave {
 namespace {
@@ -11,6 +13,13 @@ struct CalibrateOptions {
   std::string factors = "support,coning";
   std::optional<std::string> predict_ratios;
   std::optional<Blank> blank;
+  bool friction = false;
+  std::optional<std::string> no_load_torque;
+  std::optional<std::string> starting_torque;
+  std::optional<std::string> back_driving_torque;
+  std::optional<std::string> efficiency;
+  std::optional<std::string> at_speed;
+  std::optional<std::string> at_torque;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -42,10 +51,88 @@ struct CalibrateOptions {
                   "of each ratio, or of ratio 100 for all ratios of a size",
            .fallback = "ratio"},
           &CalibrateOptions::blank);
+    field({"friction", "",
+           "fit drivetrain.friction to a maker's four values, those below or, with --catalogue, of "
+           "the row of this size and ratio; in place of factors"},
+          &CalibrateOptions::friction);
+    field({"no_load_torque", "",
+           "with --friction, torque that turns the input at --at-speed without load, a number with "
+           "its unit"},
+          &CalibrateOptions::no_load_torque);
+    field({"starting_torque", "",
+           "with --friction, torque that starts the input without load, a number with its unit"},
+          &CalibrateOptions::starting_torque);
+    field({"back_driving_torque", "",
+           "with --friction, torque on the output that starts the free input, a number with its "
+           "unit"},
+          &CalibrateOptions::back_driving_torque);
+    field({"efficiency", "",
+           "with --friction, efficiency at --at-torque and --at-speed, such as 0.77 or 77 %"},
+          &CalibrateOptions::efficiency);
+    field({"at_speed", "",
+           "with --friction, speed of the input for no-load torque and efficiency, a number with "
+           "its unit; 2000 rpm if left out"},
+          &CalibrateOptions::at_speed);
+    field({"at_torque", "",
+           "with --friction, torque on the output for the efficiency, a number with its unit; "
+           "rating.rated_torque if left out"},
+          &CalibrateOptions::at_torque);
   }
 };
 
+/// The four values of the options.
+FrictionTargets given_targets(const GearSet& gear, const CalibrateOptions& options) {
+  const auto read = [](const char* name, const std::optional<std::string>& text,
+                       std::string_view unit) {
+    if (!text)
+      throw OptionError(name, "must be given for --friction; give all four values, or --catalogue");
+    return from_option([&] { return parse_quantity(name, *text, unit); });
+  };
+  FrictionTargets targets{
+      .no_load_torque = read("no-load-torque", options.no_load_torque, "N*m"),
+      .starting_torque = read("starting-torque", options.starting_torque, "N*m"),
+      .back_driving_torque = read("back-driving-torque", options.back_driving_torque, "N*m"),
+      .efficiency = read("efficiency", options.efficiency, "1"),
+      .speed = read("at-speed", options.at_speed.value_or("2000 rpm"), "rad/s")};
+  if (options.at_torque)
+    targets.torque = read("at-torque", options.at_torque, "N*m");
+  else if (gear.rating && gear.rating->rated_torque)
+    targets.torque = *gear.rating->rated_torque;
+  else
+    throw OptionError("at-torque",
+                      "must be given, because the file has no rating.rated_torque at which the "
+                      "efficiency holds");
+  return targets;
+}
+
+Calibration calibrated_friction(const Request& request, const CalibrateOptions& options) {
+  const GearSet& gear = request.drive.gear;
+  if (options.measured || options.predict_ratios)
+    throw OptionError("friction", "fits no stiffness; leave out --measured and --predict-ratios");
+  const bool given = options.no_load_torque || options.starting_torque ||
+                     options.back_driving_torque || options.efficiency || options.at_speed ||
+                     options.at_torque;
+  if (options.catalogue && given)
+    throw OptionError("friction",
+                      "takes its values from --catalogue or from the other options; give one of "
+                      "the two");
+  const FrictionTargets targets = options.catalogue
+                                      ? from_option([&] { return friction_targets(gear); })
+                                      : given_targets(gear, options);
+  const DriveJoint made = drive_joint(gear, request.progress.part(0.0, 0.3));
+  return from_option([&] {
+    return calibrate_friction(
+        gear, made.joint, targets,
+        options.catalogue ? "the catalogue's four values" : "four given values",
+        request.progress.part(0.3, 1.0));
+  });
+}
+
 Calibration calibrated(const Request& request, const CalibrateOptions& options) {
+  if (options.friction) return calibrated_friction(request, options);
+  if (options.no_load_torque || options.starting_torque || options.back_driving_torque ||
+      options.efficiency || options.at_speed || options.at_torque)
+    throw OptionError("friction", "must be given with the values of friction; give --friction");
   if (options.catalogue == options.measured.has_value())
     throw OptionError("catalogue", "give either --catalogue or --measured");
   if (options.blank && !options.predict_ratios)
@@ -94,7 +181,9 @@ Command calibrate_command() {
           "comments of the given file. Ranges and scatters of the changed numbers are left out. "
           "--predict-ratios predicts K1, K2, K3 at other ratios of the size by typical drives with "
           "the fitted factors, and states the error of each value and of such predictions over "
-          "the catalogue.",
+          "the catalogue. --friction fits the friction of the input to a maker's no-load torque, "
+          "starting torque, back-driving torque and efficiency, measures all four on the fitted "
+          "drive by simulation, and prints [drivetrain.friction].",
       .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
                  "calibrated.toml",
       .function = calibrated,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "numbers_beside.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/sha256.hpp"
@@ -117,30 +118,11 @@ constexpr std::string_view kCheckpointFormat = "strainwave-growth/2";
 
 /// First line of a checkpoint: the program and all that the result depends on.
 std::string checkpoint_head(const Request& request, const GrowOptions& o) {
-  // The numbers of the files beside the drive.
-  std::string beside;
-  for (const auto& [name, table] : request.drive.gear.compliance_tables) {
-    beside += name;
-    for (const TableValues* const values : {&table.positive, &table.negative, &table.axial})
-      for (const double value : values->values) beside += fmt::format(" {:a}", value);
-    for (const TableAxis& axis : table.axes)
-      for (const double node : axis.nodes) beside += fmt::format(" {:a}", node);
-  }
-  for (const auto& [name, table] : request.drive.gear.turn_tables) {
-    beside += name;
-    for (const std::vector<double>* const axis :
-         {&table->sizes, &table->aspect_ratios, &table->torques, &table->stations, &table->angles})
-      for (const double node : *axis) beside += fmt::format(" {:a}", node);
-    for (const Modes& K : table->K) beside += fmt::format(" {:a} {:a} {:a}", K[0], K[1], K[2]);
-  }
-  if (const auto& record = request.drive.gear.duty_record)
-    for (const DutyRow& row : record->rows)
-      beside += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);
-  const std::string asked =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
-                  enum_name(o.mixed_mode), enum_name(o.interaction), o.zone_factor.value_or(0),
-                  o.wheeler_exponent.value_or(-1), o.constraint.value_or(-1),
-                  o.stress_level.value_or(-1), request.drive.text, beside);
+  const std::string asked = fmt::format(
+      "{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
+      enum_name(o.mixed_mode), enum_name(o.interaction), o.zone_factor.value_or(0),
+      o.wheeler_exponent.value_or(-1), o.constraint.value_or(-1), o.stress_level.value_or(-1),
+      request.drive.text, numbers_beside(request.drive.gear));
   return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
 }
 

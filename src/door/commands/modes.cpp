@@ -7,8 +7,12 @@
 namespace strainwave {
 namespace {
 
+/// Largest number of rows over the growth.
+constexpr int kGrowthRows = 25;
+
 struct ModesOptions {
   std::optional<std::string> torque;
+  bool growth = false;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -16,13 +20,22 @@ struct ModesOptions {
            "torque at the output about which the springs are linear, a number with its unit; that "
            "of the load if left out"},
           &ModesOptions::torque);
+    field({"growth", "",
+           "add the first mode while the cracks grow over the duty of the file, as strainwave grow "
+           "computes them"},
+          &ModesOptions::growth);
   }
 };
 
 ModesReport modes_of(const Request& request, const ModesOptions& options) {
   std::optional<double> torque;
   if (options.torque) torque = parse_quantity("--torque", *options.torque, "N*m");
-  return modes_report(request.drive.gear, torque, request.progress);
+  const Progress progress = request.progress;
+  ModesReport report =
+      modes_report(request.drive.gear, torque, progress.part(0.0, options.growth ? 0.1 : 1.0));
+  if (options.growth)
+    add_modes_over_growth(report, request.drive.gear, kGrowthRows, progress.part(0.1, 1.0));
+  return report;
 }
 
 }  // namespace
@@ -46,8 +59,8 @@ Command modes_command() {
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
-                      .doc = "draw the first mode and the lines of the orders over the speed as "
-                             "an SVG file"},
+                      .doc = "draw the first mode and the lines of the orders over the speed, and "
+                             "the first mode over the torque, as an SVG file"},
                      modes_plot}},
   });
 }

@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "numbers_beside.hpp"
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/sha256.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/version.hpp"
 #include "strainwave/door/door.hpp"
+#include "strainwave/layouts/motion_record.hpp"
 #include "strainwave/layouts/simulation.hpp"
 
 namespace strainwave {
@@ -23,6 +35,112 @@ struct SimulateOptions {
   }
 };
 
+constexpr std::string_view kRunFormat = "strainwave-motion-run/1";
+
+RecordForm form_of(const std::string& name) {
+  if (name.ends_with(".csv")) return RecordForm::csv;
+  if (name.ends_with(".bin")) return RecordForm::binary;
+  throw OptionError("--record", fmt::format("{} must end in .csv or .bin, which chooses the form "
+                                            "of the record; name another file",
+                                            shown(name)));
+}
+
+/// The checkpoint of a record as text: the program and all that the rows depend on, the bytes of
+/// the record, the state of the motion, and a digest of these lines.
+class RecordCheckpoint {
+ public:
+  RecordCheckpoint(const Request& request, const SimulateOptions& options, RecordForm form)
+      : name_(request.recording->name()),
+        head_(fmt::format(
+            "{} {} {} {}", kRunFormat, version(), git_revision(),
+            sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}", enum_name(form), options.step.value_or(""),
+                                   options.tolerance, request.drive.text,
+                                   numbers_beside(request.drive.gear))))) {}
+
+  /// @param state  empty: the motion is to begin
+  [[nodiscard]] std::string text(std::uint64_t size, const std::string& state) const {
+    const std::string lines = fmt::format("{}\n{}\n{}\n", head_, size, state);
+    return lines + sha256_hex(lines) + '\n';
+  }
+
+  /// The bytes of the record and the state of the motion.
+  /// @throws OptionError  if the text is not that of a checkpoint of this run
+  [[nodiscard]] std::pair<std::uint64_t, std::string> read(std::string_view text) const {
+    if (!text.starts_with(kRunFormat))
+      refuse("is not one of strainwave simulate; name another file");
+    const std::string_view rest = text;
+    const auto line = [&text] {
+      const std::size_t end = text.find('\n');
+      const std::string_view made = text.substr(0, end);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      return made;
+    };
+    const std::string_view head = line();
+    const std::string_view bytes = line();
+    const std::string_view state = line();
+    const std::string_view lines = rest.substr(0, rest.size() - text.size());
+    std::uint64_t size = 0;
+    const auto [end, fault] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), size);
+    if (text != sha256_hex(lines) + '\n' || fault != std::errc{} ||
+        end != bytes.data() + bytes.size())
+      refuse("is damaged; remove both files to begin again");
+    if (head != head_)
+      refuse(
+          "is that of another drive, of other options or of another version; name another file "
+          "or remove both");
+    return {size, std::string(state)};
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view why) const {
+    throw OptionError("--resume", fmt::format("the checkpoint of {} {}", shown(name_), why));
+  }
+
+  std::string name_;
+  std::string head_;
+};
+
+/// A motion whose rows go into a record.
+SimulationReport recorded(const Request& request, const SimulateOptions& options,
+                          const SimulationSettings& settings) {
+  Recording& recording = *request.recording;
+  const RecordForm form = form_of(recording.name());
+  const RecordCheckpoint checkpoint(request, options, form);
+  SimulationRecord record;
+  std::uint64_t size = 0;
+  if (const std::optional<std::string> found = recording.checkpoint()) {
+    const auto [bytes, state] = checkpoint.read(*found);
+    size = bytes;
+    if (!state.empty()) record.from = read_simulation_checkpoint(state);
+  }
+  RecordColumns columns;
+  record.begin = [&](bool with_cracks) {
+    columns = {.cracked = with_cracks,
+               .output_given = request.drive.gear.manoeuvre.front().output_speed.has_value()};
+    if (record.from) return recording.go_on(size);
+    recording.begin(checkpoint.text(0, {}));
+    const Provenance from = provenance_of(request.drive);
+    RecordOrigin origin{.version = from.version,
+                        .revision = from.revision,
+                        .input_file = from.input_file,
+                        .input_sha256 = sha256_hex(request.drive.text),
+                        .options = {{"tolerance", options.tolerance}}};
+    if (options.step) origin.options.emplace_back("step", *options.step);
+    recording.append(record_head(form, origin, columns));
+  };
+  std::string bytes;
+  record.write = [&](const SimulationRow& row) {
+    bytes.clear();
+    add_record_row(bytes, form, row, columns);
+    recording.append(bytes);
+  };
+  record.due = [&] { return recording.due(); };
+  record.keep = [&](const SimulationCheckpoint& state) {
+    recording.keep(checkpoint.text(recording.size(), checkpoint_text(state)));
+  };
+  return simulation_report(request.drive.gear, settings, request.progress, &record);
+}
+
 SimulationReport simulation_of(const Request& request, const SimulateOptions& options) {
   SimulationSettings settings;
   settings.tolerance = parse_quantity("--tolerance", options.tolerance, "rad");
@@ -30,7 +148,9 @@ SimulationReport simulation_of(const Request& request, const SimulateOptions& op
     settings.output_step = parse_quantity("--step", *options.step, "s");
     require(settings.output_step > 0, "--step", settings.output_step, "s", "> 0");
   }
-  return simulation_report(request.drive.gear, settings, request.progress);
+  return request.recording != nullptr
+             ? recorded(request, options, settings)
+             : simulation_report(request.drive.gear, settings, request.progress);
 }
 
 }  // namespace
@@ -45,8 +165,12 @@ Command simulate_command() {
           "with the maker's three lines of its torsion curve, or the sum of its members, with "
           "[[kinematic_error]], hysteresis and friction as given. Cracks open with the sense of "
           "the torque. Prints the largest torques and errors with the balance of energy; --format "
-          "csv prints the motion over time.",
+          "csv prints the motion over time. --record writes the rows of a long motion while it is "
+          "computed; a run that was interrupted goes on from its last checkpoint, to the same "
+          "digits.",
       .example = "strainwave simulate examples/joint_size25.toml",
+      .record = "write the rows to this file while they are computed, as CSV (.csv) or in the "
+                "compact binary form (.bin); the answer then has none",
       .takes = Takes::drive,
       .function = simulation_of,
       .documents = {{Format::text, simulation_text},

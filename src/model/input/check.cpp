@@ -108,10 +108,17 @@ void check_drivetrain(const GearSet& gear) {
         "drivetrain.coupling_stiffness",
         "needs drivetrain.wave_generator_inertia, the inertia behind the coupling; give "
         "it, or leave out the coupling");
+  if (of.curve_torque && of.spring != RestoringTorque::computed)
+    throw InputError("drivetrain.curve_torque",
+                     "needs drivetrain.spring = \"computed\", whose table it bounds; give it, or "
+                     "leave out the torque");
   if (gear.duty && gear.duty->fixed != of.fixed)
     throw InputError("drivetrain.fixed",
                      fmt::format("contradicts duty.fixed; write \"{}\" here, or change duty.fixed",
                                  enum_name(gear.duty->fixed)));
+  if (of.hysteresis && !of.slip_element.empty())
+    throw InputError("drivetrain.slip_element",
+                     "is read in place of drivetrain.hysteresis; give one of the two");
   if (of.friction)
     require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
             of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");
@@ -164,7 +171,15 @@ void check_manoeuvres(const GearSet& gear) {
       throw InputError((at / "input_torque").text(),
                        "contradicts drivetrain.servo, which follows input_speed; give "
                        "input_speed, or leave out the servo");
-    if (piece.output_torque && *piece.output_torque != 0) loaded = true;
+    if (piece.output_speed && piece.output_torque)
+      throw InputError((at / "output_speed").text(),
+                       "needs whatever torque the output has, so output_torque cannot be given "
+                       "beside it; give one of the two");
+    if (piece.output_speed.has_value() != gear.manoeuvre.front().output_speed.has_value())
+      throw InputError((at / "output_speed").text(),
+                       "must be given in all pieces or in none; write output_speed = \"0 rpm\" for "
+                       "an output that stands");
+    if (piece.output_speed || (piece.output_torque && *piece.output_torque != 0)) loaded = true;
     if (piece.input_speed && !loaded) check_reachable(gear, at, before, piece);
     before = piece.input_speed.value_or(0.0);
   }

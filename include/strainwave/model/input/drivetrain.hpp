@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/duty.hpp"
@@ -22,6 +23,17 @@ struct EnumNames<CrackBreathing> {
   static constexpr std::array<std::string_view, 2> names = {"torque", "turn"};
 };
 
+/// What drives the twist of the gear back in a motion.
+enum class RestoringTorque {
+  lines,     ///< the maker's lines of the sound drive, and cracks in series
+  computed,  ///< the computed torsion curve over the angle of the input, with cracks in the
+             ///< contacts
+};
+template <>
+struct EnumNames<RestoringTorque> {
+  static constexpr std::array<std::string_view, 2> names = {"lines", "computed"};
+};
+
 /// What turns the wave generator, and what the output turns: for the vibration of the drive.
 struct Drivetrain {
   FixedMember fixed = FixedMember::circular_spline;
@@ -36,10 +48,15 @@ struct Drivetrain {
   double load_damping = 0.0;    ///< B_L against the housing [N*m*s/rad]; >= 0
   double gravity_torque = 0.0;  ///< m g l of an arm on the output [N*m]
   double gravity_angle = 0.0;   ///< angle of the output at which the arm hangs down [rad]
-  std::optional<BoucWen> hysteresis = {};  ///< at the output, parallel to the drive
-  std::optional<LuGre> friction = {};      ///< at the input
-  std::optional<Servo> servo = {};         ///< controller of the motor; absent: given speed
+  std::optional<BoucWen> hysteresis = {};      ///< at the output, parallel to the drive
+  std::vector<SlipElement> slip_element = {};  ///< in place of `hysteresis`
+  std::optional<LuGre> friction = {};          ///< at the input
+  std::optional<Servo> servo = {};             ///< controller of the motor; absent: given speed
   CrackBreathing breathing = CrackBreathing::torque;
+  RestoringTorque spring = RestoringTorque::lines;
+  /// largest torque of the computed curve, at the output [N*m]; > 0; absent: the maker's momentary
+  /// peak, or twice the larger of T3 and the rated torque
+  std::optional<double> curve_torque = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -113,6 +130,12 @@ struct Drivetrain {
                 .doc = "hysteresis of a motion, at the output",
                 .in_template = InTemplate::commented},
           &Drivetrain::hysteresis);
+    field(Field{.name = "slip_element",
+                .unit = "",
+                .doc = "elements of a hysteresis, in place of drivetrain.hysteresis: each a spring "
+                       "that slips at its limit, all parallel to the drive",
+                .in_template = InTemplate::commented},
+          &Drivetrain::slip_element);
     field(Field{.name = "friction",
                 .unit = "",
                 .doc = "friction of the input in a motion, with sticking",
@@ -135,6 +158,24 @@ struct Drivetrain {
               .fallback = R"("torque")",
               .in_template = InTemplate::commented},
         &Drivetrain::breathing);
+    field(
+        Field{.name = "spring",
+              .unit = "",
+              .doc = "restoring torque of strainwave simulate: \"lines\", the maker's lines of the "
+                     "sound drive; or \"computed\", the torsion curve over the angle of the input, "
+                     "with cracks of teeth and rings",
+              .example = R"("computed")",
+              .fallback = R"("lines")",
+              .in_template = InTemplate::commented},
+        &Drivetrain::spring);
+    field(Field{.name = "curve_torque",
+                .unit = "N*m",
+                .doc = "largest torque of the computed curve, at the output; the maker's momentary "
+                       "peak if left out, or else twice the larger of T3 and the rated torque",
+                .range = kPositive,
+                .example = R"("170 N*m")",
+                .in_template = InTemplate::commented},
+          &Drivetrain::curve_torque);
   }
 };
 

@@ -14,6 +14,8 @@ struct Manoeuvre {
   std::optional<double> input_torque = {};  ///< of the motor at the end, with sign [N*m]
   /// T_ext on the load at the end, about +z [N*m]; absent: as before
   std::optional<double> output_torque = {};
+  /// of the output at the end, with sign [rad/s]; absent: the output moves freely
+  std::optional<double> output_speed = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -42,6 +44,13 @@ struct Manoeuvre {
                 .example = R"("0 N*m")",
                 .in_template = InTemplate::commented},
           &Manoeuvre::output_torque);
+    field(Field{.name = "output_speed",
+                .unit = "rad/s",
+                .doc = "speed of the output at the end of the piece, in place of output_torque; "
+                       "the motion states the external torque that it needs",
+                .example = R"("10 rpm")",
+                .in_template = InTemplate::commented},
+          &Manoeuvre::output_speed);
   }
 };
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "strainwave/core/progress.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/motion/energy_table.hpp"
+
+/// @file
+/// The computed torsion curve as the restoring torque of a motion.
+
+namespace strainwave {
+
+/// The table of a drive and its error against the coupled drive.
+struct CurveTable {
+  double most_torque = 0.0;  ///< of the table, at the output, under both senses [N*m]
+  double torques = 0.0;      ///< points of the torque [-]
+  double cage_angles = 0.0;  ///< points of the cage's angle [-]
+  /// points of the angle of the flexspline, and of the circular spline, against the wave [-]
+  std::optional<double> flexspline_angles = {};
+  std::optional<double> spline_angles = {};
+  double triples =
+      0.0;  ///< random angles of flexspline, spline and cage at which it is checked [-]
+  double worst_difference = 0.0;  ///< largest |twist of the table - twist of the drive| [rad]
+  double rms_difference = 0.0;    ///< [rad]
+  /// root mean square of the twist that the cracks add there [rad]; absent: no crack in a contact
+  std::optional<double> cracks_twist = {};
+  /// largest error of the twist that the cracks add, over the largest such twist [-]
+  std::optional<double> worst_share = {};
+  /// the same as root mean squares [-]
+  std::optional<double> rms_share = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"most_torque", "N*m", "largest torque of the table, at the output"},
+          &CurveTable::most_torque);
+    field({"torques", "1", "points of the torque"}, &CurveTable::torques);
+    field({"cage_angles", "1", "points of the angle of the cage"}, &CurveTable::cage_angles);
+    field(
+        {"flexspline_angles", "1",
+         "points of the angle of the flexspline against the wave; absent: no crack moves with it"},
+        &CurveTable::flexspline_angles);
+    field({"spline_angles", "1",
+           "points of the angle of the circular spline against the wave; absent: no crack in it"},
+          &CurveTable::spline_angles);
+    field({"triples", "1", "random angles of flexspline, spline and cage of the check"},
+          &CurveTable::triples);
+    field({"worst_difference", "rad",
+           "largest difference of the twist against the coupled drive at these angles"},
+          &CurveTable::worst_difference);
+    field({"rms_difference", "rad", "root mean square of this difference"},
+          &CurveTable::rms_difference);
+    field({"cracks_twist", "rad",
+           "root mean square of the twist that the cracks in the contacts add at these angles"},
+          &CurveTable::cracks_twist);
+    field({"worst_share", "1",
+           "largest error of the twist that the cracks add, over the largest such twist"},
+          &CurveTable::worst_share);
+    field({"rms_share", "1", "the same as root mean squares"}, &CurveTable::rms_share);
+  }
+};
+
+/// The sound drive and the drive with its cracks as energies at the output, without the cracks of
+/// wall and shaft.
+struct ComputedCurve {
+  std::shared_ptr<const EnergyTable> sound;
+  std::shared_ptr<const EnergyTable> cracked;  ///< `sound` itself without cracks in the contacts
+  CurveTable table;
+};
+
+/// Most random angles at which the table is checked.
+inline constexpr int kCheckedTriples = 100;
+
+/// Implements theory manual eqs. (MO-25) to (MO-27).
+///
+/// The families are the cage with cracks of the inner ring, the flexspline with its teeth and the
+/// outer ring, and the circular spline.  The motion begins with the cracks at the positions of the
+/// file and a ball at the lobe.
+/// @throws InputError   if the file lacks an input of the coupled drive
+/// @throws SolverError  if the coupled drive does not bear the largest torque of the table
+/// @throws Stopped      if the caller requests a stop
+[[nodiscard]] ComputedCurve computed_curve(const GearSet& gear, const Progress& progress = {});
+
+}  // namespace strainwave

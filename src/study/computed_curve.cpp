@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/computed_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/ring_energy.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t kTorquesPerSense = 24;
+constexpr double kCorner = 4.0;          // of the sinh that spreads the torques [-]
+constexpr std::size_t kCagePoints = 24;  // between two balls [-]
+constexpr std::size_t kMeanPhases = 2;   // over which the cracks are averaged [-]
+constexpr int kMostAngles = 200;         // of a family [-]
+constexpr double kOfLargest = 2.0;       // largest torque over T3 and the rated torque [-]
+constexpr std::uint64_t kSeed = 16;
+
+/// What a crack moves with.
+enum class CrackFamily { cage, flexspline, spline, series };
+
+template <class Crack>
+CrackFamily crack_family(std::string_view member, const Crack& crack) {
+  if constexpr (ContactCrack<Crack>)
+    return crack.place().part == CrackedPart::circular_spline ? CrackFamily::spline
+                                                              : CrackFamily::flexspline;
+  else
+    return member == "wave_generator" ? CrackFamily::cage : CrackFamily::series;
+}
+
+/// The drive with the cracks of some families alone.
+GearSet with_families(const GearSet& gear, std::initializer_list<CrackFamily> kept) {
+  GearSet made = gear;
+  for_each_cracked_member(made, [&](std::string_view name, auto& member) {
+    std::erase_if(member.crack, [&](const auto& crack) {
+      const CrackFamily of =
+          std::visit([&](const auto& kind) { return crack_family(name, kind); }, crack);
+      return std::ranges::find(kept, of) == kept.end();
+    });
+  });
+  drop_lost_paths(made, gear);
+  return made;
+}
+
+bool any_crack(const GearSet& gear) {
+  bool any = false;
+  for_each_crack(gear, [&](const std::string&, const auto&) { any = true; });
+  return any;
+}
+
+bool has_tooth_crack(const GearSet& gear) {
+  bool any = false;
+  for_each_crack(gear, [&]<class Crack>(const std::string&, const Crack&) {
+    any = any || std::is_same_v<Crack, ToothCrack>;
+  });
+  return any;
+}
+
+/// Torques of a table, close together near zero.
+std::vector<double> table_torques(double most) {
+  std::vector<double> rising;
+  for (std::size_t k = 0; k < kTorquesPerSense; ++k) {
+    const double x = (static_cast<double>(k) + 0.5) / (kTorquesPerSense - 0.5);
+    rising.push_back(most * std::sinh(kCorner * x) / std::sinh(kCorner));
+  }
+  std::vector<double> torques;
+  for (auto at = rising.rbegin(); at != rising.rend(); ++at) torques.push_back(-*at);
+  torques.insert(torques.end(), rising.begin(), rising.end());
+  return torques;
+}
+
+/// Solves the coupled drive at the torques of a table, and gives the energy at the output.
+class AtOutput {
+ public:
+  /// @param step  torque of the flexspline over that of the output, with sign
+  AtOutput(std::vector<double> torques, double step) : torques_(std::move(torques)), step_(step) {}
+
+  [[nodiscard]] const std::vector<double>& torques() const { return torques_; }
+
+  /// Energies at any torques that do not change their order of size within a sense.
+  [[nodiscard]] std::vector<RingEnergy> energies(const AssembledDrive& drive,
+                                                 const std::vector<double>& torques) const {
+    // Each sense begins at the assembled state and goes on to larger torques.
+    std::vector<RingEnergy> made(torques.size());
+    for (const double sense : {1.0, -1.0}) {
+      std::vector<std::size_t> index;
+      for (std::size_t n = 0; n < torques.size(); ++n)
+        if (torques[n] * sense > 0) index.push_back(n);
+      std::ranges::sort(index, {}, [&](std::size_t n) { return std::abs(torques[n]); });
+      std::vector<double> at;
+      // The torque of the drive on its load is minus that on the output (MO-14).
+      for (const std::size_t n : index) at.push_back(-step_ * torques[n]);
+      const std::vector<RingEnergy> solved = ring_energies(drive, at);
+      for (std::size_t k = 0; k < index.size(); ++k)
+        made[index[k]] = {.torque = torques[index[k]],
+                          .rotation = -step_ * solved[k].rotation,
+                          .energy = solved[k].energy};
+    }
+    return made;
+  }
+
+  /// Samples of one angle, without rate and period.
+  [[nodiscard]] EnergySamples samples(const AssembledDrive& drive) const {
+    const std::vector<RingEnergy> at = energies(drive, torques_);
+    EnergySamples made;
+    for (const RingEnergy& of : at) made.twist.push_back(of.rotation);
+    made.compliance = rising_slopes(torques_, made.twist);
+    const auto first = std::ranges::find_if(at, [](const RingEnergy& e) { return e.torque > 0; });
+    made.energy = {first->energy};
+    return made;
+  }
+
+ private:
+  std::vector<double> torques_;
+  double step_;
+};
+
+/// Adds samples to others, each times a factor.
+void add_samples(EnergySamples& sum, const EnergySamples& more, double factor) {
+  const auto each = [&](std::vector<double>& a, const std::vector<double>& b) {
+    a.resize(b.size());
+    for (std::size_t n = 0; n < b.size(); ++n) a[n] += factor * b[n];
+  };
+  each(sum.energy, more.energy);
+  each(sum.twist, more.twist);
+  each(sum.compliance, more.compliance);
+}
+
+EnergySamples joined(const std::vector<EnergySamples>& angles, double rate, double period) {
+  EnergySamples made{.rate = rate, .period = period, .energy = {}, .twist = {}, .compliance = {}};
+  for (const EnergySamples& of : angles) {
+    made.energy.push_back(of.energy.front());
+    made.twist.insert(made.twist.end(), of.twist.begin(), of.twist.end());
+    made.compliance.insert(made.compliance.end(), of.compliance.begin(), of.compliance.end());
+  }
+  return made;
+}
+
+/// Turns of cage, flexspline and circular spline against the wave generator in one of its turns,
+/// with sign (DY-1, DY-2).
+struct FamilyRates {
+  double cage = 0.0;
+  double flexspline = 0.0;
+  double spline = 0.0;
+};
+
+FamilyRates rates_of(const GearSet& gear) {
+  const Arrangement arrangement = arrangement_of(gear.drivetrain->fixed);
+  const PartTurns turns = part_turns(arrangement, gear.drive.ratio);
+  const Bearing& bearing = *gear.wave_generator->bearing;
+  const double pitch = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
+  const double cage =
+      ball_orders(arrangement, gear.drive.ratio,
+                  {.balls = *bearing.ball_count, .diameter_ratio = bearing.ball_diameter / pitch})
+          .cage;
+  // A position against the wave falls by the turn of the wave against the part.
+  return {.cage = -cage,
+          .flexspline = turns.wave_generator - turns.flexspline,
+          .spline = turns.wave_generator - turns.circular_spline};
+}
+
+/// Places of a crack over one period of its angle.
+struct FamilyAngles {
+  double period = 0.0;         ///< [rad]
+  std::vector<double> places;  ///< whole pitches nearest to even angles [rad]
+};
+
+/// @param pitches  teeth or spaces on the part
+FamilyAngles family_angles(const GearSet& gear, int pitches) {
+  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  // With an even number of teeth, the drive looks the same from its other lobe (MO-27).
+  const bool even = teeth % 2 == 0;
+  const int whole = even ? pitches / 2 : pitches;
+  const int count = std::min(whole, kMostAngles);
+  FamilyAngles made{.period = even ? pi : 2 * pi, .places = {}};
+  for (int q = 0; q < count; ++q)
+    made.places.push_back(2 * pi / pitches * std::round(static_cast<double>(q) * whole / count));
+  return made;
+}
+
+/// The drive at the phases of the cage over which the cracks are averaged.
+std::vector<AssembledDrive> at_phases(const GearSet& gear) {
+  const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
+  std::vector<AssembledDrive> made;
+  for (std::size_t p = 0; p < kMeanPhases; ++p) {
+    CoupledOptions options;
+    options.cage_phase = pitch * static_cast<double>(p) / static_cast<double>(kMeanPhases);
+    made.emplace_back(gear, options);
+  }
+  return made;
+}
+
+/// What the cracks of one family add, over their angle and as a mean over the cage (MO-27).
+EnergySamples crack_samples(const GearSet& gear, CrackFamily family, int pitches, double rate,
+                            const AtOutput& output, const Progress& progress) {
+  const FamilyAngles angles = family_angles(gear, pitches);
+  const std::vector<AssembledDrive> drives = at_phases(with_families(gear, {family}));
+  std::vector<EnergySamples> sound;
+  for (const AssembledDrive& drive : drives)
+    sound.push_back(output.samples(drive.without_cracks()));
+  std::vector<EnergySamples> added(angles.places.size());
+  for_each_index(added.size(), {}, progress, [&] {
+    return [&](std::size_t q) {
+      const double place = angles.places[q];
+      for (std::size_t p = 0; p < drives.size(); ++p) {
+        const AssembledDrive moved = family == CrackFamily::flexspline
+                                         ? drives[p].moved(place, 0.0)
+                                         : drives[p].moved(0.0, place);
+        const double share = 1.0 / static_cast<double>(drives.size());
+        add_samples(added[q], output.samples(moved), share);
+        add_samples(added[q], sound[p], -share);
+      }
+    };
+  });
+  return joined(added, rate, angles.period);
+}
+
+/// The whole energy over the angle of the cage.
+EnergySamples cage_samples(const GearSet& gear, double rate, const AtOutput& output,
+                           const Progress& progress) {
+  const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
+  std::vector<EnergySamples> made(kCagePoints);
+  for_each_index(made.size(), {}, progress, [&] {
+    return [&](std::size_t q) {
+      CoupledOptions options;
+      options.cage_phase = pitch * static_cast<double>(q) / static_cast<double>(kCagePoints);
+      made[q] = output.samples(AssembledDrive(gear, options));
+    };
+  });
+  return joined(made, rate, pitch);
+}
+
+/// Compares the table with the coupled drive at random angles of all parts.
+void check_table(const GearSet& gear, const ComputedCurve& curve, const std::vector<int>& place_of,
+                 bool with_cracks, const AtOutput& output, CurveTable& result,
+                 const Progress& progress) {
+  const GearSet contacts =
+      with_families(gear, {CrackFamily::cage, CrackFamily::flexspline, CrackFamily::spline});
+  const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
+  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  const bool whole_teeth = has_tooth_crack(gear);
+  const MakersTorques makers = makers_torques(gear);
+  std::vector<double> torques;
+  for (const double torque : {makers.T1, makers.T2, makers.T3})
+    if (torque < result.most_torque) {
+      torques.push_back(torque);
+      torques.push_back(-torque);
+    }
+  if (torques.empty()) torques = {result.most_torque / 2, -result.most_torque / 2};
+  struct Checked {
+    std::vector<double> difference;
+    std::vector<double> added;
+    std::vector<double> added_difference;
+  };
+  std::vector<Checked> checked(kCheckedTriples);
+  for_each_index(checked.size(), {}, progress, [&] {
+    return [&](std::size_t n) {
+      const auto uniform = [&](std::uint64_t input) { return counter_uniform(kSeed, n, input); };
+      double flexspline = 2 * pi * uniform(0);
+      // The model has no place between two teeth (TC-21).
+      if (whole_teeth) flexspline = 2 * pi / teeth * std::floor(teeth * uniform(0));
+      const double spline = 2 * pi * uniform(1);
+      CoupledOptions options;
+      options.cage_phase = pitch * uniform(2);
+      const AssembledDrive full = AssembledDrive(contacts, options).moved(flexspline, spline);
+      const std::vector<RingEnergy> is = output.energies(full, torques);
+      const std::vector<RingEnergy> sound = output.energies(full.without_cracks(), torques);
+      const std::array<double, 3> angles = {options.cage_phase, flexspline, spline};
+      std::array<double, EnergyTable::kMostFamilies> of_table{};
+      for (std::size_t k = 0; k < place_of.size(); ++k)
+        of_table[k] = angles[static_cast<std::size_t>(place_of[k])];
+      const EnergyTable::Slice slice = curve.cracked->at_angles(of_table);
+      const EnergyTable::Slice sound_slice = curve.sound->at_angles({angles[0]});
+      for (std::size_t i = 0; i < torques.size(); ++i) {
+        // The compliance in series is the same in both.
+        const double more = curve.sound->compliance() * torques[i];
+        const double twist = slice.at_torque(torques[i]).twist - more;
+        const double sound_twist = sound_slice.at_torque(torques[i]).twist - more;
+        const double added = is[i].rotation - sound[i].rotation;
+        checked[n].difference.push_back(twist - is[i].rotation);
+        checked[n].added.push_back(added);
+        checked[n].added_difference.push_back(twist - sound_twist - added);
+      }
+    };
+  });
+  double squares = 0.0;
+  double added_squares = 0.0;
+  double share_squares = 0.0;
+  double most_added = 0.0;
+  double most_share = 0.0;
+  double count = 0.0;
+  for (const Checked& of : checked)
+    for (std::size_t i = 0; i < of.difference.size(); ++i) {
+      squares += of.difference[i] * of.difference[i];
+      added_squares += of.added[i] * of.added[i];
+      result.worst_difference = std::max(result.worst_difference, std::abs(of.difference[i]));
+      most_added = std::max(most_added, std::abs(of.added[i]));
+      share_squares += of.added_difference[i] * of.added_difference[i];
+      most_share = std::max(most_share, std::abs(of.added_difference[i]));
+      ++count;
+    }
+  result.triples = kCheckedTriples;
+  result.rms_difference = std::sqrt(squares / count);
+  if (!with_cracks) return;
+  result.cracks_twist = std::sqrt(added_squares / count);
+  if (*result.cracks_twist > 0) {
+    result.rms_share = std::sqrt(share_squares / added_squares);
+    result.worst_share = most_share / most_added;
+  }
+}
+
+}  // namespace
+
+ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
+  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
+    throw InputError(
+        "drivetrain.spring",
+        fmt::format("is \"computed\", but the torsion curve lacks fields: {}", missing));
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
+  const MakersTorques makers = makers_torques(gear);
+  const auto peak = gear.rating ? gear.rating->momentary_peak : std::nullopt;
+  ComputedCurve made;
+  CurveTable& result = made.table;
+  result.most_torque = gear.drivetrain->curve_torque.value_or(
+      peak.value_or(kOfLargest * std::max(makers.T3, makers.rated)));
+  const AtOutput output(table_torques(result.most_torque), step);
+  const GearSet sound = without_cracks(gear);
+  const FamilyRates rates = rates_of(gear);
+  const AssembledDrive assembled(sound);
+  const double shaft = gear.output_shaft ? output_shaft_compliance(sound).intact : 0.0;
+  const double compliance =
+      step * step * (sound_series_compliance(assembled) - shaft) + shaft;  // (MO-14)
+  const auto table = [&](const std::vector<EnergySamples>& families) {
+    return std::make_shared<const EnergyTable>(output.torques(), families, compliance);
+  };
+  try {
+    const EnergySamples of_cage = cage_samples(sound, rates.cage, output, progress.part(0.0, 0.05));
+    result.torques = static_cast<double>(output.torques().size());
+    result.cage_angles = static_cast<double>(of_cage.angles());
+    made.sound = table({of_cage});
+    std::vector<EnergySamples> families = {of_cage};
+    std::vector<int> place_of = {0};
+    bool with_cracks = false;
+    const GearSet inner = with_families(gear, {CrackFamily::cage});
+    if (any_crack(inner)) {
+      families[0] = cage_samples(inner, rates.cage, output, progress.part(0.05, 0.1));
+      with_cracks = true;
+    }
+    const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+    const auto take = [&](CrackFamily family, int place, int pitches, double rate,
+                          std::optional<double>& angles, const Progress& part) {
+      if (!any_crack(with_families(gear, {family}))) return;
+      families.push_back(crack_samples(gear, family, pitches, rate, output, part));
+      place_of.push_back(place);
+      angles = static_cast<double>(families.back().angles());
+      with_cracks = true;
+    };
+    take(CrackFamily::flexspline, 1, teeth, rates.flexspline, result.flexspline_angles,
+         progress.part(0.1, 0.45));
+    take(CrackFamily::spline, 2, teeth + gear.drive.wave_number, rates.spline, result.spline_angles,
+         progress.part(0.45, 0.8));
+    made.cracked = with_cracks ? table(families) : made.sound;
+    check_table(gear, made, place_of, with_cracks, output, result, progress.part(0.8, 1.0));
+  } catch (const SolverError& error) {
+    throw SolverError(fmt::format(
+        "the computed curve up to {:.4g} N*m has no table: {}; lower drivetrain.curve_torque, or "
+        "give drivetrain.spring = \"lines\"",
+        result.most_torque, error.what()));
+  }
+  return made;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/motion/energy_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/motion/harmonic_balance.hpp"
+#include "strainwave/motion/simulate.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSoft = 2e-5;  // compliance of the sound spring [rad/(N*m)]
+constexpr double kMore = 2e-6;  // of a crack [rad/(N*m)]
+constexpr double kMost = 80.0;  // largest torque [N*m]
+
+std::vector<double> even_torques() {
+  std::vector<double> torques;
+  for (int n = 0; n < 48; ++n) torques.push_back(kMost * (n - 23.5) / 23.5);
+  return torques;
+}
+
+/// A linear spring with W_0, and with a crack whose compliance swings over an angle.
+EnergySamples swinging(double rate, double compliance, double swing, double still, int angles) {
+  EnergySamples made{.rate = rate, .period = pi, .energy = {}, .twist = {}, .compliance = {}};
+  const std::vector<double> torques = even_torques();
+  for (int q = 0; q < angles; ++q) {
+    const double wave = std::cos(2 * pi * q / angles);
+    const double lambda = compliance + swing * (1 + wave) / 2;
+    const double first = torques[24];
+    made.energy.push_back(lambda * first * first / 2 + still * wave);
+    for (const double torque : torques) {
+      made.twist.push_back(lambda * torque);
+      made.compliance.push_back(lambda);
+    }
+  }
+  return made;
+}
+
+std::shared_ptr<const EnergyTable> table_of(double still) {
+  return std::make_shared<const EnergyTable>(
+      even_torques(),
+      std::vector{swinging(0.0, kSoft, 0.0, 0.0, 1), swinging(1.01, 0.0, kMore, still, 100)}, 0.0);
+}
+
+TEST(EnergyTable, ReferenceBreathingCrack) {
+  // (MO-25): W = T^2 (lambda + Delta lambda b(alpha))/2 of (MO-6), b = (1 + cos 2 alpha)/2.  A
+  // spline of 100 points over a cosine errs by (2 pi/100)^4/384, which is 4e-8, and its slope by
+  // 1e-5.
+  const auto table = table_of(3e-4);
+  for (const double angle : {0.0, 0.3, 2.0, -7.7, 1234.5})
+    for (const double torque : {-79.0, -3.1, 0.0, 1e-3, 44.0}) {
+      const auto at = table->at(angle).at_torque(torque);
+      const double wave = std::cos(2.02 * angle);
+      const double lambda = kSoft + kMore * (1 + wave) / 2;
+      EXPECT_NEAR(at.twist, lambda * torque, 1e-7 * kMore * std::abs(torque) + 1e-18);
+      EXPECT_NEAR(at.energy, lambda * torque * torque / 2 + 3e-4 * wave, 1e-9);
+      EXPECT_NEAR(at.by_input,
+                  -2.02 * std::sin(2.02 * angle) * (kMore * torque * torque / 4 + 3e-4), 2e-7);
+      EXPECT_NEAR(table->at(angle).at_twist(at.twist).torque, torque, 1e-12 * kMost);
+    }
+}
+
+TEST(EnergyTable, IdentityTwistAndReactionAreDerivativesOfOneEnergy) {
+  // (MO-25), (MO-26): central differences of the energy; 1e-7 of the size is their rounding.
+  const auto table = table_of(3e-4);
+  constexpr double h = 1e-3;
+  for (const double angle : {0.1, 0.77, 5.0})
+    for (const double torque : {-50.0, -1.0, 0.4, 33.3}) {
+      const auto at = table->at(angle).at_torque(torque);
+      const auto energy = [&](double by_torque, double by_angle) {
+        return table->at(angle + by_angle).at_torque(torque + by_torque).energy;
+      };
+      EXPECT_NEAR(at.twist, (energy(h, 0) - energy(-h, 0)) / (2 * h), 1e-10);
+      EXPECT_NEAR(at.by_input, (energy(0, h) - energy(0, -h)) / (2 * h), 1e-8);
+      EXPECT_NEAR(at.compliance,
+                  (table->at(angle).at_torque(torque + h).twist -
+                   table->at(angle).at_torque(torque - h).twist) /
+                      (2 * h),
+                  1e-10);
+    }
+}
+
+TEST(EnergyTable, IdentityBeyondTheTableTheComplianceIsConstant) {
+  // (MO-26): torque and twist stay continuous, so that a step that tries such a state is refused by
+  // its torque and not by a jump.
+  const auto table = table_of(0.0);
+  const auto slice = table->at(0.4);
+  for (const double end : {-kMost, kMost}) {
+    const auto inside = slice.at_torque(end * (1 - 1e-12));
+    const auto outside = slice.at_torque(1.5 * end);
+    EXPECT_NEAR(outside.twist, inside.twist + inside.compliance * 0.5 * end, 1e-12);
+    EXPECT_NEAR(slice.at_twist(outside.twist).torque, 1.5 * end, 1e-9);
+  }
+}
+
+TEST(EnergyTable, LimitOpenCracksInSeries) {
+  // (MO-1): a compliance in series adds T times itself; the spring is linear.
+  const auto table = table_of(0.0);
+  const double lambda = kSoft + kMore;
+  EXPECT_NEAR(table->at(0.0).at_twist(1e-3, 3e-6).torque, 1e-3 / (lambda + 3e-6), 1e-9);
+}
+
+TEST(EnergyTable, ReferenceSlopesOfACubic) {
+  // (MO-26): the natural spline through a straight line is the line; a step keeps every piece
+  // rising, because no slope exceeds three chords.
+  const std::vector<double> torques = {-3, -1, -0.5, 0.5, 1, 3};
+  for (const double slope : rising_slopes(torques, {-6, -2, -1, 1, 2, 6}))
+    EXPECT_NEAR(slope, 2.0, 1e-14);
+  const std::vector<double> step = {-1.003, -1.001, -1.0005, 1.0005, 1.001, 1.003};
+  const std::vector<double> slopes = rising_slopes(torques, step);
+  for (std::size_t n = 0; n + 1 < torques.size(); ++n) {
+    const double h = torques[n + 1] - torques[n];
+    const double chord = (step[n + 1] - step[n]) / h;
+    for (const double x : {0.1, 0.3, 0.5, 0.7, 0.9})
+      EXPECT_GE(slopes[n] * (1 - x) * (1 - 3 * x) + slopes[n + 1] * x * (3 * x - 2) +
+                    6 * chord * x * (1 - x),
+                -1e-12);
+  }
+}
+
+Joint tabled(std::shared_ptr<const EnergyTable> table) {
+  Joint joint{.ratio = 100,
+              .input_inertia = 1e-4,
+              .output_inertia = 1.0,
+              .spring = LinearSpring{1 / kSoft}};
+  joint.table = std::move(table);
+  return joint;
+}
+
+TEST(EnergyTable, CrosscheckMotionOfABreathingCrack) {
+  // (MO-11), (MO-25): a crack that breathes with the input is the special case W = T^2 lambda/2, so
+  // the motion is that of the spring with the crack.  1e-7 of the wind-up is the error of the
+  // spline.
+  Joint other = tabled(nullptr);
+  other.cracks = {{.compliance = kMore,
+                   .opening = AngleOpening{.shaft = BreathingShaft::input, .order = 2.02}}};
+  const JointState start{.input_speed = 100.0, .output_angle = -1e-4, .output_speed = 0.8};
+  const SimulationOptions options{.duration = 0.5, .output_step = 0.5, .tolerance = 1e-13};
+  const Motion table = simulate(tabled(table_of(0.0)), start, options);
+  const Motion crack = simulate(other, start, options);
+  ASSERT_TRUE(table.converged) << table.reason;
+  EXPECT_NEAR(table.last.input_angle, crack.last.input_angle, 1e-6);
+  EXPECT_NEAR(table.last.output_angle, crack.last.output_angle, 1e-8);
+}
+
+TEST(EnergyTable, IdentityATableKeepsItsEnergyOverManyTurns) {
+  // (MO-12), (MO-25): no damping and no drive; 200 turns of the input with a table whose angle and
+  // torque both swing.  1e-9 of the exchanged energy is the share that the integration may lose.
+  const Motion motion = simulate(
+      tabled(table_of(2e-3)), {.input_speed = 400.0, .output_angle = -5e-4, .output_speed = 4.0},
+      {.duration = 2 * pi * 200 / 400, .output_step = 1.0, .tolerance = 1e-13});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_GT(motion.energy.exchanged, 1.0);
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+  EXPECT_EQ(motion.event_count, 0U);
+}
+
+TEST(EnergyTable, BehaviourAMotionEndsBeyondTheTable) {
+  // (MO-25): the last state is good, and the reason says what to raise.
+  Joint joint = tabled(table_of(0.0));
+  joint.input = GivenSpeed{{.time = {0.0, 0.2}, .value = {0.0, 200.0}}};
+  joint.output_inertia = 100.0;
+  const Motion motion = simulate(joint, {}, {.duration = 0.2, .output_step = 0.1});
+  EXPECT_FALSE(motion.converged);
+  EXPECT_TRUE(motion.beyond_table);
+  EXPECT_NE(motion.reason.find("beyond the table"), std::string::npos) << motion.reason;
+  EXPECT_NE(motion.reason.find("raise drivetrain.curve_torque"), std::string::npos);
+  EXPECT_GT(motion.time_reached, 0.0);
+  EXPECT_LT(motion.time_reached, 0.2);
+}
+
+TEST(EnergyTable, InputRulesOfATable) {
+  const EnergySamples good = swinging(1.0, kSoft, 0.0, 0.0, 4);
+  const auto made = [&](std::vector<double> torques, const EnergySamples& of, double compliance) {
+    return [=] { (void)EnergyTable(torques, {of}, compliance); };
+  };
+  EXPECT_THROW(made({1.0, 2.0}, good, 0.0)(), InputError);
+  std::vector<double> torques = even_torques();
+  torques[5] = torques[6];
+  EXPECT_THROW(made(torques, good, 0.0)(), InputError);
+  EXPECT_THROW(made(even_torques(), good, -1e-6)(), InputError);
+  EnergySamples bad = good;
+  bad.twist.pop_back();
+  EXPECT_THROW(made(even_torques(), bad, 0.0)(), InputError);
+  bad = good;
+  bad.period = 0.0;
+  EXPECT_THROW(made(even_torques(), bad, 0.0)(), InputError);
+  EXPECT_THROW(EnergyTable(even_torques(), {}, 0.0), InputError);
+  // A twist that falls has no inverse.
+  EXPECT_THROW(made(even_torques(), swinging(1.0, -kSoft, 0.0, 0.0, 4), 0.0)(), SolverError);
+  // Periodic motions need a spring.
+  EXPECT_THROW((void)small_frequency(tabled(table_of(0.0)), {}), InputError);
+}
+
+}  // namespace
+}  // namespace strainwave
