@@ -39,6 +39,23 @@ std::string lines_for_the_file(const TransmissionReport& report) {
   return text;
 }
 
+/// The ranges of the drawn drives, without the cracks.
+std::string drawn_sentence(const DrawnTransmission& drawn, const DisplayUnit& angle) {
+  const auto shown = [&](double value) { return number_and_unit(value, angle); };
+  std::string sentence =
+      drawn.draws == 1
+          ? "One drive was drawn, and the answer holds for this drive."
+          : fmt::format("Among {} drawn drives without cracks, the range of 5 % is below {}, that "
+                        "of half of the drives is below {}, and that of 5 % is above {}. The rest "
+                        "of the answer holds for the drive in the middle.",
+                        drawn.draws, shown(drawn.low), shown(drawn.median), shown(drawn.high));
+  if (drawn.failed > 0)
+    sentence += fmt::format(" {} more drawn {} no equilibrium and {} not counted.", drawn.failed,
+                            drawn.failed == 1 ? "drive has" : "drives have",
+                            drawn.failed == 1 ? "is" : "are");
+  return sentence;
+}
+
 }  // namespace
 
 std::vector<std::string> transmission_sentences(const TransmissionReport& report) {
@@ -65,11 +82,7 @@ std::vector<std::string> transmission_sentences(const TransmissionReport& report
                       : std::string(),
                   source)};
   if (report.drawn)
-    sentences.push_back(fmt::format(
-        "Of {} drawn drives, 5 % have less than {}, half have less than {}, and 5 % have more than "
-        "{}. The rest of the answer holds for the drive in the middle.",
-        report.drawn->draws, shown(report.drawn->low), shown(report.drawn->median),
-        shown(report.drawn->high)));
+    sentences.push_back(drawn_sentence(*report.drawn, angle));
   if (report.checks > 0)
     sentences.push_back(
         fmt::format("The errors of both parts are added. At {} random positions the complete drive "

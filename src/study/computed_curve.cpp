@@ -15,6 +15,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/model/input/tooth_numbers.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/ring_energy.hpp"
@@ -57,12 +58,6 @@ GearSet with_families(const GearSet& gear, std::initializer_list<CrackFamily> ke
   });
   drop_lost_paths(made, gear);
   return made;
-}
-
-bool any_crack(const GearSet& gear) {
-  bool any = false;
-  for_each_crack(gear, [&](const std::string&, const auto&) { any = true; });
-  return any;
 }
 
 bool has_tooth_crack(const GearSet& gear) {
@@ -184,7 +179,7 @@ struct FamilyAngles {
 
 /// @param pitches  teeth or spaces on the part
 FamilyAngles family_angles(const GearSet& gear, int pitches) {
-  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  const int teeth = flexspline_teeth(gear.drive);
   // With an even number of teeth, the drive looks the same from its other lobe (MO-27).
   const bool even = teeth % 2 == 0;
   const int whole = even ? pitches / 2 : pitches;
@@ -254,7 +249,7 @@ void check_table(const GearSet& gear, const ComputedCurve& curve, const std::vec
   const GearSet contacts =
       with_families(gear, {CrackFamily::cage, CrackFamily::flexspline, CrackFamily::spline});
   const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
-  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  const int teeth = flexspline_teeth(gear.drive);
   const bool whole_teeth = has_tooth_crack(gear);
   const MakersTorques makers = makers_torques(gear);
   std::vector<double> torques;
@@ -359,14 +354,14 @@ ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
     std::vector<int> place_of = {0};
     bool with_cracks = false;
     const GearSet inner = with_families(gear, {CrackFamily::cage});
-    if (any_crack(inner)) {
+    if (has_cracks(inner)) {
       families[0] = cage_samples(inner, rates.cage, output, progress.part(0.05, 0.1));
       with_cracks = true;
     }
-    const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+    const int teeth = flexspline_teeth(gear.drive);
     const auto take = [&](CrackFamily family, int place, int pitches, double rate,
                           std::optional<double>& angles, const Progress& part) {
-      if (!any_crack(with_families(gear, {family}))) return;
+      if (!has_cracks(with_families(gear, {family}))) return;
       families.push_back(crack_samples(gear, family, pitches, rate, output, part));
       place_of.push_back(place);
       angles = static_cast<double>(families.back().angles());

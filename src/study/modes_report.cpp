@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "strainwave/catalogue/torque_limits.hpp"
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/dynamics/drivetrain_chain.hpp"
@@ -266,8 +267,21 @@ ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
   for (const MotorGives motor : {MotorGives::torque, MotorGives::speed})
     report.conditions.push_back(
         motor_modes(gear, motor, states.intact, states.with_cracks, states.without_one));
-  report.over_torque = modes_over_torque(gear, states);
   report.notes = states.notes;
+  try {
+    report.over_torque = modes_over_torque(gear, states);
+  } catch (const SolverError& error) {
+    report.notes.push_back(
+        {.code = "modes.no_map",
+         .text = fmt::format("the map of the modes over the torque is left out, because the torsion "
+                             "curve does not reach its largest torques: {}",
+                             error.what()),
+         .path = "rating",
+         .equation = "DY-8",
+         .severity = Severity::care,
+         .next_step = "Use the modes at the torque of the answer; correct the torques of [rating] "
+                      "if the drive is not made for them."});
+  }
   note_damping(report, report.notes);
   report.equations = {"DY-1", "DY-2", "DY-3", "DY-4", "DY-5", "DY-8", "DY-9", "DY-10", "DY-11"};
   return report;

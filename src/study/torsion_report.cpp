@@ -223,14 +223,6 @@ Band band(std::vector<double> values) {
   return {quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
 }
 
-bool has_cracks(const GearSet& gear) {
-  return (gear.wave_generator && !gear.wave_generator->crack.empty()) ||
-         (gear.flexspline && !gear.flexspline->crack.empty()) ||
-         (gear.output_shaft && !gear.output_shaft->crack.empty()) ||
-         (gear.mesh && !gear.mesh->crack.empty()) ||
-         (gear.circular_spline && !gear.circular_spline->crack.empty());
-}
-
 }  // namespace
 
 LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,

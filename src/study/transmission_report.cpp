@@ -16,8 +16,9 @@
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/model/input/tooth_numbers.hpp"
 #include "strainwave/torsion/compare.hpp"
-#include "strainwave/torsion/torsion_curve.hpp"
+#include "strainwave/torsion/ring_energy.hpp"
 #include "vibrating_drive.hpp"
 
 namespace strainwave {
@@ -41,13 +42,15 @@ struct ToothByTooth {
   bool cracked = false;  ///< cracks turn with their part
   double turn = 0.0;     ///< of the wave generator against the circular spline, a tooth [rad]
   double torque = 0.0;   ///< of the flexspline [N*m]
-  double step = 1.0;     ///< twist at the output over that of the flexspline [-]
+  double step = 1.0;     ///< angle of the output over that of the flexspline [-]
 
-  /// Twist at the output after the wave generator has moved on by a number of teeth [rad].
-  [[nodiscard]] double twist(const Deviations& deviations, int teeth) const {
+  /// Place of the output after the wave generator has moved on by a number of teeth, but for a
+  /// constant [rad].  The place is measured in the wave: deviations move the state without torque
+  /// too.
+  [[nodiscard]] double place(const Deviations& deviations, int teeth) const {
     const AssembledDrive moved = cracked ? drive.turned(teeth * turn) : drive;
-    return step * twists(moved.with_deviations(moved_on(deviations, teeth)), {{torque / 3, torque}})
-                      .back();
+    const AssembledDrive deviating = moved.with_deviations(moved_on(deviations, teeth));
+    return step * ring_energies(deviating, {{torque / 3, torque}}).back().rotation;
   }
 };
 
@@ -76,7 +79,7 @@ std::vector<double> family_error(const ToothByTooth& of, const Deviations& devia
                                  int threads, const Progress& progress) {
   std::vector<double> error(static_cast<std::size_t>(teeth));
   for_each_index(error.size(), {.block = 8, .threads = threads}, progress, [&] {
-    return [&](std::size_t n) { error[n] = of.twist(deviations, static_cast<int>(n)); };
+    return [&](std::size_t n) { error[n] = of.place(deviations, static_cast<int>(n)); };
   });
   const double mean = std::accumulate(error.begin(), error.end(), 0.0) / teeth;
   for (double& value : error) value -= mean;
@@ -195,10 +198,12 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
   const double step = flexspline_torque(arrangement_of(fixed), gear.drive.ratio);
   TransmissionReport report;
   report.torque = options.torque.value_or(gear.load.torque);
-  require(std::isfinite(report.torque), "torque", report.torque, "N*m", "a finite number");
+  require(std::isfinite(report.torque) && report.torque != 0, "torque", report.torque, "N*m",
+          "a finite number and not 0, because the flanks hold the output at its place under torque "
+          "only");
   const AssembledDrive sound(without_cracks(gear));
   if (!sound.fails_because().empty()) throw SolverError(sound.fails_because());
-  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  const int teeth = flexspline_teeth(gear.drive);
   const int spaces = teeth + 2;
   const std::array<int, 2> counts = {teeth, spaces};
   const std::array<double, 2> turns = {turns_against(gear, fixed, ErrorFamily::flexspline),
@@ -229,10 +234,7 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
       deviations.flexspline.resize(static_cast<std::size_t>(teeth));
     if (deviations.spline.empty()) deviations.spline.resize(static_cast<std::size_t>(spaces));
     check_deviations(deviations, gear);
-    // The flanks of half paths have angles of their own, as for drawn teeth (TC-36).
-    const auto& tooth = gear.mesh->tooth;
-    const bool own_angles = tooth && tooth->profile == ToothProfile::half_path;
-    deviations.pairing_gap = pairing_gap(deviations, own_angles ? 0.0 : gear.mesh->flank_angle);
+    deviations.pairing_gap = pairing_gap(deviations, gear);
     intact = sound_errors(deviations, progress.part(0.0, 0.6));
   } else if (options.draws > 0) {
     report.source = DeviationSource::drawn;
@@ -267,9 +269,7 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
 
   std::optional<FamilyErrors> cracked;
   std::optional<ToothByTooth> complete;
-  std::size_t n_cracks = 0;
-  for_each_crack(gear, [&](const std::string&, const auto&) { ++n_cracks; });
-  if (n_cracks > 0) {
+  if (has_cracks(gear)) {
     cracked.emplace();
     for (std::size_t f = 0; f < 2; ++f) {
       const auto family = static_cast<ErrorFamily>(f);
@@ -292,7 +292,7 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
     for (int n = 0; n < kChecks; ++n) {
       const double share = counter_uniform(options.seed, static_cast<std::uint64_t>(n), 0);
       const int at = static_cast<int>(share * teeth * spaces / 2);
-      differences.push_back(complete->twist(deviations, at) -
+      differences.push_back(complete->place(deviations, at) -
                             added[0][static_cast<std::size_t>(at % teeth)] -
                             added[1][static_cast<std::size_t>(at % spaces)]);
     }

@@ -10,6 +10,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
+#include "strainwave/model/input/tooth_numbers.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 
 namespace strainwave {
@@ -68,7 +69,7 @@ bool of_spline(const Crack& crack) {
 /// tooth of the circular spline.  In each step the flexspline passes the wave by one of its own
 /// teeth (TC-28), so a crack meets the same teeth and gaps at each position.
 std::vector<double> positions_over_turn(const GearSet& gear, int angles) {
-  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  const int teeth = flexspline_teeth(gear.drive);
   const int spaces = teeth + gear.drive.wave_number;
   bool flexspline = false;
   for_each_crack(gear, [&]<class Crack>(const std::string&, const Crack& crack) {
@@ -130,6 +131,12 @@ GearSet without_cracks(const GearSet& gear) {
   for_each_cracked_member(sound, [](std::string_view, auto& member) { member.crack.clear(); });
   drop_lost_paths(sound, gear);
   return sound;
+}
+
+bool has_cracks(const GearSet& gear) {
+  bool any = false;
+  for_each_crack(gear, [&](const std::string&, const auto&) { any = true; });
+  return any;
 }
 
 bool has_moving_cracks(const GearSet& gear) {

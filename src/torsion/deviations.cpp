@@ -9,15 +9,12 @@
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/input/tooth_numbers.hpp"
 
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
-
-int teeth_of(const GearSet& gear) {
-  return static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
-}
 
 /// Number of an entry that repeats after `count` entries.
 std::size_t around(int number, std::size_t count) {
@@ -60,7 +57,7 @@ DeviationLimits deviation_limits(const GearSet& gear) {
   const Tolerance tolerance = gear.tolerance.value_or(Tolerance{});
   const double d = gear.drive.pitch_diameter;
   DeviationLimits limits;
-  limits.single_pitch = single_pitch_limit(tolerance.grade, d, d / teeth_of(gear));
+  limits.single_pitch = single_pitch_limit(tolerance.grade, d, d / flexspline_teeth(gear.drive));
   limits.thickness = tolerance.thickness_deviation.value_or(limits.single_pitch / 3);
   // (TC-36): the difference of two flanks has the standard deviation f_pT/3; what the thickness
   // leaves of the flank's variance belongs to the middle of the tooth.
@@ -89,20 +86,21 @@ Deviations draw_deviations(const GearSet& gear, std::uint64_t seed, std::uint64_
       tooth.thickness = normal(limits.thickness);
     }
   };
-  draw_teeth(drawn.flexspline, teeth_of(gear));
-  draw_teeth(drawn.spline, teeth_of(gear) + 2);
+  draw_teeth(drawn.flexspline, flexspline_teeth(gear.drive));
+  draw_teeth(drawn.spline, flexspline_teeth(gear.drive) + 2);
   for (int k = 0; k < *gear.wave_generator->bearing->ball_count; ++k)
     drawn.balls.push_back(normal(limits.diameter_of_ball));
   drawn.eccentricity = limits.eccentricity;
   drawn.eccentricity_angle = 2 * pi * counter_uniform(seed, draw, input);
-  // The flanks of half paths have angles of their own; none closes by more than with the angle 0.
-  const auto& tooth = gear.mesh->tooth;
-  const bool own_angles = tooth && tooth->profile == ToothProfile::half_path;
-  drawn.pairing_gap = pairing_gap(drawn, own_angles ? 0.0 : gear.mesh->flank_angle);  // (TC-36)
+  drawn.pairing_gap = pairing_gap(drawn, gear);
   return drawn;
 }
 
-double pairing_gap(const Deviations& deviations, double flank_angle) {
+double pairing_gap(const Deviations& deviations, const GearSet& gear) {
+  // The flanks of half paths have angles of their own; none closes by more than with the angle 0.
+  const auto& tooth = gear.mesh->tooth;
+  const bool own_angles = tooth && tooth->profile == ToothProfile::half_path;
+  const double flank_angle = own_angles ? 0.0 : gear.mesh->flank_angle;
   const int teeth = static_cast<int>(deviations.flexspline.size());
   double closest = 0.0;
   for (int moved = 0; moved < teeth + 2; ++moved)
@@ -110,7 +108,7 @@ double pairing_gap(const Deviations& deviations, double flank_angle) {
       for (const int side : {+1, -1})
         closest =
             std::max(closest, approach(deviations, j + moved, j + moved + lobe_of(j, teeth), side));
-  return closest * std::cos(flank_angle);
+  return closest * std::cos(flank_angle);  // (TC-36)
 }
 
 Deviations moved_on(const Deviations& deviations, int teeth) {
@@ -143,9 +141,9 @@ void check_deviations(const Deviations& deviations, const GearSet& gear) {
     require(is == 0 || is == static_cast<std::size_t>(wanted), field, static_cast<double>(is), "1",
             rule);
   };
-  require_count("deviations.flexspline", deviations.flexspline.size(), teeth_of(gear),
+  require_count("deviations.flexspline", deviations.flexspline.size(), flexspline_teeth(gear.drive),
                 "none, or one for each of the z teeth");
-  require_count("deviations.spline", deviations.spline.size(), teeth_of(gear) + 2,
+  require_count("deviations.spline", deviations.spline.size(), flexspline_teeth(gear.drive) + 2,
                 "none, or one for each of the z + 2 teeth");
   require_count("deviations.balls", deviations.balls.size(),
                 *gear.wave_generator->bearing->ball_count, "none, or one for each ball");

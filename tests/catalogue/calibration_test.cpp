@@ -398,7 +398,9 @@ TEST(Calibration, BehaviourFrictionThatContradictsIsNotUsable) {
   // A bench that is too slow for its steps has no value.
   targets.efficiency = 0.77;
   Calibration c = calibrate_friction(gear, bench_joint(), targets, "made up");
-  EXPECT_TRUE(evidence_of(c).unusable_because.empty());
+  of = evidence_of(c);
+  EXPECT_TRUE(of.unusable_because.empty());
+  EXPECT_EQ(std::ranges::count(of.notes, "calibration.friction_assumed", &Note::code), 1);
   c.converged = false;
   c.friction->values[1].simulated.reset();
   c.friction->values[1].reason = "the input does not turn";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -409,6 +410,16 @@ TEST(ModesReport, LimitTheSumOfTheMembersHasNoModesOverTheTorque) {
   const ModesReport report = modes_report(gear);
   ASSERT_EQ(report.springs, SpringModel::members);
   EXPECT_TRUE(report.over_torque.empty());
+}
+
+TEST(ModesReport, BehaviourTorquesOutOfReachLeaveOutTheMap) {
+  GearSet gear = robot_joint();
+  gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = {}};
+  gear.rating->repeated_peak = 1e6;
+  const ModesReport report = modes_report(gear);
+  EXPECT_TRUE(report.over_torque.empty());
+  EXPECT_GT(report.conditions.front().modes.front().intact.frequency, 0.0);
+  EXPECT_EQ(std::ranges::count(report.notes, "modes.no_map", &Note::code), 1);
 }
 
 TEST(ModesReport, CrosscheckTheFirstModeWhileACrackGrows) {

@@ -109,6 +109,9 @@ struct CurveComparison {
 /// (drop_lost_paths).
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
 
+/// Whether any member has a crack.
+[[nodiscard]] bool has_cracks(const GearSet& gear);
+
 /// Whether a crack moves relative to the wave, that is, whether it lies in rim, teeth, outer ring
 /// or circular spline.
 [[nodiscard]] bool has_moving_cracks(const GearSet& gear);

@@ -79,8 +79,11 @@ struct DeviationLimits {
 
 /// Least further gap of all flanks with which no flank is closer to the flank that it faces than in
 /// the drive without deviations, at any place and in any position of the wave generator [m].
-/// @param flank_angle  alpha, or the least angle of the flanks [rad]
-[[nodiscard]] double pairing_gap(const Deviations& deviations, double flank_angle);
+///
+/// Implements theory manual eq. (TC-36).
+/// @param deviations  of all teeth of both parts; its own `pairing_gap` is ignored
+/// @param gear        has a mesh
+[[nodiscard]] double pairing_gap(const Deviations& deviations, const GearSet& gear);
 
 /// The parts after the wave generator has moved on by a number of teeth: teeth of both parts move
 /// by one place for each tooth.  Balls and cam keep their places.

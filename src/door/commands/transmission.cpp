@@ -8,6 +8,7 @@
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/history_file.hpp"
+#include "strainwave/model/input/tooth_numbers.hpp"
 
 namespace strainwave {
 namespace {
@@ -93,7 +94,7 @@ TransmissionReport transmission_of(const Request& request,
   TransmissionOptions made{.draws = options.draws, .seed = options.seed};
   if (options.torque) made.torque = parse_quantity("--torque", *options.torque, "N*m");
   if (options.flexspline_teeth || options.spline_teeth) {
-    const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+    const int teeth = flexspline_teeth(gear.drive);
     made.measured.emplace();
     if (options.flexspline_teeth)
       made.measured->flexspline =
