@@ -45,10 +45,11 @@ std::string drawn_sentence(const DrawnTransmission& drawn, const DisplayUnit& an
   std::string sentence =
       drawn.draws == 1
           ? "One drive was drawn, and the answer holds for this drive."
-          : fmt::format("Among {} drawn drives without cracks, the range of 5 % is below {}, that "
-                        "of half of the drives is below {}, and that of 5 % is above {}. The rest "
-                        "of the answer holds for the drive in the middle.",
-                        drawn.draws, shown(drawn.low), shown(drawn.median), shown(drawn.high));
+          : fmt::format(
+                "Among {} drawn drives without cracks, the range of 5 % is below {}, that "
+                "of half of the drives is below {}, and that of 5 % is above {}. The rest "
+                "of the answer holds for the drive in the middle.",
+                drawn.draws, shown(drawn.low), shown(drawn.median), shown(drawn.high));
   if (drawn.failed > 0)
     sentence += fmt::format(" {} more drawn {} no equilibrium and {} not counted.", drawn.failed,
                             drawn.failed == 1 ? "drive has" : "drives have",
@@ -81,8 +82,7 @@ std::vector<std::string> transmission_sentences(const TransmissionReport& report
                       ? fmt::format(", and over {} with the cracks", shown(*report.cracked_range))
                       : std::string(),
                   source)};
-  if (report.drawn)
-    sentences.push_back(drawn_sentence(*report.drawn, angle));
+  if (report.drawn) sentences.push_back(drawn_sentence(*report.drawn, angle));
   if (report.checks > 0)
     sentences.push_back(
         fmt::format("The errors of both parts are added. At {} random positions the complete drive "

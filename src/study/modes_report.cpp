@@ -273,9 +273,10 @@ ModesReport modes_report(const GearSet& gear, std::optional<double> torque,
   } catch (const SolverError& error) {
     report.notes.push_back(
         {.code = "modes.no_map",
-         .text = fmt::format("the map of the modes over the torque is left out, because the torsion "
-                             "curve does not reach its largest torques: {}",
-                             error.what()),
+         .text =
+             fmt::format("the map of the modes over the torque is left out, because the torsion "
+                         "curve does not reach its largest torques: {}",
+                         error.what()),
          .path = "rating",
          .equation = "DY-8",
          .severity = Severity::care,

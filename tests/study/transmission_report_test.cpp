@@ -117,14 +117,13 @@ TEST(TransmissionReport, BehaviourATableOfTeethHasItsSense) {
           return std::remainder(line.phase - pi / 2 + phase, 2 * pi);
       return std::numeric_limits<double>::quiet_NaN();
     };
-    const TransmissionReport report = transmission_report(
-        sound_drive(), measured({}, wavy(kTeeth + 2, 2, 20e-9, phase)));
+    const TransmissionReport report =
+        transmission_report(sound_drive(), measured({}, wavy(kTeeth + 2, 2, 20e-9, phase)));
     EXPECT_NEAR(error_at_peak(report, ErrorFamily::circular_spline), 0.0, 2 * 25 * pi / 180)
         << phase;
     const TransmissionReport opposite =
         transmission_report(sound_drive(), measured(wavy(kTeeth, 2, 20e-9, phase), {}));
-    EXPECT_NEAR(std::abs(error_at_peak(opposite, ErrorFamily::flexspline)), pi,
-                2 * 25 * pi / 180)
+    EXPECT_NEAR(std::abs(error_at_peak(opposite, ErrorFamily::flexspline)), pi, 2 * 25 * pi / 180)
         << phase;
   }
 }
