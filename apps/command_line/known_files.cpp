@@ -31,6 +31,8 @@ KnownFiles::KnownFiles(const Given& given, const std::vector<std::string>& input
     const Argument& argument = given.arguments[i];
     for (const std::string& path : given.texts[i])
       if (writes(argument)) {
+        if (argument.role == Role::record && path.empty())
+          throw UsageError(fmt::format("{} must name a file; give its name", argument.name));
         add_output(argument.name, path);
         if (argument.role == Role::record) add_output(argument.name, checkpoint_of(path));
       } else if (argument.names == "attachment" || argument.names == "history") {

@@ -124,7 +124,7 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
     std::string words = fmt::format(
         "The table of the curve ends at {}. Against the coupled drive at {} random angles, its "
         "twist differs by {} at most and by {} as a root mean square.",
-        number_and_unit(table.most_torque, display_unit({}, "N*m")), shown_number(table.triples, 3),
+        number_and_unit(table.most_torque, display_unit({}, "N*m")), table.triples,
         shown(table.worst_difference), shown(table.rms_difference));
     if (table.rms_share)
       words += fmt::format(

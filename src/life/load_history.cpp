@@ -10,6 +10,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/growth/rainflow.hpp"
+#include "strainwave/model/input/fixed_member.hpp"
 
 namespace strainwave {
 namespace {
@@ -86,8 +87,7 @@ DutyHistory at_flexspline(DutyHistory history) {
 }
 
 std::optional<double> cycles_per_output_turn(const GearSet& gear, DutyPlace place) {
-  const Arrangement arrangement =
-      arrangement_of(gear.duty ? gear.duty->fixed : FixedMember::circular_spline);
+  const Arrangement arrangement = arrangement_of(fixed_member(gear));
   const double i = gear.drive.ratio;
   const double input_turns = std::abs(signed_ratio(arrangement, i));
   switch (place) {  // (LI-21)

@@ -190,9 +190,9 @@ FrictionFit fit_friction(const FrictionTargets& targets, double ratio,
   friction.viscous =
       std::max(0.0, targets.no_load_torque - friction.sliding(targets.speed)) / targets.speed;
   const double load = targets.torque / fit.ratio;
+  const double back = targets.back_driving_torque;
   friction.load_breakaway =
-      std::max(0.0, 1 - fit.ratio * targets.starting_torque / targets.back_driving_torque);
-  // (MO-42)
+      std::max(0.0, 1 - fit.ratio * targets.starting_torque / back);  // (MO-42)
   friction.load_coulomb =
       std::max(0.0, 1 / targets.efficiency - 1 - friction.steady(targets.speed) / load);  // (MO-43)
   const std::vector<double> fitted = four_values(friction, ratio, targets);

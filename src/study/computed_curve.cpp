@@ -48,16 +48,9 @@ CrackFamily crack_family(std::string_view member, const Crack& crack) {
 
 /// The drive with the cracks of some families alone.
 GearSet with_families(const GearSet& gear, std::initializer_list<CrackFamily> kept) {
-  GearSet made = gear;
-  for_each_cracked_member(made, [&](std::string_view name, auto& member) {
-    std::erase_if(member.crack, [&](const auto& crack) {
-      const CrackFamily of =
-          std::visit([&](const auto& kind) { return crack_family(name, kind); }, crack);
-      return std::ranges::find(kept, of) == kept.end();
-    });
+  return with_cracks_where(gear, [&](std::string_view member, const auto& crack) {
+    return std::ranges::find(kept, crack_family(member, crack)) != kept.end();
   });
-  drop_lost_paths(made, gear);
-  return made;
 }
 
 bool has_tooth_crack(const GearSet& gear) {
@@ -347,8 +340,8 @@ ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
   };
   try {
     const EnergySamples of_cage = cage_samples(sound, rates.cage, output, progress.part(0.0, 0.05));
-    result.torques = static_cast<double>(output.torques().size());
-    result.cage_angles = static_cast<double>(of_cage.angles());
+    result.torques = static_cast<int>(output.torques().size());
+    result.cage_angles = static_cast<int>(of_cage.angles());
     made.sound = table({of_cage});
     std::vector<EnergySamples> families = {of_cage};
     std::vector<int> place_of = {0};
@@ -360,11 +353,11 @@ ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
     }
     const int teeth = flexspline_teeth(gear.drive);
     const auto take = [&](CrackFamily family, int place, int pitches, double rate,
-                          std::optional<double>& angles, const Progress& part) {
+                          std::optional<int>& angles, const Progress& part) {
       if (!has_cracks(with_families(gear, {family}))) return;
       families.push_back(crack_samples(gear, family, pitches, rate, output, part));
       place_of.push_back(place);
-      angles = static_cast<double>(families.back().angles());
+      angles = static_cast<int>(families.back().angles());
       with_cracks = true;
     };
     take(CrackFamily::flexspline, 1, teeth, rates.flexspline, result.flexspline_angles,

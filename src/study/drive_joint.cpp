@@ -137,7 +137,7 @@ Note table_note(const CurveTable& table) {
       .text = fmt::format("the energies of cage, flexspline and circular spline are added; against "
                           "the coupled drive at {} random angles, the twist that the cracks "
                           "add is off by {} %, as root mean squares",
-                          shown_number(table.triples, 3), shown_number(100 * *table.rms_share, 2)),
+                          table.triples, shown_number(100 * *table.rms_share, 2)),
       .path = "drivetrain.spring",
       .equation = "MO-27",
       .severity = Severity::care,

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <numeric>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "strainwave/core/counter_random.hpp"
@@ -16,10 +19,10 @@
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/model/input/fixed_member.hpp"
 #include "strainwave/model/input/tooth_numbers.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/ring_energy.hpp"
-#include "vibrating_drive.hpp"
 
 namespace strainwave {
 namespace {
@@ -63,15 +66,9 @@ Deviations of_family(Deviations all, ErrorFamily family) {
 
 /// Only the cracks of one part: those of the circular spline, or all others.
 GearSet with_cracks_of(const GearSet& gear, ErrorFamily family) {
-  GearSet kept = family == ErrorFamily::flexspline ? gear : without_cracks(gear);
-  if (kept.circular_spline) {
-    if (family == ErrorFamily::flexspline)
-      kept.circular_spline->crack.clear();
-    else
-      kept.circular_spline->crack = gear.circular_spline->crack;
-  }
-  drop_lost_paths(kept, gear);
-  return kept;
+  return with_cracks_where(gear, [&](std::string_view member, const auto&) {
+    return (member == "circular_spline") == (family == ErrorFamily::circular_spline);
+  });
 }
 
 /// Errors of one family at each tooth, less their mean [rad].
@@ -111,12 +108,6 @@ double turns_against(const GearSet& gear, FixedMember fixed, ErrorFamily family)
   const PartTurns turns = part_turns(arrangement_of(fixed), gear.drive.ratio);
   return std::abs(turns.wave_generator -
                   (family == ErrorFamily::flexspline ? turns.flexspline : turns.circular_spline));
-}
-
-/// The part that stands by the drivetrain, else by the duty.
-FixedMember fixed_member(const GearSet& gear) {
-  if (gear.drivetrain) return gear.drivetrain->fixed;
-  return gear.duty ? gear.duty->fixed : FixedMember::circular_spline;
 }
 
 void add_lines(TransmissionReport& report, const FamilyErrors& sound,
@@ -198,7 +189,8 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
   const double step = flexspline_torque(arrangement_of(fixed), gear.drive.ratio);
   TransmissionReport report;
   report.torque = options.torque.value_or(gear.load.torque);
-  require(std::isfinite(report.torque) && report.torque != 0, "torque", report.torque, "N*m",
+  require(std::isfinite(report.torque) && report.torque != 0,
+          options.torque ? "torque" : "load.torque", report.torque, "N*m",
           "a finite number and not 0, because the flanks hold the output at its place under torque "
           "only");
   const AssembledDrive sound(without_cracks(gear));
@@ -303,7 +295,7 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
   }
   add_lines(report, intact, cracked, turns);
   add_rows(report, intact, cracked, turns);
-  report.notes = AssembledDrive(gear).notes();
+  report.notes = complete->drive.notes();
   add_notes(report);
   report.equations = {"DY-1", "DY-2", "DY-17", "TC-28", "TC-36"};
   progress.at(1.0);

@@ -127,10 +127,7 @@ void diagnose(CurveComparison& comparison) {
 }  // namespace
 
 GearSet without_cracks(const GearSet& gear) {
-  GearSet sound = gear;
-  for_each_cracked_member(sound, [](std::string_view, auto& member) { member.crack.clear(); });
-  drop_lost_paths(sound, gear);
-  return sound;
+  return with_cracks_where(gear, [](std::string_view, const auto&) { return false; });
 }
 
 bool has_cracks(const GearSet& gear) {

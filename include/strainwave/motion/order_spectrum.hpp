@@ -72,8 +72,7 @@ class OrderSums {
 /// over the number of turns away from 0 and from each line before it in the list.  Amplitudes are
 /// exact for a signal of a mean, a drift and separate lines.
 /// @param angle   of the shaft at even times [rad]; monotonic, at least four values more than twice
-/// the
-///                lines
+///                the lines
 /// @param signal  as many values
 /// @param orders  [-]; > 0
 /// @throws InputError  if a number is out of range, or there are too few

@@ -16,13 +16,12 @@ namespace strainwave {
 /// The table of a drive and its error against the coupled drive.
 struct CurveTable {
   double most_torque = 0.0;  ///< of the table, at the output, under both senses [N*m]
-  double torques = 0.0;      ///< points of the torque [-]
-  double cage_angles = 0.0;  ///< points of the cage's angle [-]
-  /// points of the angle of the flexspline, and of the circular spline, against the wave [-]
-  std::optional<double> flexspline_angles = {};
-  std::optional<double> spline_angles = {};
-  double triples =
-      0.0;  ///< random angles of flexspline, spline and cage at which it is checked [-]
+  int torques = 0;           ///< points of the torque
+  int cage_angles = 0;       ///< points of the cage's angle
+  /// points of the angle of the flexspline, and of the circular spline, against the wave
+  std::optional<int> flexspline_angles = {};
+  std::optional<int> spline_angles = {};
+  int triples = 0;  ///< random angles of flexspline, spline and cage at which it is checked
   double worst_difference = 0.0;  ///< largest |twist of the table - twist of the drive| [rad]
   double rms_difference = 0.0;    ///< [rad]
   /// root mean square of the twist that the cracks add there [rad]; absent: no crack in a contact
@@ -36,16 +35,16 @@ struct CurveTable {
   static void describe(Visitor&& field) {
     field({"most_torque", "N*m", "largest torque of the table, at the output"},
           &CurveTable::most_torque);
-    field({"torques", "1", "points of the torque"}, &CurveTable::torques);
-    field({"cage_angles", "1", "points of the angle of the cage"}, &CurveTable::cage_angles);
+    field({"torques", "", "points of the torque"}, &CurveTable::torques);
+    field({"cage_angles", "", "points of the angle of the cage"}, &CurveTable::cage_angles);
     field(
-        {"flexspline_angles", "1",
+        {"flexspline_angles", "",
          "points of the angle of the flexspline against the wave; absent: no crack moves with it"},
         &CurveTable::flexspline_angles);
-    field({"spline_angles", "1",
+    field({"spline_angles", "",
            "points of the angle of the circular spline against the wave; absent: no crack in it"},
           &CurveTable::spline_angles);
-    field({"triples", "1", "random angles of flexspline, spline and cage of the check"},
+    field({"triples", "", "random angles of flexspline, spline and cage of the check"},
           &CurveTable::triples);
     field({"worst_difference", "rad",
            "largest difference of the twist against the coupled drive at these angles"},

@@ -3,9 +3,11 @@
 
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -108,6 +110,20 @@ struct CurveComparison {
 /// The drive without its cracks, and without ranges and scatters of their numbers
 /// (drop_lost_paths).
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
+
+/// The drive with some of its cracks (drop_lost_paths).
+/// @param keep  called with the name of the member and the crack; whether the crack stays
+template <class Keep>
+[[nodiscard]] GearSet with_cracks_where(const GearSet& gear, const Keep& keep) {
+  GearSet made = gear;
+  for_each_cracked_member(made, [&](std::string_view name, auto& member) {
+    std::erase_if(member.crack, [&](const auto& crack) {
+      return !std::visit([&](const auto& kind) { return keep(name, kind); }, crack);
+    });
+  });
+  drop_lost_paths(made, gear);
+  return made;
+}
 
 /// Whether any member has a crack.
 [[nodiscard]] bool has_cracks(const GearSet& gear);
