@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/roots.hpp"
@@ -15,6 +16,7 @@
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/motion/order_spectrum.hpp"
 #include "strainwave/motion/simulate.hpp"
+#include "strainwave/stiff_motion/simulate_stiff.hpp"
 #include "strainwave/study/drive_joint.hpp"
 #include "strainwave/study/drive_orders.hpp"
 
@@ -205,9 +207,10 @@ MotionOrders orders_of(const std::vector<DriveOrder>& named, const SteadyPart& p
 /// A joint from its equilibrium on, sample by sample, with what its summary needs.
 class MovedJoint {
  public:
-  MovedJoint(Joint joint, const SimulationOptions& options, const MotionState* from,
-             const std::vector<double>& orders, const std::optional<SteadyPart>& steady)
-      : ratio_(joint.ratio), steady_(steady), run_(begun(joint, options, from)) {
+  MovedJoint(Joint joint, MotionEngine engine, const SimulationOptions& options,
+             const MotionState* from, const std::vector<double>& orders,
+             const std::optional<SteadyPart>& steady)
+      : ratio_(joint.ratio), steady_(steady), run_(begun(joint, engine, options, from)) {
     if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) given_ = drive->speed;
     output_given_ = joint.output_speed.has_value();
     if (steady_) sums_.emplace(orders, std::size_t{2});
@@ -217,7 +220,9 @@ class MovedJoint {
   }
 
   /// Computes the next sample.
-  void advance(const Progress& progress) { now_ = run_.next(progress); }
+  void advance(const Progress& progress) {
+    now_ = std::visit([&](auto& run) { return run.next(progress); }, run_);
+  }
   /// The sample; absent: the motion has ended.
   [[nodiscard]] const std::optional<MotionSample>& now() const { return now_; }
   /// Torque that the given motion of the output needs; absent: the output is free [N*m].
@@ -242,10 +247,10 @@ class MovedJoint {
                now_->state.input_angle, std::array{error(), now_->forces.torque});
   }
 
-  /// State at a sample.
+  /// State at a sample; the explicit engine has one.
   /// @param samples  those that were taken
   [[nodiscard]] MotionState state(std::uint64_t samples) const {
-    MotionState made{.motion = run_.checkpoint(), .largest = largest_};
+    MotionState made{.motion = std::get<MotionRun>(run_).checkpoint(), .largest = largest_};
     // A sample that is not taken yet comes again.
     made.motion.next_sample = std::min(made.motion.next_sample, samples);
     if (sums_) made.orders = sums_->numbers();
@@ -253,7 +258,7 @@ class MovedJoint {
   }
 
   [[nodiscard]] MotionSummary summary() const {
-    const Motion motion = run_.motion();
+    const Motion motion = std::visit([](const auto& run) { return run.motion(); }, run_);
     MotionSummary made{.largest_torque = largest_[0],
                        .largest_error = largest_[1],
                        .largest_input_torque = largest_[2]};
@@ -274,16 +279,19 @@ class MovedJoint {
   [[nodiscard]] const OrderSums* sums() const { return sums_ ? &*sums_ : nullptr; }
 
  private:
-  static MotionRun begun(Joint& joint, const SimulationOptions& options, const MotionState* from) {
+  using Run = std::variant<MotionRun, StiffRun>;
+  static Run begun(Joint& joint, MotionEngine engine, const SimulationOptions& options,
+                   const MotionState* from) {
     const JointState start = equilibrium(joint);
     hold(joint, start);
+    if (engine == MotionEngine::stiff) return StiffRun(joint, start, options);
     return from != nullptr ? MotionRun(joint, from->motion, options)
                            : MotionRun(joint, start, options);
   }
 
   double ratio_;
   std::optional<SteadyPart> steady_;
-  MotionRun run_;
+  Run run_;
   std::optional<Profile> given_ = {};  ///< speed that a controller follows
   std::optional<OrderSums> sums_ = {};
   std::optional<MotionSample> now_ = {};
@@ -345,6 +353,13 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     throw InputError("manoeuvre",
                      "must be given for a motion; give [[manoeuvre]] with duration and "
                      "input_speed");
+  if (settings.engine == MotionEngine::stiff) {
+    require_stiff_motion("--engine");
+    if (record != nullptr)
+      throw InputError("--engine",
+                       "stiff has no checkpoints for --record and --resume; leave out --engine or "
+                       "both of them");
+  }
   // A recorded motion is long against the making of its joint, and a computed curve takes long.
   const bool computed = gear.drivetrain && gear.drivetrain->spring == RestoringTorque::computed;
   const double joint_share = record != nullptr ? 0.01 : (computed ? 0.5 : 0.1);
@@ -409,11 +424,12 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
       record != nullptr && record->from ? &*record->from : nullptr;
   if (from != nullptr && from->cracked.has_value() != cracked)
     throw InputError("checkpoint", "has other cracks than this drive; begin the motion again");
-  MovedJoint sound(made.sound(), options, from != nullptr ? &from->sound : nullptr, orders, steady);
+  MovedJoint sound(made.sound(), settings.engine, options, from != nullptr ? &from->sound : nullptr,
+                   orders, steady);
   std::optional<MovedJoint> with_cracks;
   if (cracked)
-    with_cracks.emplace(joint, options, from != nullptr ? &*from->cracked : nullptr, orders,
-                        steady);
+    with_cracks.emplace(joint, settings.engine, options,
+                        from != nullptr ? &*from->cracked : nullptr, orders, steady);
   MovedJoint* const other = with_cracks ? &*with_cracks : nullptr;
   SimulationCheckpoint at;
   if (from != nullptr) at = *from;

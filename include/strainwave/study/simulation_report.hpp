@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
@@ -22,9 +23,20 @@
 
 namespace strainwave {
 
+/// What takes the steps of a motion (MO-13).
+enum class MotionEngine {
+  explicit_steps,  ///< `simulate`
+  stiff,           ///< `simulate_stiff`, an optional part of the program
+};
+template <>
+struct EnumNames<MotionEngine> {
+  static constexpr std::array<std::string_view, 2> names = {"explicit", "stiff"};
+};
+
 struct SimulationSettings {
   double output_step = 0.0;  ///< time between two rows [s]; > 0; 0: a thousandth of the motion
   double tolerance = 1e-9;   ///< error of the output's angle in one step [rad]; > 0
+  MotionEngine engine = MotionEngine::explicit_steps;
 };
 
 /// One time of a motion.
@@ -293,7 +305,8 @@ struct SimulationRecord {
 /// side.
 /// @param record  takes the rows, whose number then has no limit; null: the result has them
 /// @throws InputError   if the drive has no drivetrain or no manoeuvre, or a setting is out of
-/// range, or a checkpoint cannot be one of this drive
+/// range, or a checkpoint cannot be one of this drive, or the stiff engine is not built or cannot
+/// move the drive or is asked for a record
 /// @throws SolverError  if a compliance is not usable
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] SimulationReport simulation_report(const GearSet& gear,

@@ -21,6 +21,7 @@ namespace {
 struct SimulateOptions {
   std::optional<std::string> step;
   std::string tolerance = "1e-9 rad";
+  MotionEngine engine = MotionEngine::explicit_steps;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -32,6 +33,12 @@ struct SimulateOptions {
            .doc = "error of the output's angle that one time step may add, a number with its unit",
            .fallback = "1e-9 rad"},
           &SimulateOptions::tolerance);
+    field({.name = "engine",
+           .unit = "",
+           .doc = "what takes the steps: explicit, or stiff for very stiff friction and springs, "
+                  "if the program was built with it",
+           .fallback = "explicit"},
+          &SimulateOptions::engine);
   }
 };
 
@@ -143,6 +150,7 @@ SimulationReport recorded(const Request& request, const SimulateOptions& options
 
 SimulationReport simulation_of(const Request& request, const SimulateOptions& options) {
   SimulationSettings settings;
+  settings.engine = options.engine;
   settings.tolerance = parse_quantity("--tolerance", options.tolerance, "rad");
   if (options.step) {
     settings.output_step = parse_quantity("--step", *options.step, "s");

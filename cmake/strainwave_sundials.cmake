@@ -1,0 +1,18 @@
+# strainwave_sundials(<module> WITHOUT <source>)
+# The sources of a module that need SUNDIALS (docs/adr/0018), or in their place the one that says
+# that it is missing.  Debian has no CMake package of SUNDIALS.
+function(strainwave_sundials module)
+  cmake_parse_arguments(ARG "" "WITHOUT" "" ${ARGN})
+  set(without "src/${module}/${ARG_WITHOUT}")
+  get_target_property(sources strainwave_${module} SOURCES)
+  if(STRAINWAVE_SUNDIALS)
+    set_source_files_properties(${without} PROPERTIES HEADER_FILE_ONLY ON)
+    foreach(library IN ITEMS cvode nvecserial sunmatrixdense sunlinsoldense)
+      find_library(SUNDIALS_${library} sundials_${library} REQUIRED)
+      target_link_libraries(strainwave_${module} PRIVATE "${SUNDIALS_${library}}")
+    endforeach()
+  else()
+    list(REMOVE_ITEM sources ${without})
+    set_source_files_properties(${sources} PROPERTIES HEADER_FILE_ONLY ON)
+  endif()
+endfunction()

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/stiff_motion/simulate_stiff.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cvode.hpp"
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+namespace {
+
+/// The state that is integrated, with the balance of energy along.
+enum Entry : std::size_t {
+  kMotorAngle,
+  kMotorSpeed,
+  kLag,  // theta_m/ratio - theta_L, which keeps its digits after many turns
+  kLoadSpeed,
+  kLoop,
+  kDeflection,
+  kIntegral,
+  kWork,
+  kLoss,
+  kCount
+};
+
+constexpr std::size_t kEventsKept = 10'000;
+constexpr double kUsualAngle = 1e-3;    // twist whose energy sets the tolerance of energies [rad]
+constexpr double kRoundedShare = 1e-9;  // of the stored energy, which a balance neglects [-]
+constexpr double kStepsPerPeriod = 5;   // of the fastest excitation [-]
+constexpr double kPointsPerOrder = 10;  // points of a table in a period of its fastest order [-]
+constexpr double kOneTime = 4 * std::numeric_limits<double>::epsilon();  // times that are one [-]
+
+/// Memories of the path that this engine does not move.
+void require_supported(const Joint& joint) {
+  if (!joint.slip_elements.empty())
+    throw InputError("slip_elements",
+                     "are not moved by the engine stiff; choose the engine explicit, or give "
+                     "hysteresis in their place");
+}
+
+/// A function of the state whose change of sign is an event.
+struct Guard {
+  MotionEvent event = MotionEvent::spring_corner;
+  double torque = 0.0;  ///< of a corner [N*m]
+};
+
+std::vector<Guard> guards_of(const Joint& joint) {
+  std::vector<Guard> made;
+  if (!joint.table)
+    for (const double torque : corner_torques(joint.spring))
+      made.push_back({MotionEvent::spring_corner, torque});
+  const auto add = [&](bool applies, MotionEvent event) {
+    if (applies) made.push_back({event});
+  };
+  add(std::ranges::any_of(joint.cracks, [](const auto& crack) { return crack.sense.has_value(); }),
+      MotionEvent::torque_sense);
+  add(joint.hysteresis.has_value(), MotionEvent::twist_reversal);
+  add(joint.input_friction.has_value(), MotionEvent::speed_reversal);
+  const auto* const drive = std::get_if<ServoDrive>(&joint.input);
+  add(drive != nullptr && drive->servo.torque_limit && !drive->servo.sample_time,
+      MotionEvent::torque_limit);
+  add(joint.input_friction && joint.input_friction->by_load(), MotionEvent::load_sense);
+  return made;
+}
+
+/// Errors of all entries are those of an angle of the output (MO-13).
+std::vector<double> tolerances(const Joint& joint, double angle) {
+  const double K = joint.table ? 1 / joint.table->at(0.0).at_torque(0.0).compliance
+                               : tangent_stiffness(joint.spring, 0.0);
+  const double i = std::abs(joint.ratio);
+  const double omega = std::sqrt(K / joint.output_inertia + K / (joint.input_inertia * i * i));
+  // CVODE bounds the root of the mean square, and so does not bound the largest error.
+  angle /= std::sqrt(static_cast<double>(kCount));
+  std::vector<double> made(kCount);
+  made[kMotorAngle] = i * angle;
+  made[kMotorSpeed] = i * omega * angle;
+  made[kLag] = angle;
+  made[kLoadSpeed] = omega * angle;
+  made[kLoop] = K * angle;
+  made[kDeflection] = made[kIntegral] = i * angle;
+  made[kWork] = made[kLoss] = K * kUsualAngle * angle;
+  const auto by_torque = [&](Entry entry, double slope) {  // of the motor's torque
+    made[entry] = std::min(made[entry], K * angle / (i * slope));
+  };
+  if (joint.input_friction) by_torque(kDeflection, joint.input_friction->bristle_stiffness);
+  if (const auto* const drive = std::get_if<ServoDrive>(&joint.input);
+      drive != nullptr && drive->servo.integral_time)
+    by_torque(kIntegral, drive->servo.speed_gain / *drive->servo.integral_time);
+  return made;
+}
+
+/// Periods of the fastest excitation in a turn of the input.
+double fastest_order(const Joint& joint) {
+  double most = joint.table ? joint.table->points_per_turn() / kPointsPerOrder : 0.0;
+  for (const ErrorOrder& line : joint.kinematic_error.orders) most = std::max(most, line.order);
+  for (const BreathingCrack& crack : joint.cracks) {
+    if (!crack.opening) continue;
+    const double turns =
+        crack.opening->shaft == BreathingShaft::output ? 1 / std::abs(joint.ratio) : 1.0;
+    const auto highest = static_cast<double>(crack.opening->coefficients.size() - 1);
+    most = std::max(most, turns * crack.opening->order * highest);
+  }
+  return most;
+}
+
+/// Times at which a given profile has a corner, and the end.
+std::vector<double> ends_of_pieces(const Joint& joint, double duration) {
+  std::vector<double> times{duration};
+  const auto add = [&](const Profile& profile) {
+    std::ranges::copy_if(profile.time, std::back_inserter(times),
+                         [&](double time) { return time > 0 && time < duration; });
+  };
+  if (const auto* const given = std::get_if<GivenTorque>(&joint.input)) add(given->torque);
+  if (const auto* const given = std::get_if<GivenSpeed>(&joint.input)) add(given->speed);
+  if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) add(drive->speed);
+  add(joint.output_speed ? *joint.output_speed : joint.output_torque);
+  std::ranges::sort(times);
+  return times;
+}
+
+}  // namespace
+
+class StiffRun::Steps {
+ public:
+  Steps(Joint joint, const JointState& start, const SimulationOptions& options)
+      : joint_(std::move(joint)),
+        options_(options),
+        guards_(guards_of(joint_)),
+        ends_(ends_of_pieces(joint_, options.duration)),
+        order_(fastest_order(joint_)),
+        cvode_({.tolerance = tolerances(joint_, options.tolerance),
+                .rate = [this](auto time, auto x, auto dx) { rate(time, x, dx); },
+                .guard_count = guards_.size(),
+                .guards = [this](auto time, auto x, auto values) { guard(time, x, values); }}),
+        held_(start.held_torque) {
+    if (const auto* const drive = std::get_if<ServoDrive>(&joint_.input);
+        drive != nullptr && drive->servo.sample_time)
+      sampled_ = drive;
+    const auto* const given = std::get_if<GivenSpeed>(&joint_.input);
+    x_[kMotorAngle] = start.input_angle;
+    x_[kMotorSpeed] = given != nullptr ? given->speed.at(0.0) : start.input_speed;
+    x_[kLag] = start.input_angle / joint_.ratio - start.output_angle;
+    x_[kLoadSpeed] = joint_.output_speed ? joint_.output_speed->at(0.0) : start.output_speed;
+    x_[kLoop] = start.hysteresis;
+    x_[kDeflection] = start.bristle;
+    x_[kIntegral] = start.servo;
+    at_start_ = stored_energy(joint_, unpacked(x_));
+  }
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+  Steps(Steps&&) = delete;
+  Steps& operator=(Steps&&) = delete;
+  ~Steps() = default;
+
+  [[nodiscard]] std::optional<MotionSample> next(const Progress& progress) {
+    while (true) {
+      const double time = sample_time();
+      if (time <= reached_) {
+        ++samples_;
+        return sample(time);
+      }
+      if (!reason_.empty() || reached_ >= options_.duration) return std::nullopt;
+      progress.at(reached_ / options_.duration);
+      step();
+    }
+  }
+
+  [[nodiscard]] Motion motion() const {
+    const Cvode::Counts counts = cvode_.counts();
+    Motion made{.converged = reason_.empty() && reached_ >= options_.duration,
+                .reason = reason_,
+                .beyond_table = beyond_table_,
+                .time_reached = reached_,
+                .last = unpacked(x_),
+                .steps = counts.steps,
+                .rejected = counts.rejected,
+                .event_count = event_count_,
+                .events = events_};
+    MotionEnergy& energy = made.energy;
+    energy = {.at_start = at_start_,
+              .at_end = stored_energy(joint_, made.last),
+              .supplied = x_[kWork],
+              .lost = x_[kLoss],
+              .exchanged = kinetic_change_ + std::abs(x_[kWork]) + std::abs(x_[kLoss])};
+    const double whole =
+        energy.exchanged + kRoundedShare * (std::abs(energy.at_start) + std::abs(energy.at_end));
+    const double missing = energy.at_end - energy.at_start - energy.supplied + energy.lost;
+    if (whole > 0) energy.imbalance = std::abs(missing) / whole;  // (MO-12)
+    return made;
+  }
+
+ private:
+  using State = std::array<double, kCount>;
+
+  [[nodiscard]] JointState unpacked(std::span<const double> x) const {
+    return {.input_angle = x[kMotorAngle],
+            .input_speed = x[kMotorSpeed],
+            .output_angle = x[kMotorAngle] / joint_.ratio - x[kLag],
+            .output_speed = x[kLoadSpeed],
+            .hysteresis = x[kLoop],
+            .bristle = x[kDeflection],
+            .servo = x[kIntegral],
+            .held_torque = held_};
+  }
+  /// At its end the slope inside of a piece holds.
+  [[nodiscard]] double inside(double time) const {
+    return std::min(time, std::nextafter(end_, 0.0));
+  }
+  [[nodiscard]] JointForces forces(double time, const JointState& state) const {
+    return joint_rate(joint_, inside(time), state).forces;
+  }
+
+  void rate(double time, std::span<const double> x, std::span<double> dx) const {
+    const JointRate at = joint_rate(joint_, inside(time), unpacked(x));
+    dx[kMotorAngle] = x[kMotorSpeed];
+    dx[kMotorSpeed] = at.input_acceleration;
+    dx[kLag] = x[kMotorSpeed] / joint_.ratio - x[kLoadSpeed];
+    dx[kLoadSpeed] = at.output_acceleration;
+    dx[kLoop] = at.hysteresis;
+    dx[kDeflection] = at.bristle;
+    dx[kIntegral] = at.servo;
+    dx[kWork] = at.supplied;  // (MO-12)
+    dx[kLoss] = at.lost;
+  }
+
+  void guard(double time, std::span<const double> x, std::span<double> values) const {
+    const JointState state = unpacked(x);
+    const JointForces at = forces(time, state);
+    const auto value = [&](const Guard& guard) {
+      switch (guard.event) {
+        case MotionEvent::spring_corner:
+          return std::abs(at.elastic_torque) - guard.torque;
+        case MotionEvent::torque_sense:
+          return at.elastic_torque;
+        case MotionEvent::twist_reversal:
+          return at.twist_rate;
+        case MotionEvent::speed_reversal:
+          return state.input_speed;
+        case MotionEvent::torque_limit:
+          return servo_torque(std::get<ServoDrive>(joint_.input), inside(time), state).excess;
+        default:
+          return at.torque;
+      }
+    };
+    std::ranges::transform(guards_, values.begin(), value);
+  }
+
+  [[nodiscard]] double sample_time() const {
+    const double time = static_cast<double>(samples_) * options_.output_step;
+    // The last sample falls on the end although the division may round.
+    return std::abs(time - options_.duration) < 1e-9 * options_.output_step ? options_.duration
+                                                                            : time;
+  }
+  [[nodiscard]] MotionSample sample(double time) const {
+    const JointState state = time < reached_ ? unpacked(cvode_.state_at(time)) : unpacked(x_);
+    return {.time = time, .state = state, .forces = forces(time, state)};
+  }
+
+  /// Begins behind an event, or a piece of the profiles with the sample of a controller.
+  void begin() {
+    if (reached_ >= end_) {
+      end_ = *std::ranges::upper_bound(ends_, reached_);
+      if (sampled_ != nullptr) take_sample();
+    }
+    cvode_.begin(reached_, x_, end_);
+    begins_ = false;
+  }
+  void take_sample() {
+    const double step = *sampled_->servo.sample_time;
+    if (reached_ >= static_cast<double>(samplings_) * step) {
+      const JointState after = after_sample(*sampled_, reached_, unpacked(x_));
+      x_[kIntegral] = after.servo;
+      held_ = after.held_torque;
+      ++samplings_;
+    }
+    end_ = std::min(end_, static_cast<double>(samplings_) * step);
+  }
+
+  void step() {
+    if (begins_) begin();
+    if (cvode_.counts().steps >= options_.max_steps) {
+      reason_ = fmt::format("the motion took {} steps; raise max_steps, or loosen the tolerance",
+                            options_.max_steps);
+      return;
+    }
+    const double speed = std::abs(x_[kMotorSpeed]) * order_;
+    const Cvode::Step made =
+        cvode_.step(speed > 0 ? 2 * std::numbers::pi / (speed * kStepsPerPeriod)
+                              : std::numeric_limits<double>::infinity());
+    if (made.failed) {
+      reason_ = fmt::format("at {:.6g} s no step is short enough for the tolerance", reached_);
+      return;
+    }
+    const auto exchange = [&](double inertia, Entry of) {
+      const double before = x_[of];
+      const double after = cvode_.state()[of];
+      kinetic_change_ += std::abs(inertia / 2 * (after * after - before * before));
+    };
+    exchange(joint_.input_inertia, kMotorSpeed);
+    exchange(joint_.output_inertia, kLoadSpeed);
+    std::ranges::copy(cvode_.state(), x_.begin());
+    reached_ = end_ - made.time <= kOneTime * end_ ? end_ : made.time;
+    begins_ = reached_ >= end_ || !made.changed.empty();
+    for (const std::size_t n : made.changed) {
+      ++event_count_;
+      if (events_.size() < kEventsKept) events_.push_back({guards_[n].event, made.time});
+    }
+    end_beyond_table();
+  }
+
+  void end_beyond_table() {
+    if (!joint_.table) return;
+    const double torque = forces(reached_, unpacked(x_)).elastic_torque;
+    const double end =
+        std::clamp(torque, joint_.table->least_torque(), joint_.table->most_torque());
+    if (torque == end) return;
+    beyond_table_ = true;
+    reason_ = fmt::format(
+        "the elastic torque of {:.4g} N*m is beyond the table of the computed curve, which ends at "
+        "{:.4g} N*m; raise drivetrain.curve_torque",
+        torque, end);
+  }
+
+  Joint joint_;
+  SimulationOptions options_;
+  std::vector<Guard> guards_;
+  std::vector<double> ends_;  ///< of the pieces of the profiles [s]
+  double order_ = 0.0;
+  Cvode cvode_;
+  const ServoDrive* sampled_ = nullptr;  ///< a controller that takes samples
+  State x_{};
+  double held_ = 0.0;     ///< torque of the motor since the last sample of its controller [N*m]
+  double reached_ = 0.0;  ///< [s]
+  double end_ = 0.0;      ///< of the piece [s]
+  bool begins_ = true;    ///< whether the next step begins anew
+  std::uint64_t samples_ = 0;    ///< handed out [-]
+  std::uint64_t samplings_ = 0;  ///< of the controller [-]
+  double at_start_ = 0.0;        ///< stored energy [J]
+  double kinetic_change_ = 0.0;  ///< kinetic energy that came and went [J]
+  std::uint64_t event_count_ = 0;
+  std::vector<EventTime> events_;
+  bool beyond_table_ = false;
+  std::string reason_;
+};
+
+void require_stiff_motion(std::string_view /*path*/) {}
+
+StiffRun::StiffRun(Joint joint, const JointState& start, const SimulationOptions& options) {
+  (void)MotionRun(joint, start, options);  // refuses what `simulate` refuses
+  require_supported(joint);
+  steps_ = std::make_unique<Steps>(std::move(joint), start, options);
+}
+
+StiffRun::~StiffRun() = default;
+StiffRun::StiffRun(StiffRun&&) noexcept = default;
+StiffRun& StiffRun::operator=(StiffRun&&) noexcept = default;
+
+std::optional<MotionSample> StiffRun::next(const Progress& progress) {
+  return steps_->next(progress);
+}
+
+Motion StiffRun::motion() const { return steps_->motion(); }
+
+Motion simulate_stiff(const Joint& joint, const JointState& start, const SimulationOptions& options,
+                      const SampleSink& sink, const Progress& progress) {
+  StiffRun run(joint, start, options);
+  while (const std::optional<MotionSample> sample = run.next(progress))
+    if (sink) sink(*sample);
+  return run.motion();
+}
+
+}  // namespace strainwave
