@@ -34,7 +34,7 @@ enum Entry : std::size_t {
 };
 
 constexpr std::size_t kEventsKept = 10'000;
-constexpr double kUsualAngle = 1e-3;    // twist whose energy sets the tolerance of energies [rad]
+constexpr double kSmallTwist = 1e-5;    // twist whose energy sets the tolerance of energies [rad]
 constexpr double kRoundedShare = 1e-9;  // of the stored energy, which a balance neglects [-]
 constexpr double kStepsPerPeriod = 5;   // of the fastest excitation [-]
 constexpr double kPointsPerOrder = 10;  // points of a table in a period of its fastest order [-]
@@ -88,7 +88,7 @@ std::vector<double> tolerances(const Joint& joint, double angle) {
   made[kLoadSpeed] = omega * angle;
   made[kLoop] = K * angle;
   made[kDeflection] = made[kIntegral] = i * angle;
-  made[kWork] = made[kLoss] = K * kUsualAngle * angle;
+  made[kWork] = made[kLoss] = K * kSmallTwist * angle;
   const auto by_torque = [&](Entry entry, double slope) {  // of the motor's torque
     made[entry] = std::min(made[entry], K * angle / (i * slope));
   };
@@ -125,6 +125,9 @@ std::vector<double> ends_of_pieces(const Joint& joint, double duration) {
   if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) add(drive->speed);
   add(joint.output_speed ? *joint.output_speed : joint.output_torque);
   std::ranges::sort(times);
+  const auto same = [](double one, double next) { return next - one <= kOneTime * next; };
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
+  times.back() = duration;
   return times;
 }
 
@@ -155,6 +158,7 @@ class StiffRun::Steps {
     x_[kDeflection] = start.bristle;
     x_[kIntegral] = start.servo;
     at_start_ = stored_energy(joint_, unpacked(x_));
+    end_beyond_table();
   }
   Steps(const Steps&) = delete;
   Steps& operator=(const Steps&) = delete;
@@ -248,7 +252,7 @@ class StiffRun::Steps {
           return state.input_speed;
         case MotionEvent::torque_limit:
           return servo_torque(std::get<ServoDrive>(joint_.input), inside(time), state).excess;
-        default:
+        default:  // load_sense, because slip elements are refused
           return at.torque;
       }
     };
@@ -277,13 +281,14 @@ class StiffRun::Steps {
   }
   void take_sample() {
     const double step = *sampled_->servo.sample_time;
-    if (reached_ >= static_cast<double>(samplings_) * step) {
+    double next = static_cast<double>(samplings_) * step;
+    if (next - reached_ <= kOneTime * next) {
       const JointState after = after_sample(*sampled_, reached_, unpacked(x_));
       x_[kIntegral] = after.servo;
       held_ = after.held_torque;
-      ++samplings_;
+      next = static_cast<double>(++samplings_) * step;
     }
-    end_ = std::min(end_, static_cast<double>(samplings_) * step);
+    if (end_ - next > kOneTime * end_) end_ = next;
   }
 
   void step() {

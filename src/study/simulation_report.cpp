@@ -354,11 +354,11 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
                      "must be given for a motion; give [[manoeuvre]] with duration and "
                      "input_speed");
   if (settings.engine == MotionEngine::stiff) {
-    require_stiff_motion("--engine");
     if (record != nullptr)
       throw InputError("--engine",
-                       "stiff has no checkpoints for --record and --resume; leave out --engine or "
-                       "both of them");
+                       "stiff has no checkpoints, which --record and --resume need; leave out "
+                       "--engine, or the record");
+    require_stiff_motion("--engine");
   }
   // A recorded motion is long against the making of its joint, and a computed curve takes long.
   const bool computed = gear.drivetrain && gear.drivetrain->spring == RestoringTorque::computed;

@@ -91,6 +91,11 @@ TEST(SimulateRecord, InputEachRuleBrokenOnce) {
             "name another file");
   test::KeptRecording good("motion.csv");
   EXPECT_EQ(refusal_of(good), "");
+  test::KeptRecording untouched("motion.csv");
+  EXPECT_EQ(refusal_of(untouched, R"({"engine": "stiff"})"),
+            "--engine: stiff has no checkpoints, which --record and --resume need; leave out "
+            "--engine, or the record");
+  EXPECT_FALSE(untouched.kept);
   const std::string kept = *good.kept;
   const auto refused = [&](const std::string& checkpoint, const std::string& options = "{}",
                            const std::string& example = "joint_size25",

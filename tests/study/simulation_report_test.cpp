@@ -19,6 +19,7 @@
 #include "strainwave/layouts/motion_record.hpp"
 #include "strainwave/layouts/simulation.hpp"
 #include "strainwave/present/json.hpp"
+#include "strainwave/stiff_motion/simulate_stiff.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/study/drive_joint.hpp"
 #include "strainwave/torsion/compare.hpp"
@@ -503,6 +504,34 @@ TEST(SimulationReport, InputEachRuleBrokenOnce) {
               (void)drive_joint(gear);
             }).find("motor_inertia"),
             std::string::npos);
+}
+
+TEST(SimulationReport, CrosscheckStiffEngine) {
+  // (MO-13): both engines within what 1e-12 rad in each step add up to; or a refusal that says how
+  // to get the second one.
+  const GearSet gear = curve_joint();
+  const SimulationSettings settings{
+      .output_step = 5e-3, .tolerance = 1e-12, .engine = MotionEngine::stiff};
+  if (const std::string missing = test::broken_rule([] { require_stiff_motion(); });
+      missing != "no error") {
+    EXPECT_EQ(test::broken_rule([&] { (void)simulation_report(gear, settings); }),
+              "--engine: stiff is not part of this program; install libsundials-dev, and build "
+              "with cmake -D STRAINWAVE_SUNDIALS=ON");
+    return;
+  }
+  const SimulationReport stiff = simulation_report(gear, settings);
+  const SimulationReport other = simulation_report(gear, {.output_step = 5e-3, .tolerance = 1e-12});
+  ASSERT_EQ(stiff.rows.size(), other.rows.size());
+  for (std::size_t n = 0; n < stiff.rows.size(); ++n) {
+    EXPECT_NEAR(stiff.rows[n].output_error, other.rows[n].output_error, 1e-9);
+    EXPECT_NEAR(*stiff.rows[n].cracked_torque, *other.rows[n].cracked_torque, 1e-4);
+  }
+  EXPECT_NE(stiff.intact.steps, other.intact.steps);
+  EXPECT_EQ(stiff.intact.events, other.intact.events);
+  EXPECT_EQ(stiff.cracked->events, other.cracked->events);
+  test::expect_relative(stiff.cracked->lost_energy, other.cracked->lost_energy, 1e-6);
+  test::expect_relative(*stiff.largest_difference, *other.largest_difference, 1e-5);
+  EXPECT_LT(stiff.intact.imbalance, 1e-7);
 }
 
 TEST(SimulationReport, CrosscheckGivenOutput) {
