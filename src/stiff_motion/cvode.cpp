@@ -16,6 +16,8 @@
 namespace strainwave {
 namespace {
 
+constexpr int kMostFailures = 50;  // of one step
+
 /// A C object with the function that frees it.
 template <class Object>
 using Owned = std::unique_ptr<Object, void (*)(Object*)>;
@@ -124,6 +126,9 @@ Cvode::Cvode(System system) : memory_(std::make_unique<Memory>(std::move(system)
   demand(CVodeSetUserData(cvode, &m));
   demand(CVodeSetLinearSolver(cvode, m.solver.get(), m.matrix.get()));
   demand(CVodeRootInit(cvode, static_cast<int>(m.system.guard_count), Memory::guards));
+  // A joint that stood still may jump within a millionth of the last step.
+  demand(CVodeSetMaxErrTestFails(cvode, kMostFailures));
+  demand(CVodeSetMaxConvFails(cvode, kMostFailures));
   demand(CVodeSetNoInactiveRootWarn(cvode));
   demand(CVodeSetErrHandlerFn(
       cvode, [](int, const char*, const char*, char*, void*) {}, nullptr));
