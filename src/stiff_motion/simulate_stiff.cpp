@@ -36,6 +36,7 @@ enum Entry : std::size_t {
 constexpr std::size_t kEventsKept = 10'000;
 constexpr double kSmallTwist = 1e-5;    // twist whose energy sets the tolerance of energies [rad]
 constexpr double kRoundedShare = 1e-9;  // of the stored energy, which a balance neglects [-]
+constexpr double kNoise = 10;           // of the tolerance: values that may be zero [-]
 constexpr double kStepsPerPeriod = 5;   // of the fastest excitation [-]
 constexpr double kPointsPerOrder = 10;  // points of a table in a period of its fastest order [-]
 constexpr double kOneTime = 4 * std::numeric_limits<double>::epsilon();  // times that are one [-]
@@ -48,30 +49,14 @@ void require_supported(const Joint& joint) {
                      "hysteresis in their place");
 }
 
-/// A function of the state whose change of sign is an event.
+/// A function of the state whose change of sign is an event, unless it was noise since the last
+/// one: what stands still passes zero without end, and no slope jumps.
 struct Guard {
   MotionEvent event = MotionEvent::spring_corner;
   double torque = 0.0;  ///< of a corner [N*m]
+  double noise = 0.0;   ///< values that the tolerance does not tell from zero
+  double swing = 0.0;   ///< largest magnitude since the last change of sign
 };
-
-std::vector<Guard> guards_of(const Joint& joint) {
-  std::vector<Guard> made;
-  if (!joint.table)
-    for (const double torque : corner_torques(joint.spring))
-      made.push_back({MotionEvent::spring_corner, torque});
-  const auto add = [&](bool applies, MotionEvent event) {
-    if (applies) made.push_back({event});
-  };
-  add(std::ranges::any_of(joint.cracks, [](const auto& crack) { return crack.sense.has_value(); }),
-      MotionEvent::torque_sense);
-  add(joint.hysteresis.has_value(), MotionEvent::twist_reversal);
-  add(joint.input_friction.has_value(), MotionEvent::speed_reversal);
-  const auto* const drive = std::get_if<ServoDrive>(&joint.input);
-  add(drive != nullptr && drive->servo.torque_limit && !drive->servo.sample_time,
-      MotionEvent::torque_limit);
-  add(joint.input_friction && joint.input_friction->by_load(), MotionEvent::load_sense);
-  return made;
-}
 
 /// Errors of all entries are those of an angle of the output (MO-13).
 std::vector<double> tolerances(const Joint& joint, double angle) {
@@ -96,6 +81,27 @@ std::vector<double> tolerances(const Joint& joint, double angle) {
   if (const auto* const drive = std::get_if<ServoDrive>(&joint.input);
       drive != nullptr && drive->servo.integral_time)
     by_torque(kIntegral, drive->servo.speed_gain / *drive->servo.integral_time);
+  return made;
+}
+
+std::vector<Guard> guards_of(const Joint& joint, const std::vector<double>& tolerance) {
+  std::vector<Guard> made;
+  const auto add = [&](bool applies, MotionEvent event, double error, double torque = 0.0) {
+    if (applies) made.push_back({event, torque, kNoise * error});
+  };
+  const double torque_error = tolerance[kLoop];
+  if (!joint.table)
+    for (const double torque : corner_torques(joint.spring))
+      add(true, MotionEvent::spring_corner, torque_error, torque);
+  add(std::ranges::any_of(joint.cracks, [](const auto& crack) { return crack.sense.has_value(); }),
+      MotionEvent::torque_sense, torque_error);
+  add(joint.hysteresis.has_value(), MotionEvent::twist_reversal, tolerance[kLoadSpeed]);
+  add(joint.input_friction.has_value(), MotionEvent::speed_reversal, tolerance[kMotorSpeed]);
+  const auto* const drive = std::get_if<ServoDrive>(&joint.input);
+  add(drive != nullptr && drive->servo.torque_limit && !drive->servo.sample_time,
+      MotionEvent::torque_limit, torque_error / std::abs(joint.ratio));
+  add(joint.input_friction && joint.input_friction->by_load(), MotionEvent::load_sense,
+      torque_error);
   return made;
 }
 
@@ -138,7 +144,7 @@ class StiffRun::Steps {
   Steps(Joint joint, const JointState& start, const SimulationOptions& options)
       : joint_(std::move(joint)),
         options_(options),
-        guards_(guards_of(joint_)),
+        guards_(guards_of(joint_, tolerances(joint_, options.tolerance))),
         ends_(ends_of_pieces(joint_, options.duration)),
         order_(fastest_order(joint_)),
         cvode_({.tolerance = tolerances(joint_, options.tolerance),
@@ -292,7 +298,8 @@ class StiffRun::Steps {
   }
 
   void step() {
-    if (begins_) begin();
+    const bool anew = begins_;
+    if (anew) begin();
     if (cvode_.counts().steps >= options_.max_steps) {
       reason_ = fmt::format("the motion took {} steps; raise max_steps, or loosen the tolerance",
                             options_.max_steps);
@@ -303,6 +310,9 @@ class StiffRun::Steps {
         cvode_.step(speed > 0 ? 2 * std::numbers::pi / (speed * kStepsPerPeriod)
                               : std::numeric_limits<double>::infinity());
     if (made.failed) {
+      // A start without a past mends, for example, a root that CVODE finds twice.
+      begins_ = true;
+      if (!anew) return;
       reason_ = fmt::format("at {:.6g} s no step is short enough for the tolerance", reached_);
       return;
     }
@@ -315,8 +325,16 @@ class StiffRun::Steps {
     exchange(joint_.output_inertia, kLoadSpeed);
     std::ranges::copy(cvode_.state(), x_.begin());
     reached_ = end_ - made.time <= kOneTime * end_ ? end_ : made.time;
-    begins_ = reached_ >= end_ || !made.changed.empty();
+    begins_ = reached_ >= end_;
+    std::vector<double> values(guards_.size());
+    guard(reached_, x_, values);
+    for (std::size_t n = 0; n < values.size(); ++n)
+      guards_[n].swing = std::max(guards_[n].swing, std::abs(values[n]));
     for (const std::size_t n : made.changed) {
+      const bool real = guards_[n].swing > guards_[n].noise;
+      guards_[n].swing = 0.0;
+      if (!real) continue;
+      begins_ = true;
       ++event_count_;
       if (events_.size() < kEventsKept) events_.push_back({guards_[n].event, made.time});
     }

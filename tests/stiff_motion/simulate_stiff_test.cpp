@@ -242,6 +242,29 @@ TEST(SimulateStiff, BehaviourOfAStiffBristle) {
   EXPECT_GT(one.steps, 20 * other.steps);
 }
 
+TEST(SimulateStiff, BehaviourWhatStandsHasNoEvents) {
+  // (MO-10, MO-21): a motor that sticks passes the speed zero without end, within the tolerance.
+  // Its few dozen samples of the controller take a few dozen steps each.
+  Joint joint = plain_joint();
+  joint.damping = 10;
+  joint.input_friction = LuGre{.bristle_stiffness = 1e5,
+                               .bristle_damping = 6,
+                               .coulomb = 0.03,
+                               .breakaway = 0.05,
+                               .stribeck_speed = 2};
+  joint.input = ServoDrive{.servo = {.speed_gain = 2e-3,
+                                     .position_time = 0.1,
+                                     .integral_time = 0.1,
+                                     .sample_time = 1e-3},
+                           .speed = {.time = {0, 0.01}, .value = {0, 0.2}}};
+  const auto [one, ones] = moved(simulate, joint, {}, 0.04, 1e-9);
+  const auto [other, others] = moved(simulate_stiff, joint, {}, 0.04, 1e-9);
+  EXPECT_NEAR(one.last.input_angle, other.last.input_angle, 1e-9);
+  EXPECT_LT(std::abs(other.last.input_angle), 1e-6);
+  EXPECT_LT(other.event_count, 5U);
+  EXPECT_LT(other.steps, 40 * 40U);
+}
+
 TEST(SimulateStiff, ReferencePeriodOfABilinearSpring) {
   // (MO-5): as in the other road, half periods of either stiffness between two changes of sense.
   Joint joint = plain_joint();

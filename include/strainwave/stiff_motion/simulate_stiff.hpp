@@ -45,7 +45,9 @@ class StiffRun {
 ///
 /// Steps of variable order, up to the fifth, solve implicit equations by Newton's method, so their
 /// length follows the motion and not the fastest decay.  Events are found in the dense output, and
-/// the method starts anew behind each.  Both roads share the equations of the joint and no step.
+/// the method starts anew behind each.  A change of sign within ten times the tolerance is none:
+/// what stands still passes zero without end.  Both roads share the equations of the joint and no
+/// step.
 /// @throws InputError  as `simulate`; if the joint has slip elements; or if the program was built
 ///                     without SUNDIALS
 /// @throws Stopped     if the caller requests a stop
