@@ -118,7 +118,8 @@ TEST(SimulateStiff, CrosscheckTransientWithEverything) {
   }
   for (const MotionEvent event :
        {MotionEvent::spring_corner, MotionEvent::torque_sense, MotionEvent::twist_reversal})
-    EXPECT_TRUE(has(other, event)) << EnumNames<MotionEvent>::names[static_cast<int>(event)];
+    EXPECT_TRUE(has(other, event))
+        << EnumNames<MotionEvent>::names[static_cast<std::size_t>(event)];
 }
 
 TEST(SimulateStiff, CrosscheckBreathingByAngleWithoutLoss) {
