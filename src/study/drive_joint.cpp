@@ -239,15 +239,6 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
       if (!computed) made.notes.push_back(contact_note(path));
   });
   if (!joint.cracks.empty()) made.notes.push_back(breathing_note(train.breathing));
-  if (!computed && train.spring == RestoringTorque::computed)
-    made.notes.push_back(
-        {.code = "motion.lines",
-         .text = "a periodic vibration is about the maker's lines of the torsion curve, not about "
-                 "the computed curve that drivetrain.spring asks for",
-         .path = "drivetrain.spring",
-         .equation = "MO-14",
-         .severity = Severity::care,
-         .next_step = "Compare with strainwave simulate, whose motion has the computed curve."});
   return made;
 }
 
