@@ -159,7 +159,7 @@ CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, 
 }  // namespace
 
 DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
-                       std::optional<RestoringTorque> asked) {
+                       std::optional<RestoringTorque> asked, const CurveSource& source) {
   check(gear);
   if (!gear.drivetrain)
     throw InputError("drivetrain",
@@ -195,7 +195,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
          [&](const std::string& path) { return opening_by_moment(gear, path); });
   progress.at(0.1);
   if (computed) {
-    ComputedCurve curve = computed_curve(gear, progress.part(0.1, 1.0));
+    ComputedCurve curve = source(gear, progress.part(0.1, 1.0));
     made.springs = SpringModel::computed_curve;
     joint.spring = LinearSpring{1 / curve.sound->at(0.0).at_torque(0.0).compliance};
     joint.table = std::move(curve.cracked);
