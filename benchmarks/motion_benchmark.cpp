@@ -55,7 +55,7 @@ BENCHMARK(joint_motion)->Arg(6)->Arg(7)->Arg(8)->Arg(9)->Arg(10)->Unit(benchmark
 
 /// Backbone of 200 points with 9 harmonics: 0: a cubic spring, as benchmarks/peer/
 /// duffing_balance_peer.py; 1: corners and a crack; 2: the same with damping; 3: with hysteresis
-/// too.
+/// too; 4: with three slip elements in its place; 5: with 20 of them.
 void backbone_of_200_points(benchmark::State& state) {
   Joint of{
       .ratio = -100, .input_inertia = 1e-4, .output_inertia = 1, .spring = CubicSpring{5e4, 1e10}};
@@ -64,7 +64,12 @@ void backbone_of_200_points(benchmark::State& state) {
     of.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};
   }
   if (state.range(0) > 1) of.damping = 10;
-  if (state.range(0) > 2) of.hysteresis = dahl(1e5, 3);
+  if (state.range(0) == 3) of.hysteresis = dahl(1e5, 3);
+  if (state.range(0) > 3) {
+    const int count = state.range(0) == 4 ? 3 : 20;
+    for (int n = 1; n <= count; ++n)
+      of.slip_elements.push_back({1e5 / count, 6.0 * n / (count * (count + 1))});
+  }
   BackboneSettings settings{.kind = state.range(0) > 1 ? BackboneKind::quadrature
                                                        : BackboneKind::undamped};
   for (int n = 0; n < 200; ++n) settings.amplitudes.push_back(5e-3 * (n + 1) / 200);
@@ -73,7 +78,7 @@ void backbone_of_200_points(benchmark::State& state) {
   state.counters["points"] = static_cast<double>(curve.points.size());
   state.counters["last_hertz"] = curve.points.back().frequency;
 }
-BENCHMARK(backbone_of_200_points)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(backbone_of_200_points)->DenseRange(0, 5)->Unit(benchmark::kMillisecond);
 
 /// A response with two folds, with the stability of each point.
 void forced_response_with_folds(benchmark::State& state) {

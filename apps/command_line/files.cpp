@@ -197,6 +197,22 @@ std::optional<std::string> FileJournal::text() const {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
+FileKept::FileKept(std::string path) : path_(std::move(path)) {
+  if (is_standard_output(path_) || !file_behind(path_))
+    throw UnwritableError(path_ + ": must be a regular file, because later runs read it");
+  std::error_code unseen;
+  if (!fs::exists(path_, unseen)) require_writable(path_);
+}
+
+std::optional<std::string> FileKept::text() const {
+  std::error_code fault;
+  if (!fs::exists(path_, fault)) {
+    if (fault) throw InputError(path_, fault.message());
+    return std::nullopt;
+  }
+  return text_of(path_, kMaxTableSize);
+}
+
 void FileJournal::append(const std::string& line) {
   as_output([&] { append_to(path_, line); });
 }

@@ -71,4 +71,19 @@ class FileJournal : public Journal {
   std::string path_;
 };
 
+/// A text in a file that later runs read.
+class FileKept : public KeptText {
+ public:
+  /// @throws UnwritableError  if it could not be read back, such as a device, a pipe or a folder,
+  ///                          or if it is absent and cannot be written
+  explicit FileKept(std::string path);
+
+  [[nodiscard]] std::string name() const override { return path_; }
+  [[nodiscard]] std::optional<std::string> text() const override;
+  void keep(const std::string& text) override { deliver({{path_, text}}); }
+
+ private:
+  std::string path_;
+};
+
 }  // namespace strainwave::cli

@@ -183,6 +183,8 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .doc = "columns of the csv format, as names separated by commas",
                          .fallback = {}});
   arguments.insert(arguments.end(), beside.begin(), beside.end());
+  if (!command.kept_option.empty())
+    arguments.push_back(path_argument(Role::kept, command.kept_option, {}, command.kept));
   if (!command.record.empty()) {
     arguments.push_back(path_argument(Role::record, "record", {}, command.record));
     arguments.push_back(flag_argument(Role::resume, "--resume",

@@ -60,6 +60,7 @@ enum class Role {
   columns,   ///< chooses the columns of a CSV table
   journal,   ///< takes the path of the journal
   record,    ///< takes the path of the record
+  kept,      ///< takes the path of a text that later runs read
   resume,    ///< goes on with the record of a stopped run
   document,  ///< takes the path of a document beside the main one
   force,     ///< a drive may replace an existing file

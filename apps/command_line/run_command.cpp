@@ -142,6 +142,7 @@ struct Asked {
   std::vector<std::pair<std::string, std::string_view>> beside = {};  // path, document
   std::string journal = {};  // its path; empty if there is none
   std::string record = {};   // likewise
+  std::string kept = {};     // likewise
   AskedUnits units = {};
   std::vector<std::string> columns = {};
 };
@@ -181,6 +182,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
           break;
         case Role::record:
           asked.record = text;
+          break;
+        case Role::kept:
+          asked.kept = text;
           break;
         case Role::document:
           asked.beside.emplace_back(text, argument.key);
@@ -282,7 +286,7 @@ FileAnswer answer_for(const Given& given, const std::string& file, const AskedUn
 ExitCode run_several(const Given& given, const std::vector<std::string>& files, KnownFiles& known) {
   const Asked asked = asked_by(given, nullptr, known);
   if (given.program.ranks != nullptr || !asked.journal.empty() || !asked.record.empty() ||
-      !answers_several(given.command))
+      !asked.kept.empty() || !answers_several(given.command))
     throw UsageError(fmt::format("{} answers for one FILE at a time", given.command.name));
   if (!asked.beside.empty())
     throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
@@ -342,6 +346,8 @@ ExitCode run_command(Given given) {
     require_without_rows(command, *read);
     recording.emplace(read->record, has(given, Role::resume));
   }
+  std::optional<FileKept> kept;
+  if (!read->kept.empty()) kept.emplace(read->kept);
   const std::string& main = read->main;
   const std::string& main_path = read->main_path;
   const auto document_named = [&](std::string_view name) {
@@ -391,6 +397,7 @@ ExitCode run_command(Given given) {
                        {.ranks = ranks,
                         .journal = journal ? &*journal : nullptr,
                         .recording = recording ? &*recording : nullptr,
+                        .kept = kept ? &*kept : nullptr,
                         .units = read->units,
                         .columns = read->columns,
                         .beside = attachments_beside,

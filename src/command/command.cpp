@@ -110,7 +110,8 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                            .journal = host.journal,
                            .beside = host.beside,
                            .open = host.open,
-                           .recording = host.recording},
+                           .recording = host.recording,
+                           .kept = host.kept},
                           options_.get());
   } catch (const OptionError&) {
     throw;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/layouts/simulation.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/present/evidence_text.hpp"
 
@@ -99,8 +100,11 @@ std::vector<std::string> backbone_sentences(const BackboneReport& report) {
       "The drive vibrates about a load of {} with {} input. The spring is {}. The twist has {}.",
       number_and_unit(report.load_torque, torque), enum_name(report.input),
       report.springs == SpringModel::coupled_drive ? "the maker's three lines of the torsion curve"
-                                                   : "the sum of the members",
+      : report.springs == SpringModel::computed_curve
+          ? "the computed torsion curve where the input starts"
+          : "the sum of the members",
       counted(static_cast<std::size_t>(report.harmonics), "harmonic"))};
+  if (report.table) sentences.push_back(curve_table_words(*report.table));
   if (!report.backbone.empty()) {
     const BackboneRow& first = report.backbone.front();
     const BackboneRow& last = report.backbone.back();

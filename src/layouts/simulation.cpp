@@ -106,6 +106,24 @@ TitledTable orders_table(const MotionOrders& orders) {
 
 }  // namespace
 
+std::string curve_table_words(const CurveTable& table) {
+  const DisplayUnit angle = display_unit("wind_up", "rad");
+  const auto shown = [&](double value) {
+    return shown_number(value / angle.in_si, 3) + " " + std::string(angle.text);
+  };
+  std::string words = fmt::format(
+      "The table of the curve ends at {}. Against the coupled drive at {} random angles, its "
+      "twist differs by {} at most and by {} as a root mean square.",
+      number_and_unit(table.most_torque, display_unit({}, "N*m")), table.triples,
+      shown(table.worst_difference), shown(table.rms_difference));
+  if (table.rms_share)
+    words += fmt::format(
+        " The twist that the cracks in the contacts add differs by {} % of its largest value at "
+        "most, and by {} % as root mean squares.",
+        shown_number(100 * *table.worst_share, 2), shown_number(100 * *table.rms_share, 2));
+  return words;
+}
+
 std::vector<std::string> simulation_sentences(const SimulationReport& report) {
   const DisplayUnit angle = display_unit("wind_up", "rad");
   std::vector<std::string> sentences = {
@@ -116,23 +134,7 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
                   : report.springs == SpringModel::coupled_drive
                       ? "the maker's three lines of the torsion curve"
                       : "the sum of the members")};
-  if (report.table) {
-    const CurveTable& table = *report.table;
-    const auto shown = [&](double value) {
-      return shown_number(value / angle.in_si, 3) + " " + std::string(angle.text);
-    };
-    std::string words = fmt::format(
-        "The table of the curve ends at {}. Against the coupled drive at {} random angles, its "
-        "twist differs by {} at most and by {} as a root mean square.",
-        number_and_unit(table.most_torque, display_unit({}, "N*m")), table.triples,
-        shown(table.worst_difference), shown(table.rms_difference));
-    if (table.rms_share)
-      words += fmt::format(
-          " The twist that the cracks in the contacts add differs by {} % of its largest value at "
-          "most, and by {} % as root mean squares.",
-          shown_number(100 * *table.worst_share, 2), shown_number(100 * *table.rms_share, 2));
-    sentences.push_back(std::move(words));
-  }
+  if (report.table) sentences.push_back(curve_table_words(*report.table));
   if (report.largest_difference)
     sentences.push_back(
         fmt::format("The cracks move the output by up to {} against the sound drive.",

@@ -25,10 +25,17 @@ constexpr double kSmallStep = 1e-9;       // of Newton's last step, over the siz
 constexpr int kMostHalvings = 14;         // of a step of a continuation
 constexpr double kFirstStep = 0.02;       // of the relative length of a curve
 constexpr double kStraight = 0.97;        // cosine between the tangents of two points
+constexpr double kAtCorner = 2e-3;        // length of a step over a corner of a curve
 constexpr double kTurnTolerance = 1e-9;   // of a rate along the curve at a fold or a peak
 constexpr double kStable = 1 + 1e-6;      // largest magnitude of a multiplier
 constexpr double kStepsOfPeriod = 64;     // of the variational equation
 constexpr double kLeastStepsOfPiece = 4;  // the same in each smooth piece
+
+/// The spring of a joint, or its table where the input stands at its start (MO-28).
+ElasticCurve elastic_curve(const Joint& joint) {
+  if (joint.table) return {joint.table->at(0.0), joint.table->torques(), joint.cracks};
+  return {joint.spring, joint.cracks};
+}
 
 /// The two ends of a joint without the drive, seen by the twist (MO-15).
 class Ends {
@@ -98,9 +105,9 @@ class Balance {
   /// @param undamped  without damping and hysteresis, with an even series
   Balance(const Joint& joint, const BalanceSettings& settings, bool undamped)
       : ends(joint, settings.input),
-        elastic(joint.spring, joint.cracks),
+        elastic(elastic_curve(joint)),
         cycle(elastic, undamped ? std::optional<BoucWen>() : joint.hysteresis, settings.harmonics,
-              undamped),
+              undamped, undamped ? std::vector<SlipElement>() : joint.slip_elements),
         mean_torque_(-settings.load_torque),
         undamped_(undamped) {}
 
@@ -258,14 +265,8 @@ Vibration first_guess(Balance& balance, Eigen::Index size, double mean, double a
 
 void check_balance(const Joint& joint, const BalanceSettings& settings, JointEnd excited) {
   require_constants(joint);
-  if (joint.table)
-    throw InputError("table", "must be left out for periodic motions, which need a spring");
   require(settings.harmonics >= 1 && settings.harmonics <= kMostHarmonics, "harmonics",
           settings.harmonics, "1", "from 1 to 200");
-  if (!joint.slip_elements.empty())
-    throw InputError("slip_element",
-                     "must be empty for a periodic motion; give a hysteresis of Bouc and Wen, or "
-                     "simulate the joint");
   require(std::isfinite(settings.load_torque), "load_torque", settings.load_torque, "N*m",
           "a finite number");
   if (settings.input == VibratingInput::locked && excited == JointEnd::motor)
@@ -298,6 +299,7 @@ class ResponseCurve {
     Tangent along = tangent(at, {Eigen::VectorXd::Zero(size_), 1.0});
     curve.points.push_back(point(at));
     double rate = amplitude_rate(along);
+    int slips = balance_.cycle.slips();
     double step = std::min(kFirstStep, settings_.largest_step);
     int halvings = 0;
     double done = 0.0;
@@ -312,7 +314,10 @@ class ResponseCurve {
         evaluate(*next);
         turned = tangent(*next, along);
         const double size = std::sqrt(product(along, along, next->x, next->omega));
-        if (product(*turned, along, next->x, next->omega) < kStraight * size) turned.reset();
+        // Where one more element slips, the curve has a corner.
+        const bool corner = balance_.cycle.slips() != slips && step < kAtCorner;
+        if (!corner && product(*turned, along, next->x, next->omega) < kStraight * size)
+          turned.reset();
       }
       if (!turned) {
         if (++halvings > kMostHalvings) {
@@ -326,6 +331,7 @@ class ResponseCurve {
         continue;
       }
       halvings = 0;
+      slips = balance_.cycle.slips();
       const double rate_after = amplitude_rate(*turned);
       const bool leaves = next->omega > high || next->omega < low;
       if (!leaves) curve.points.push_back(point(*next));
@@ -381,6 +387,7 @@ class ResponseCurve {
     JointState start{.output_angle = -twist.value,
                      .output_speed = output_speed,
                      .hysteresis = balance_.cycle.loop_at_zero()};
+    if (!joint_.slip_elements.empty()) start.slip = balance_.cycle.slip_at_zero();
     if (!balance_.ends.locked())
       start.input_speed = joint_.ratio * (v.omega * twist.slope + output_speed);
     return start;
@@ -569,24 +576,32 @@ class ResponseCurve {
     return made;
   }
 
-  // At most: twist, two speeds and z.
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
+  // At most: twist, two speeds, z, and the twist at which slip elements begin to stick.
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5>;
+
+  /// Which states the variational equation has beside twist and speeds.
+  struct Memory {
+    bool with_loop = false;
+    double slip = 0.0;  ///< stiffness of all slip elements [N*m/rad]
+  };
 
   /// Derivative of the rates by the state, over the angle of the period (MO-19).  Speeds count over
   /// the angle too, and z as the twist of a spring of its stiffness.
   [[nodiscard]] Small jacobian(double tangent, double loop, double loop_decay, double omega,
-                               bool with_loop, bool both_ends) const {
+                               const Memory& memory, bool both_ends) const {
+    const bool with_loop = memory.with_loop;
     const double square = omega * omega;
     const double A = with_loop ? joint_.hysteresis->stiffness : 0.0;
     const double c = joint_.damping * omega;
     const Eigen::Index speeds = both_ends ? 2 : 1;
-    const Eigen::Index size = 1 + speeds + (with_loop ? 1 : 0);
+    const Eigen::Index size = 1 + speeds + (with_loop ? 1 : 0) + (memory.slip > 0 ? 1 : 0);
     Small J = Small::Zero(size, size);
     const auto of_torque = [&](Eigen::Index row, double inertia) {
       J(row, 0) -= tangent / (inertia * square);
       J(row, 1) -= c / (inertia * square);
       if (both_ends) J(row, 2) += c / (inertia * square);
       if (with_loop) J(row, 1 + speeds) -= A / (inertia * square);
+      if (memory.slip > 0) J(row, size - 1) += memory.slip / (inertia * square);
     };
     J(0, 1) = 1.0;
     if (both_ends) {
@@ -602,7 +617,7 @@ class ResponseCurve {
     }
     if (with_loop) {
       const Eigen::Index z = 1 + speeds;
-      for (Eigen::Index k = 0; k < size; ++k) J(z, k) = loop / A * J(0, k);
+      for (Eigen::Index k = 0; k < z; ++k) J(z, k) = loop / A * J(0, k);
       J(z, z) += loop_decay;
     }
     return J;
@@ -630,9 +645,23 @@ class ResponseCurve {
         !balance_.ends.locked() && (joint_.input_damping > 0 || joint_.output_damping > 0);
     std::vector<CycleBreak> breaks = cycle.breaks();
     if (breaks.empty()) breaks = {{.angle = 0.0}, {.angle = 2 * pi}};
-    const Eigen::Index size = (both_ends ? 3 : 2) + (with_loop ? 1 : 0);
-    Small monodromy = Small::Identity(size, size);
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const std::vector<SlipPiece>& slip = cycle.slip_pieces();
+    Memory memory{.with_loop = with_loop};
+    if (!slip.empty())
+      for (const SlipElement& of : joint_.slip_elements) memory.slip += of.stiffness;
+    const Eigen::Index state = (both_ends ? 3 : 2) + (with_loop ? 1 : 0);
+    const Eigen::Index size = state + (slip.empty() ? 0 : 1);
+    // The last row is what sticking elements remember of the twist.
+    Small solution = Small::Identity(size, state);
+    const std::size_t pieces = breaks.size() - 1;
+    // At the largest twist each element that slips bears its limit, so it remembers nothing.
+    std::size_t begin = 0;
+    if (!slip.empty())
+      while (breaks[begin].turn != cycle.highest_turn()) ++begin;
+    std::vector<Eigen::RowVectorXd> at_turns(slip.empty() ? 0 : slip.front().since.size(),
+                                             Eigen::RowVectorXd::Zero(state));
+    for (std::size_t n = 0; n < pieces; ++n) {
+      const std::size_t i = (begin + n) % pieces;
       const double length = breaks[i + 1].angle - breaks[i].angle;
       const double enough =
           kLeastStepsOfPiece +
@@ -640,6 +669,15 @@ class ResponseCurve {
       const int steps = static_cast<int>(std::ceil(enough));
       const double h = length / steps;
       const double sense = breaks[i + 1].twist > breaks[i].twist ? 1.0 : -1.0;
+      double sticking = 0.0;
+      if (!slip.empty()) {
+        if (n == 0 || breaks[i].turn != breaks[(begin + n - 1) % pieces].turn)
+          at_turns[breaks[i].turn] = solution.row(0);
+        sticking = slip[i].stiffness;
+        solution.row(state).setZero();
+        for (std::size_t t = 0; t + 1 < at_turns.size(); ++t)
+          solution.row(state) += slip[i].since[t] / memory.slip * at_turns[t];  // (MO-47)
+      }
       double z = breaks[i].loop;
       double twist = breaks[i].twist;
       const auto rates = [&](double angle) {
@@ -653,8 +691,8 @@ class ResponseCurve {
           slope = loop_slope(loop, z, sense);
           decay = loop_bend(loop, z, sense) * here.slope;
         }
-        return jacobian(balance_.elastic.at(here.value).tangent, slope, decay, at.omega, with_loop,
-                        both_ends);
+        return jacobian(balance_.elastic.at(here.value).tangent + sticking, slope, decay, at.omega,
+                        memory, both_ends);
       };
       const double gauss = std::sqrt(3.0) / 6;
       for (int k = 0; k < steps; ++k) {
@@ -662,10 +700,11 @@ class ResponseCurve {
         const Small first = rates(start + (0.5 - gauss) * h);
         const Small second = rates(start + (0.5 + gauss) * h);
         const Small turn = second * first - first * second;
-        monodromy =
-            exponential(h / 2 * (first + second) + std::sqrt(3.0) / 12 * h * h * turn) * monodromy;
+        solution =
+            exponential(h / 2 * (first + second) + std::sqrt(3.0) / 12 * h * h * turn) * solution;
       }
     }
+    const Small monodromy = solution.topRows(state);
     const Eigen::VectorXcd values = Eigen::MatrixXd(monodromy).eigenvalues();
     std::vector<Complex> all(values.data(), values.data() + values.size());
     std::ranges::sort(all, [](const Complex& a, const Complex& b) {
@@ -792,15 +831,16 @@ JointState state_on_response(const Joint& joint, const ResponseSettings& setting
 
 double small_frequency(const Joint& joint, const BalanceSettings& settings) {
   check_balance(joint, settings, JointEnd::load);
-  const ElasticCurve elastic(joint.spring, joint.cracks);
+  const ElasticCurve elastic = elastic_curve(joint);
   double stiffness = elastic.at(elastic.twist_under(-settings.load_torque)).tangent;
   if (joint.hysteresis) stiffness += joint.hysteresis->stiffness;
+  for (const SlipElement& of : joint.slip_elements) stiffness += of.stiffness;
   return std::sqrt(stiffness / Ends(joint, settings.input).inertia()) / (2 * pi);
 }
 
 double twist_at_rest(const Joint& joint, double load_torque) {
   check_balance(joint, {.load_torque = load_torque}, JointEnd::load);
-  return ElasticCurve(joint.spring, joint.cracks).twist_under(-load_torque);
+  return elastic_curve(joint).twist_under(-load_torque);
 }
 
 }  // namespace strainwave

@@ -21,6 +21,8 @@ constexpr double kLeastPoints = 10;        // of a piece
 constexpr double kBendPerStep = 1.0 / 32;  // n A |change|/F_c of one step of (MO-8)
 constexpr double kNearZero = 0.1;          // z/F_c
 constexpr double kStands = 1e-14;          // slope of the saturated hysteresis, over A
+constexpr int kMostSteps = 60;             // of Newton's method in a piece of a table
+constexpr double kExactTwist = 4e-16;      // of the twist from the end of the piece
 constexpr double kSaturated = 60.0;        // A |change|/F_c behind which z does not change
 /// The hysteresis is saturated behind these changes of the twist, over F_c/A.
 constexpr std::array<double, 2> kSaturation = {8.0, 32.0};
@@ -102,8 +104,7 @@ double polished_root(const Function& f, double low, double high) {
 
 }  // namespace
 
-ElasticCurve::ElasticCurve(const Spring& spring, const std::vector<BreathingCrack>& cracks)
-    : spring_(spring) {
+void ElasticCurve::take_cracks(const std::vector<BreathingCrack>& cracks) {
   for (const BreathingCrack& crack : cracks) {
     // A crack that opens over an angle is open for the mean of it.
     const double share = crack.opening ? crack.opening->coefficients.front() : 1.0;
@@ -112,6 +113,11 @@ ElasticCurve::ElasticCurve(const Spring& spring, const std::vector<BreathingCrac
     if (!crack.sense || *crack.sense == OpeningSense::negative)
       backward_ += share * crack.compliance;  // (MO-5)
   }
+}
+
+ElasticCurve::ElasticCurve(const Spring& spring, const std::vector<BreathingCrack>& cracks)
+    : spring_(spring) {
+  take_cracks(cracks);
   for (const double size : corner_torques(spring)) {
     corners_.push_back(twist_under(size));
     corners_.push_back(twist_under(-size));
@@ -120,7 +126,55 @@ ElasticCurve::ElasticCurve(const Spring& spring, const std::vector<BreathingCrac
   std::ranges::sort(corners_);
 }
 
+ElasticCurve::ElasticCurve(const EnergyTable::Slice& slice, const std::vector<double>& torques,
+                           const std::vector<BreathingCrack>& cracks) {
+  take_cracks(cracks);
+  // The sense of the torque changes inside a piece of the table.
+  std::vector<double> ends = torques;
+  if (!std::ranges::binary_search(ends, 0.0)) ends.insert(std::ranges::upper_bound(ends, 0.0), 0.0);
+  for (const double torque : ends) {
+    const EnergyTable::At at = slice.at_torque(torque);
+    nodes_.push_back({.torque = torque,
+                      .twist = at.twist + (torque < 0 ? backward_ : forward_) * torque,  // (MO-28)
+                      .below = at.compliance + (torque > 0 ? forward_ : backward_),
+                      .above = at.compliance + (torque < 0 ? backward_ : forward_)});
+    corners_.push_back(nodes_.back().twist);
+  }
+}
+
+/// The twist is a cubic of the torque between two nodes, and linear beyond the last ones (MO-26).
+ElasticCurve::At ElasticCurve::on_nodes(double twist) const {
+  const auto next = std::ranges::upper_bound(nodes_, twist, {}, &Node::twist);
+  if (next == nodes_.begin())
+    return {.torque = next->torque + (twist - next->twist) / next->below,
+            .tangent = 1 / next->below};
+  const Node& from = *std::prev(next);
+  if (next == nodes_.end())
+    return {.torque = from.torque + (twist - from.twist) / from.above, .tangent = 1 / from.above};
+  const double h = next->torque - from.torque;
+  const double chord = (next->twist - from.twist) / h;
+  const double third = (from.above + next->below - 2 * chord) / (h * h);
+  const double second = (3 * chord - 2 * from.above - next->below) / h;
+  const double asked = twist - from.twist;
+  double low = 0.0;
+  double high = h;
+  double t = asked / chord;
+  double slope = chord;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double missing = asked - t * (from.above + t * (second + t * third));  // (MO-28)
+    slope = from.above + t * (2 * second + t * 3 * third);
+    if (std::abs(missing) <= kExactTwist * std::abs(asked)) break;
+    (missing > 0 ? low : high) = t;
+    double better = t + missing / slope;
+    if (!(better >= low && better <= high)) better = low + (high - low) / 2;
+    if (better == t) break;
+    t = better;
+  }
+  return {.torque = from.torque + t, .tangent = 1 / slope};
+}
+
 ElasticCurve::At ElasticCurve::at(double twist) const {
+  if (!nodes_.empty()) return on_nodes(twist);
   const double compliance = twist < 0 ? backward_ : forward_;
   const SpringState state = in_series(spring_, twist, compliance);
   const double tangent = tangent_stiffness(spring_, state.twist);
@@ -128,6 +182,18 @@ ElasticCurve::At ElasticCurve::at(double twist) const {
 }
 
 double ElasticCurve::twist_under(double torque) const {
+  if (!nodes_.empty()) {
+    const auto next = std::ranges::lower_bound(nodes_, torque, {}, &Node::torque);
+    if (next == nodes_.begin()) return next->twist + (torque - next->torque) * next->below;
+    const Node& from = *std::prev(next);
+    if (next == nodes_.end()) return from.twist + (torque - from.torque) * from.above;
+    const double h = next->torque - from.torque;
+    const double t = torque - from.torque;
+    const double chord = (next->twist - from.twist) / h;
+    return from.twist +
+           t * (from.above + t * ((3 * chord - 2 * from.above - next->below) / h +
+                                  t * (from.above + next->below - 2 * chord) / (h * h)));
+  }
   if (torque == 0) return 0.0;
   double far = torque / at(0.0).tangent;
   while (std::abs(at(far).torque) < std::abs(torque)) far *= 2;
@@ -235,8 +301,8 @@ LoopStep loop_after(const BoucWen& model, double torque, double change) {
 }
 
 TwistCycle::TwistCycle(const ElasticCurve& elastic, const std::optional<BoucWen>& loop,
-                       int harmonics, bool even)
-    : elastic_(elastic), loop_(loop), harmonics_(harmonics), even_(even) {
+                       int harmonics, bool even, std::vector<SlipElement> slip)
+    : elastic_(elastic), loop_(loop), slip_(std::move(slip)), harmonics_(harmonics), even_(even) {
   const Eigen::Index H = harmonics;
   size_ = even ? H + 1 : 2 * H + 1;
   const Eigen::Index grid = std::max<Eigen::Index>(64, 8 * H);
@@ -284,13 +350,13 @@ double TwistCycle::crossing(double level, double from, double to) const {
       from, to);
 }
 
-/// Breaks of a piece in which the twist moves to one side, without its end.
-void TwistCycle::add_levels(double from, double to) {
-  const TwistSeries series{x_, even_};
-  const double first = series.at(from).value;
-  const double last = series.at(to).value;
+/// Breaks from a turn of the twist to the next, without the end.
+void TwistCycle::add_levels(std::size_t turn, double to) {
+  const double from = turns_[turn];
+  const double first = turn_twists_[turn];
+  const double last = turn_twists_[(turn + 1) % turn_twists_.size()];
   const bool rises = last > first;
-  breaks_.push_back({.angle = from, .twist = first});
+  breaks_.push_back({.angle = from, .twist = first, .turn = turn});
   const double low = std::min(first, last);
   const double high = std::max(first, last);
   levels_.clear();
@@ -299,20 +365,81 @@ void TwistCycle::add_levels(double from, double to) {
   };
   for (const double corner : elastic_.corners()) add(corner);
   if (loop_)
-    for (const double turn : kSaturation)
-      add(first + (rises ? 1 : -1) * turn * loop_->limit / loop_->stiffness);
+    for (const double change : kSaturation)
+      add(first + (rises ? 1 : -1) * change * loop_->limit / loop_->stiffness);
+  for (std::size_t j = 0; j < slip_.size(); ++j) {
+    const double torque = slip_at_turns_[turn].torque[j];
+    const double left = rises ? slip_[j].limit - torque : -slip_[j].limit - torque;
+    if (left != 0) add(first + left / slip_[j].stiffness);  // (MO-44)
+  }
   std::ranges::sort(levels_);
   if (!rises) std::ranges::reverse(levels_);
   double after = from;
   for (const double level : levels_) {
     after = crossing(level, after, to);
-    breaks_.push_back({.angle = after, .twist = level});
+    breaks_.push_back({.angle = after, .twist = level, .turn = turn});
+  }
+}
+
+/// The periodic state of the slip elements at each turn: each element that slips bears its limit at
+/// the largest twist, and the others bear nothing in the middle of the range (MO-44).
+void TwistCycle::follow_slip() {
+  slip_at_turns_.clear();
+  slipped_at_.clear();
+  slips_ = 0;
+  if (slip_.empty()) return;
+  const std::size_t turns = turn_twists_.size();
+  slip_at_turns_.resize(turns);
+  slipped_at_.resize(turns);
+  SlipState& top = slip_at_turns_[highest_turn_];
+  top.twist = turn_twists_[highest_turn_];
+  for (const SlipElement& of : slip_) {
+    const double sticking = of.stiffness * amplitude_;
+    const bool slips = of.limit < sticking;
+    top.torque.push_back(slips ? of.limit : sticking);
+    slipped_at_[highest_turn_].push_back(slips ? highest_turn_ : turns);
+    slips_ += slips ? 1 : 0;
+  }
+  for (std::size_t n = 1; n < turns; ++n) {
+    const std::size_t before = (highest_turn_ + n - 1) % turns;
+    const std::size_t here = (highest_turn_ + n) % turns;
+    slip_at_turns_[here] = slip_after(slip_, slip_at_turns_[before], turn_twists_[here]);
+    slipped_at_[here] = slipped_at_[before];
+    for (std::size_t j = 0; j < slip_.size(); ++j) {
+      if (slipped_at_[here][j] == turns) continue;
+      if (std::abs(slip_at_turns_[here].torque[j]) < slip_[j].limit) continue;
+      slipped_at_[here][j] = here;
+      ++slips_;
+    }
+  }
+}
+
+void TwistCycle::place_slip() {
+  slip_pieces_.clear();
+  if (slip_.empty()) return;
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+    const CycleBreak& from = breaks_[i];
+    const SlipState& turn = slip_at_turns_[from.turn];
+    SlipPiece piece{.torque = slip_torque(slip_, turn, from.twist),
+                    .since = std::vector<double>(turn_twists_.size() + 1, 0.0)};
+    // An element that slips bears its limit in the middle of the piece.
+    const SlipState middle = slip_after(slip_, turn, (from.twist + breaks_[i + 1].twist) / 2);
+    for (std::size_t j = 0; j < slip_.size(); ++j) {
+      const std::size_t last = slipped_at_[from.turn][j];
+      if (last < turn_twists_.size() && std::abs(middle.torque[j]) >= slip_[j].limit) continue;
+      piece.stiffness += slip_[j].stiffness;
+      piece.since[last] += slip_[j].stiffness;
+    }
+    slip_pieces_.push_back(std::move(piece));
   }
 }
 
 void TwistCycle::find_breaks() {
   turns_.clear();
+  turn_twists_.clear();
   breaks_.clear();
+  slip_at_turns_.clear();
+  slips_ = 0;
   amplitude_ = 0.0;
   amplitude_slope_.setZero(size_);
   const TwistSeries series{x_, even_};
@@ -343,31 +470,24 @@ void TwistCycle::find_breaks() {
             turn_between(static_cast<double>(j) * step, static_cast<double>(j + 1) * step));
   }
   if (turns_.size() < 2) return;
-  double low = 0.0;
-  double high = 0.0;
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -lowest;
-  for (const double turn : turns_) {
-    const double value = series.at(turn).value;
-    if (value < lowest) {
-      lowest = value;
-      low = turn;
-    }
-    if (value > highest) {
-      highest = value;
-      high = turn;
-    }
-  }
+  for (const double turn : turns_) turn_twists_.push_back(series.at(turn).value);
+  lowest_turn_ =
+      static_cast<std::size_t>(std::ranges::min_element(turn_twists_) - turn_twists_.begin());
+  highest_turn_ =
+      static_cast<std::size_t>(std::ranges::max_element(turn_twists_) - turn_twists_.begin());
+  const double lowest = turn_twists_[lowest_turn_];
+  const double highest = turn_twists_[highest_turn_];
   amplitude_ = (highest - lowest) / 2;
-  amplitude_slope_ = (basis(high) - basis(low)) / 2;
+  amplitude_slope_ = (basis(turns_[highest_turn_]) - basis(turns_[lowest_turn_])) / 2;
+  follow_slip();
   torque_amplitude_ = (elastic_.at(highest).torque - elastic_.at(lowest).torque) / 2;
   const bool bent = std::ranges::any_of(
       elastic_.corners(), [&](double corner) { return corner > lowest && corner < highest; });
-  if (!loop_ && !bent) return;  // smooth over the whole period
-  for (std::size_t i = 0; i + 1 < turns_.size(); ++i) add_levels(turns_[i], turns_[i + 1]);
-  if (!even_) add_levels(turns_.back(), turns_.front() + 2 * pi);
-  const double end = even_ ? pi : turns_.front() + 2 * pi;
-  breaks_.push_back({.angle = end, .twist = even_ ? series.at(pi).value : breaks_.front().twist});
+  if (!loop_ && slip_.empty() && !bent) return;  // smooth over the whole period
+  for (std::size_t i = 0; i + 1 < turns_.size(); ++i) add_levels(i, turns_[i + 1]);
+  if (!even_) add_levels(turns_.size() - 1, turns_.front() + 2 * pi);
+  breaks_.push_back({.angle = even_ ? pi : turns_.front() + 2 * pi,
+                     .twist = even_ ? turn_twists_.back() : turn_twists_.front()});
 }
 
 void TwistCycle::place_nodes() {
@@ -407,10 +527,17 @@ void TwistCycle::close_loop() {
     const double next = breaks_.front().loop + gap / (1 - shrinks);
     breaks_.front().loop = std::clamp(next, -loop_->limit, loop_->limit);
   }
+}
+
+/// Without memory, the torque is the largest and the least where the twist is.
+void TwistCycle::measure_torque() {
+  if ((!loop_ && slip_.empty()) || breaks_.empty()) return;
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
-  for (const CycleBreak& at : breaks_) {
-    const double torque = elastic_.at(at.twist).torque + at.loop;
+  for (std::size_t i = 0; i < breaks_.size(); ++i) {
+    const CycleBreak& at = breaks_[i];
+    const double torque = elastic_.at(at.twist).torque + at.loop +
+                          (slip_.empty() ? 0.0 : slip_pieces_[i % slip_pieces_.size()].torque);
     lowest = std::min(lowest, torque);
     highest = std::max(highest, torque);
   }
@@ -431,7 +558,8 @@ void TwistCycle::split_where_loop_is_zero() {
         range_to_zero(sense * from.loop / loop_->limit, 1 - 2 * loop_->asymmetry, loop_->exponent);
     const double level = from.twist + sense * range.to_zero * loop_->limit / loop_->stiffness;
     if (!(sense * (to.twist - level) > 0)) continue;
-    split.push_back({.angle = crossing(level, from.angle, to.angle), .twist = level});
+    split.push_back(
+        {.angle = crossing(level, from.angle, to.angle), .twist = level, .turn = from.turn});
   }
   if (!breaks_.empty()) split.push_back(breaks_.back());
   breaks_ = std::move(split);
@@ -469,11 +597,18 @@ void TwistCycle::sum_up() {
   const bool with_loop = loop_ && !breaks_.empty();
   // A twist that stands still meets the hysteresis as a spring.
   const double standing = loop_ && breaks_.empty() ? loop_->stiffness : 0.0;
+  const bool with_slip = !slip_pieces_.empty();
   Eigen::VectorXd stiffness(rows);
   for (Eigen::Index n = 0; n < rows; ++n) {
     const ElasticCurve::At elastic = elastic_.at(twist_(n));
     at_nodes_(n) = elastic.torque;
     stiffness(n) = elastic.tangent + standing;
+    if (with_slip) {
+      const std::size_t i = nodes_[static_cast<std::size_t>(n)].piece;
+      const SlipPiece& piece = slip_pieces_[i];
+      at_nodes_(n) += piece.torque + piece.stiffness * (twist_(n) - breaks_[i].twist);  // (MO-44)
+      stiffness(n) += piece.stiffness;
+    }
     double weight = 0.0;
     if (!breaks_.empty()) {
       weight = nodes_[static_cast<std::size_t>(n)].weight;
@@ -486,6 +621,34 @@ void TwistCycle::sum_up() {
     weighted_(n, 0) *= 0.5;
   }
   slopes_ = stiffness.asDiagonal() * basis_;
+  if (with_slip) {
+    // An element that sticks bears k times the twist since the turn at which it slipped last, or
+    // since the middle of the range.
+    const auto turns = static_cast<Eigen::Index>(turns_.size());
+    Eigen::MatrixXd at_turns(turns + 1, size_);
+    for (Eigen::Index t = 0; t < turns; ++t)
+      at_turns.row(t) = basis(turns_[static_cast<std::size_t>(t)]).transpose();
+    at_turns.row(turns) = (at_turns.row(static_cast<Eigen::Index>(lowest_turn_)) +
+                           at_turns.row(static_cast<Eigen::Index>(highest_turn_))) /
+                          2;
+    Eigen::RowVectorXd at_begin(size_);
+    std::size_t piece = slip_pieces_.size();
+    for (Eigen::Index n = 0; n < rows; ++n) {
+      const std::size_t here = nodes_[static_cast<std::size_t>(n)].piece;
+      if (here != piece) {
+        piece = here;
+        at_begin.setZero();
+        for (Eigen::Index t = 0; t <= turns; ++t)
+          at_begin += slip_pieces_[piece].since[static_cast<std::size_t>(t)] * at_turns.row(t);
+      }
+      slopes_.row(n) -= at_begin;
+    }
+  } else if (!slip_.empty()) {
+    // A small vibration meets sticking elements, whose middle moves with the mean.
+    double sum = 0.0;
+    for (const SlipElement& of : slip_) sum += of.stiffness;
+    slopes_.rightCols(size_ - 1) += sum * basis_.rightCols(size_ - 1);
+  }
   if (with_loop) {
     // z at a fixed angle depends on the twist there and at each angle before, round the cycle.
     Eigen::MatrixXd of_loop(rows, size_);
@@ -535,19 +698,33 @@ void TwistCycle::evaluate(const Eigen::VectorXd& coefficients) {
   find_breaks();
   close_loop();
   split_where_loop_is_zero();
+  place_slip();
+  measure_torque();
   place_nodes();
   fill_basis();
   sum_up();
 }
 
-double TwistCycle::loop_at_zero() const {
-  if (!loop_ || breaks_.empty()) return 0.0;
+/// The last break before tau = 0.
+std::size_t TwistCycle::break_before_zero() const {
   // The period of the breaks begins at a turn in (0, 2 pi).
   const double angle = breaks_.front().angle > 0 ? 2 * pi : 0.0;
   std::size_t i = 0;
   while (i + 2 < breaks_.size() && breaks_[i + 1].angle <= angle) ++i;
-  const double twist = TwistSeries{x_, even_}.at(angle).value;
-  return loop_after(*loop_, breaks_[i].loop, twist - breaks_[i].twist).torque;
+  return i;
+}
+
+double TwistCycle::loop_at_zero() const {
+  if (!loop_ || breaks_.empty()) return 0.0;
+  const CycleBreak& before = breaks_[break_before_zero()];
+  const double twist = TwistSeries{x_, even_}.at(0.0).value;
+  return loop_after(*loop_, before.loop, twist - before.twist).torque;
+}
+
+SlipState TwistCycle::slip_at_zero() const {
+  const double twist = TwistSeries{x_, even_}.at(0.0).value;
+  if (slip_.empty() || breaks_.empty()) return relaxed(slip_, twist);
+  return slip_after(slip_, slip_at_turns_[breaks_[break_before_zero()].turn], twist);
 }
 
 }  // namespace strainwave

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/motion/breathing_crack.hpp"
+#include "strainwave/motion/energy_table.hpp"
 #include "strainwave/motion/losses.hpp"
 #include "strainwave/motion/spring.hpp"
 
@@ -20,6 +21,9 @@ class ElasticCurve {
  public:
   /// Cracks that open over an angle have their mean opening.
   ElasticCurve(const Spring& spring, const std::vector<BreathingCrack>& cracks);
+  /// The curve of a table at one angle of the input, in place of a spring (MO-28).
+  ElasticCurve(const EnergyTable::Slice& slice, const std::vector<double>& torques,
+               const std::vector<BreathingCrack>& cracks);
 
   struct At {
     double torque = 0.0;   ///< [N*m]
@@ -28,13 +32,24 @@ class ElasticCurve {
   [[nodiscard]] At at(double twist) const;
   /// The twist under a torque [rad].
   [[nodiscard]] double twist_under(double torque) const;
-  /// Twists at which the tangent jumps, rising [rad].
+  /// Twists at which the tangent or its slope jumps, rising [rad].
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
 
  private:
+  /// An end of the cubic pieces of the twist over the torque.
+  struct Node {
+    double torque = 0.0;  ///< [N*m]
+    double twist = 0.0;   ///< [rad]
+    double below = 0.0;   ///< compliance of the piece below [rad/(N*m)]
+    double above = 0.0;   ///< the same of the piece above [rad/(N*m)]
+  };
+  void take_cracks(const std::vector<BreathingCrack>& cracks);
+  [[nodiscard]] At on_nodes(double twist) const;
+
   Spring spring_;
-  double forward_ = 0.0;   ///< compliance of the cracks that are open under positive torque
-  double backward_ = 0.0;  ///< the same under negative torque
+  std::vector<Node> nodes_;  ///< of a table, rising; empty for a spring
+  double forward_ = 0.0;     ///< compliance of the cracks that are open under positive torque
+  double backward_ = 0.0;    ///< the same under negative torque
   std::vector<double> corners_;
 };
 
@@ -71,7 +86,18 @@ struct LoopStep {
 struct CycleBreak {
   double angle = 0.0;  ///< tau [rad]
   double twist = 0.0;  ///< [rad]
-  double loop = 0.0;   ///< z [N*m]
+  double loop = 0.0;   ///< z of Bouc and Wen [N*m]
+  /// index of the last turn of the twist, counted from the first break [-]
+  std::size_t turn = 0;
+};
+
+/// The slip elements in a smooth piece of the period (MO-44).
+struct SlipPiece {
+  double torque = 0.0;     ///< of all elements at the beginning of the piece [N*m]
+  double stiffness = 0.0;  ///< of those that stick in it [N*m/rad]
+  /// the same of those that slipped at a turn last, by this turn; behind them that of those that
+  /// stick in the whole period [N*m/rad]
+  std::vector<double> since;
 };
 
 /// Harmonics of the torque over one period, with their derivatives (MO-15).
@@ -80,8 +106,9 @@ struct CycleBreak {
 /// integrates smooth pieces.
 class TwistCycle {
  public:
+  /// @param slip  elements parallel to the spring (MO-44); none for an even series
   TwistCycle(const ElasticCurve& elastic, const std::optional<BoucWen>& loop, int harmonics,
-             bool even);
+             bool even, std::vector<SlipElement> slip = {});
 
   /// Computes all that the accessors below return.
   void evaluate(const Eigen::VectorXd& coefficients);
@@ -97,6 +124,15 @@ class TwistCycle {
   [[nodiscard]] const std::vector<CycleBreak>& breaks() const { return breaks_; }
   /// z at tau = 0 [N*m].
   [[nodiscard]] double loop_at_zero() const;
+  /// The slip elements at tau = 0.
+  [[nodiscard]] SlipState slip_at_zero() const;
+  /// The slip elements in each piece between two breaks; empty without elements.
+  [[nodiscard]] const std::vector<SlipPiece>& slip_pieces() const { return slip_pieces_; }
+  /// The turn of the largest twist, as `CycleBreak::turn` [-].
+  [[nodiscard]] std::size_t highest_turn() const { return highest_turn_; }
+  /// How many elements slip at a turn, summed over the turns [-].  Where this number changes, the
+  /// derivatives jump.
+  [[nodiscard]] int slips() const { return slips_; }
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
 
@@ -107,17 +143,22 @@ class TwistCycle {
     std::size_t piece = 0;
   };
   void find_breaks();
-  void add_levels(double from, double to);
+  void add_levels(std::size_t turn, double to);
+  void follow_slip();
+  void place_slip();
   void place_nodes();
   void close_loop();
   void split_where_loop_is_zero();
+  void measure_torque();
   void sum_up();
   void fill_basis();
   [[nodiscard]] Eigen::VectorXd basis(double angle) const;
+  [[nodiscard]] std::size_t break_before_zero() const;
   [[nodiscard]] double crossing(double level, double from, double to) const;
 
   const ElasticCurve& elastic_;
   std::optional<BoucWen> loop_;
+  std::vector<SlipElement> slip_;
   int harmonics_ = 0;
   bool even_ = false;
   Eigen::Index size_ = 0;
@@ -125,6 +166,15 @@ class TwistCycle {
   Eigen::MatrixXd uniform_basis_;  ///< basis at the evenly spaced nodes
   Eigen::VectorXd x_;
   std::vector<double> turns_;
+  std::vector<double> turn_twists_;
+  std::size_t lowest_turn_ = 0;
+  std::size_t highest_turn_ = 0;
+  std::vector<SlipState> slip_at_turns_;
+  /// the turn at which each element slipped last, by turn, then by element; the number of turns if
+  /// it sticks in the whole period
+  std::vector<std::vector<std::size_t>> slipped_at_;
+  std::vector<SlipPiece> slip_pieces_;
+  int slips_ = 0;
   std::vector<double> levels_;
   std::vector<CycleBreak> breaks_;
   std::vector<Node> nodes_;

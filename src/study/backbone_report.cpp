@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "strainwave/catalogue/torque_limits.hpp"
@@ -23,6 +24,8 @@ constexpr double kBelowResonances = 0.5;     // where responses begin
 constexpr double kAboveResonances = 1.5;     // where they end
 constexpr double kLargestTruncation = 1e-3;  // of the energy
 constexpr int kMostBackbonePoints = 10'000;
+constexpr int kAnglesPerSide = 720;      // of the input, at which the tangent is compared
+constexpr double kLargestChange = 0.01;  // of the tangent, from which the note is of care
 
 void check_settings(const GearSet& gear, const BackboneReportSettings& settings) {
   const auto positive_number = [](std::string_view field, double value, const char* unit) {
@@ -125,8 +128,8 @@ ResponseOf response_of(const ForcedResponse& curve, DriveState drive, double exc
 
 /// Whether a vibration loses energy.  A motor that keeps its speed does not.
 bool loses_energy(const Joint& joint, VibratingInput input) {
-  return joint.hysteresis || joint.damping > 0 || joint.output_damping > 0 ||
-         (input == VibratingInput::free && joint.input_damping > 0);
+  return joint.hysteresis || !joint.slip_elements.empty() || joint.damping > 0 ||
+         joint.output_damping > 0 || (input == VibratingInput::free && joint.input_damping > 0);
 }
 
 void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
@@ -148,15 +151,20 @@ void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
              "drivetrain.gravity_torque");
 }
 
-/// Largest torque of the curves against the momentary peak that the maker allows.
-void note_large_torque(const GearSet& gear, BackboneReport& report) {
-  const auto limit = makers_limits(gear).momentary_peak;
-  if (!limit) return;
+/// Largest torque of the curves with the load [N*m].
+double largest_torque(const BackboneReport& report) {
   double range = 0.0;
   for (const BackboneRow& row : report.backbone)
     range = std::max({range, row.intact.torque, row.cracked ? row.cracked->torque : 0.0});
   for (const ResponseOf& of : report.responses) range = std::max(range, of.peak_torque);
-  const double largest = std::abs(report.load_torque) + range;
+  return std::abs(report.load_torque) + range;
+}
+
+/// Largest torque of the curves against the momentary peak that the maker allows.
+void note_large_torque(const GearSet& gear, BackboneReport& report) {
+  const auto limit = makers_limits(gear).momentary_peak;
+  if (!limit) return;
+  const double largest = largest_torque(report);
   if (largest <= limit->value) return;
   report.notes.push_back(
       {.code = "backbone.large_torque",
@@ -170,30 +178,92 @@ void note_large_torque(const GearSet& gear, BackboneReport& report) {
        .next_step = "Choose a smaller --excitation or --amplitude."});
 }
 
+/// Largest torque of the curves against the end of the table.
+void note_end_of_table(BackboneReport& report) {
+  if (!report.table || largest_torque(report) <= report.table->most_torque) return;
+  report.notes.push_back(
+      {.code = "backbone.beyond_table",
+       .text = fmt::format("vibrations reach {} with the load, beyond {}, where the table of the "
+                           "computed curve ends and its last tangent goes on",
+                           shown_quantity(largest_torque(report), "N*m", 4),
+                           shown_quantity(report.table->most_torque, "N*m", 4)),
+       .path = "drivetrain.curve_torque",
+       .equation = "MO-26",
+       .severity = Severity::care,
+       .next_step = "Raise drivetrain.curve_torque."});
+}
+
+/// What the curve at one angle of the input leaves out: the change of its tangent under the load
+/// over the swing of a free input, and over a whole turn (MO-28).
+void evaluate_standing_input(const Joint& joint, BackboneReport& report) {
+  if (!joint.table) return;
+  const auto compliance = [&](double angle) {
+    return joint.table->at(angle).at_torque(-report.load_torque).compliance;
+  };
+  const double at_start = compliance(0.0);
+  const auto change_within = [&](double reach) {
+    double most = 0.0;
+    for (int n = -kAnglesPerSide; n <= kAnglesPerSide; ++n) {
+      const double here = compliance(reach * n / kAnglesPerSide);
+      most = std::max(most, std::abs(at_start / here - 1));  // (MO-28)
+    }
+    return most;
+  };
+  report.change_over_turn = change_within(std::numbers::pi);
+  if (report.input == VibratingInput::locked) {
+    report.change_over_swing = 0.0;
+  } else {
+    double largest = 0.0;
+    if (!report.backbone.empty()) largest = report.backbone.back().amplitude;
+    for (const ResponseOf& of : report.responses) largest = std::max(largest, of.peak);
+    const double input = joint.ratio * joint.ratio * joint.input_inertia;
+    report.input_swing = std::abs(joint.ratio) * largest * joint.output_inertia /
+                         (input + joint.output_inertia);  // (MO-28)
+    report.change_over_swing = change_within(std::min(*report.input_swing, std::numbers::pi));
+  }
+  const auto percent = [](double share) { return shown_number(100 * share, 2); };
+  std::string text = "the computed curve is that of an input that stands where it starts; ";
+  if (report.input_swing)
+    text += fmt::format(
+        "the free input swings by up to {}, over which the tangent stiffness under the load "
+        "changes by up to {} %, and over a whole turn it changes by up to {} %",
+        shown_quantity(*report.input_swing, "deg", 3), percent(*report.change_over_swing),
+        percent(*report.change_over_turn));
+  else
+    text += fmt::format(
+        "over a whole turn of the input the tangent stiffness under the load changes by up to {} %",
+        percent(*report.change_over_turn));
+  report.notes.push_back(
+      {.code = "backbone.input_angle",
+       .text = std::move(text),
+       .path = "drivetrain.spring",
+       .equation = "MO-28",
+       .severity =
+           *report.change_over_swing > kLargestChange ? Severity::care : Severity::information,
+       .next_step = "Run strainwave simulate, whose input moves along the curve."});
+}
+
 }  // namespace
 
 BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings& settings,
                                const Progress& progress) {
   check_settings(gear, settings);
-  if (gear.drivetrain && !gear.drivetrain->slip_element.empty())
-    throw InputError("drivetrain.slip_element",
-                     "is not read by a backbone; give drivetrain.hysteresis in its place, or run "
-                     "strainwave simulate");
-  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1), RestoringTorque::lines);
+  DriveJoint made = drive_joint(gear, progress.part(0.0, 0.1));
   const Joint sound = made.sound();
-  const bool cracked = !made.joint.cracks.empty();
+  const bool cracked = made.cracked();
   BackboneReport report{.load_torque = settings.load_torque.value_or(gear.load.torque),
                         .input = settings.input,
                         .at = settings.at,
                         .harmonics = settings.harmonics,
                         .springs = made.springs,
+                        .table = made.table,
                         .notes = std::move(made.notes)};
   const BalanceSettings balance{
       .input = settings.input, .load_torque = report.load_torque, .harmonics = settings.harmonics};
   report.small_frequency = small_frequency(sound, balance);
   if (cracked) report.cracked_small_frequency = small_frequency(made.joint, balance);
-  const double largest =
-      settings.amplitude.value_or(std::abs(twist_at_rest(sound, gear.load.torque)));
+  const double largest = settings.amplitude.value_or(
+      std::abs(twist_at_rest(sound, gear.load.torque) - twist_at_rest(sound, 0.0)));
   if (largest == 0)
     throw InputError("--amplitude", "must be given, because the load of the file has no torque");
   const std::vector<double> amplitudes = growing_amplitudes(largest, settings.points);
@@ -239,7 +309,8 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
   if (!excitations.empty() && !lossy)
     throw InputError("--excitation",
                      "needs a drive that loses energy, because its response would grow without "
-                     "bound; give drivetrain.gear_damping or drivetrain.hysteresis");
+                     "bound; give drivetrain.gear_damping, drivetrain.hysteresis or "
+                     "drivetrain.slip_element");
   if (!lossy)
     report.notes.push_back(
         {.code = "backbone.no_damping",
@@ -249,7 +320,8 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
          .path = "drivetrain",
          .equation = "MO-18",
          .severity = Severity::information,
-         .next_step = "Give drivetrain.gear_damping or drivetrain.hysteresis."});
+         .next_step = "Give drivetrain.gear_damping, drivetrain.hysteresis or "
+                      "drivetrain.slip_element."});
   if (excitations.empty() && lossy && gear.load.torque != 0)
     for (const double share : kExcitationsByDefault)
       excitations.push_back(share * std::abs(gear.load.torque) /
@@ -296,6 +368,8 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
   }
   note_left_out(gear, report.notes);
   note_large_torque(gear, report);
+  note_end_of_table(report);
+  evaluate_standing_input(made.joint, report);
   if (report.truncation > kLargestTruncation)
     report.notes.push_back(
         {.code = "backbone.harmonics",
@@ -308,6 +382,11 @@ BackboneReport backbone_report(const GearSet& gear, const BackboneReportSettings
          .next_step = "Give more --harmonics and compare."});
   report.equations = {"MO-1", "MO-5", "MO-14", "MO-15", "MO-16", "MO-17", "MO-18", "MO-19"};
   if (gear.drivetrain->hysteresis) report.equations.emplace_back("MO-8");
+  if (!gear.drivetrain->slip_element.empty())
+    for (const char* const tag : {"MO-44", "MO-47"}) report.equations.emplace_back(tag);
+  if (report.table)
+    for (const char* const tag : {"MO-25", "MO-26", "MO-27", "MO-28"})
+      report.equations.emplace_back(tag);
   return report;
 }
 

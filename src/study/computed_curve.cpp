@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -314,7 +316,130 @@ void check_table(const GearSet& gear, const ComputedCurve& curve, const std::vec
   }
 }
 
+std::shared_ptr<const EnergyTable> table_of(const CurveSamples& of,
+                                            const std::vector<EnergySamples>& families) {
+  return std::make_shared<const EnergyTable>(of.torques, families, of.compliance);
+}
+
+[[noreturn]] void refuse_text() {
+  throw InputError("curve table", "cannot be read; compute it again");
+}
+
+/// Visits the numbers of a curve in their order.  Writer and reader share it.
+/// @param number   takes a number or a count
+/// @param size     takes a list, and gives it its size
+/// @param present  takes an optional value, and makes it present or absent
+template <class Samples, class Number, class Size, class Present>
+void each_number(Samples& of, const Number& number, const Size& size, const Present& present) {
+  const auto list = [&](auto& values) {
+    size(values);
+    for (auto& value : values) number(value);
+  };
+  const auto families = [&](auto& all) {
+    size(all);
+    for (auto& family : all) {
+      number(family.rate);
+      number(family.period);
+      list(family.energy);
+      list(family.twist);
+      list(family.compliance);
+    }
+  };
+  const auto optional = [&](auto& value) {
+    present(value);
+    if (value) number(*value);
+  };
+  list(of.torques);
+  families(of.sound);
+  families(of.cracked);
+  number(of.compliance);
+  auto& table = of.table;
+  number(table.most_torque);
+  number(table.torques);
+  number(table.cage_angles);
+  optional(table.flexspline_angles);
+  optional(table.spline_angles);
+  number(table.triples);
+  number(table.worst_difference);
+  number(table.rms_difference);
+  optional(table.cracks_twist);
+  optional(table.worst_share);
+  optional(table.rms_share);
+}
+
 }  // namespace
+
+GearSet what_the_curve_depends_on(const GearSet& gear) {
+  GearSet kept = gear;
+  kept.name.clear();
+  kept.duty.reset();
+  kept.duty_record.reset();
+  kept.kinematic_error.clear();
+  kept.manoeuvre.clear();
+  kept.range.clear();
+  kept.scatter.clear();
+  if (gear.drivetrain)
+    kept.drivetrain = Drivetrain{.fixed = gear.drivetrain->fixed,
+                                 .motor_inertia = 1.0,
+                                 .load_inertia = 1.0,
+                                 .spring = gear.drivetrain->spring,
+                                 .curve_torque = gear.drivetrain->curve_torque};
+  return kept;
+}
+
+std::string curve_text(const CurveSamples& samples) {
+  std::string text;
+  const auto word = [&](const auto& value) {
+    constexpr std::size_t kLongest = 40;
+    std::array<char, kLongest> digits{};
+    std::to_chars_result written{};
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>)
+      written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                              std::chars_format::hex);
+    else
+      written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    if (!text.empty()) text += ' ';
+    text.append(digits.data(), written.ptr);
+  };
+  each_number(
+      samples, word, [&](const auto& list) { word(list.size()); },
+      [&](const auto& value) { word(value ? 1 : 0); });
+  return text;
+}
+
+ComputedCurve read_curve(std::string_view text) {
+  const auto take = [&](auto& value) {
+    const std::size_t blank = text.find(' ');
+    const std::string_view word = text.substr(0, blank);
+    std::from_chars_result read{};
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>)
+      read = std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::hex);
+    else
+      read = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (read.ec != std::errc{} || read.ptr != word.data() + word.size()) refuse_text();
+    text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
+  };
+  const auto size = [&](auto& list) {
+    std::size_t count = 0;
+    take(count);
+    if (count > text.size()) refuse_text();  // each number has a digit
+    list.resize(count);
+  };
+  const auto present = [&](auto& value) {
+    int flag = 0;
+    take(flag);
+    if (flag != 0 && flag != 1) refuse_text();
+    if (flag == 1) value.emplace();
+  };
+  ComputedCurve made;
+  each_number(made.samples, take, size, present);
+  if (!text.empty()) refuse_text();
+  made.table = made.samples.table;
+  made.sound = table_of(made.samples, made.samples.sound);
+  made.cracked =
+      made.samples.cracked.empty() ? made.sound : table_of(made.samples, made.samples.cracked);
+  return made;
+}
 
 ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
@@ -335,14 +460,14 @@ ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
   const double shaft = gear.output_shaft ? output_shaft_compliance(sound).intact : 0.0;
   const double compliance =
       step * step * (sound_series_compliance(assembled) - shaft) + shaft;  // (MO-14)
-  const auto table = [&](const std::vector<EnergySamples>& families) {
-    return std::make_shared<const EnergyTable>(output.torques(), families, compliance);
-  };
+  made.samples.torques = output.torques();
+  made.samples.compliance = compliance;
   try {
     const EnergySamples of_cage = cage_samples(sound, rates.cage, output, progress.part(0.0, 0.05));
     result.torques = static_cast<int>(output.torques().size());
     result.cage_angles = static_cast<int>(of_cage.angles());
-    made.sound = table({of_cage});
+    made.samples.sound = {of_cage};
+    made.sound = table_of(made.samples, made.samples.sound);
     std::vector<EnergySamples> families = {of_cage};
     std::vector<int> place_of = {0};
     bool with_cracks = false;
@@ -364,7 +489,8 @@ ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
          progress.part(0.1, 0.45));
     take(CrackFamily::spline, 2, teeth + gear.drive.wave_number, rates.spline, result.spline_angles,
          progress.part(0.45, 0.8));
-    made.cracked = with_cracks ? table(families) : made.sound;
+    if (with_cracks) made.samples.cracked = std::move(families);
+    made.cracked = with_cracks ? table_of(made.samples, made.samples.cracked) : made.sound;
     check_table(gear, made, place_of, with_cracks, output, result, progress.part(0.8, 1.0));
   } catch (const SolverError& error) {
     throw SolverError(fmt::format(
@@ -372,6 +498,7 @@ ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
         "give drivetrain.spring = \"lines\"",
         result.most_torque, error.what()));
   }
+  made.samples.table = made.table;
   return made;
 }
 

@@ -159,7 +159,7 @@ CatalogueSpring pieces_at_output(const GearSet& gear, const MakersLines& lines, 
 }  // namespace
 
 DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
-                       std::optional<RestoringTorque> asked) {
+                       std::optional<RestoringTorque> asked, const CurveSource& source) {
   check(gear);
   if (!gear.drivetrain)
     throw InputError("drivetrain",
@@ -195,7 +195,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
          [&](const std::string& path) { return opening_by_moment(gear, path); });
   progress.at(0.1);
   if (computed) {
-    ComputedCurve curve = computed_curve(gear, progress.part(0.1, 1.0));
+    ComputedCurve curve = source(gear, progress.part(0.1, 1.0));
     made.springs = SpringModel::computed_curve;
     joint.spring = LinearSpring{1 / curve.sound->at(0.0).at_torque(0.0).compliance};
     joint.table = std::move(curve.cracked);
@@ -239,15 +239,6 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
       if (!computed) made.notes.push_back(contact_note(path));
   });
   if (!joint.cracks.empty()) made.notes.push_back(breathing_note(train.breathing));
-  if (!computed && train.spring == RestoringTorque::computed)
-    made.notes.push_back(
-        {.code = "motion.lines",
-         .text = "a periodic vibration is about the maker's lines of the torsion curve, not about "
-                 "the computed curve that drivetrain.spring asks for",
-         .path = "drivetrain.spring",
-         .equation = "MO-14",
-         .severity = Severity::care,
-         .next_step = "Compare with strainwave simulate, whose motion has the computed curve."});
   return made;
 }
 

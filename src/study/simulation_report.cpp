@@ -363,7 +363,7 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   // A recorded motion is long against the making of its joint, and a computed curve takes long.
   const bool computed = gear.drivetrain && gear.drivetrain->spring == RestoringTorque::computed;
   const double joint_share = record != nullptr ? 0.01 : (computed ? 0.5 : 0.1);
-  DriveJoint made = drive_joint(gear, progress.part(0.0, joint_share));
+  DriveJoint made = drive_joint(gear, progress.part(0.0, joint_share), {}, settings.curve);
   Joint& joint = made.joint;
   apply(gear, joint);
   check_wind_up(gear, joint);

@@ -86,6 +86,8 @@ inline std::string surface(std::span<const Command> table) {
     for (const Option& option : command.options.options) all += option_line(option);
     if (!command.journal.empty()) all += "  journal: " + std::string(command.journal) + '\n';
     if (!command.record.empty()) all += "  record: " + std::string(command.record) + '\n';
+    if (!command.kept.empty())
+      all += "  " + std::string(command.kept_option) + ": " + std::string(command.kept) + '\n';
     for (const Document& document : command.documents)
       all += "  document " + std::string(document.name) + ": " +
              std::string(enum_name(document.format)) + (document.folder ? " files\n" : "\n");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of `simulate`.
+// The record and the kept curve of `simulate`.
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "answers.hpp"
@@ -133,6 +135,113 @@ TEST(SimulateRecord, InputEachRuleBrokenOnce) {
   test::KeptRecording cut("motion.csv");
   cut.kept = kept;
   EXPECT_NE(refusal_of(cut).find("is shorter than its checkpoint says"), std::string::npos);
+}
+
+/// A text that is kept in memory.
+class KeptInMemory : public KeptText {
+ public:
+  [[nodiscard]] std::string name() const override { return "drive.curve"; }
+  [[nodiscard]] std::optional<std::string> text() const override { return kept; }
+  void keep(const std::string& text) override {
+    kept = text;
+    ++times;
+  }
+
+  std::optional<std::string> kept = {};
+  int times = 0;
+};
+
+/// The example of a computed curve without cracks and with a short motion.
+std::shared_ptr<const Drive> curve_drive(const std::string& from = {}, const std::string& to = {}) {
+  std::string text = test::example_drives().at("tooth_crack_orders_size25")->text;
+  const auto cut = [&](const std::string& begin, const std::string& end) {
+    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin)) {
+      const std::size_t rest = text.find(end, at + begin.size());
+      text.erase(at, rest == std::string::npos ? std::string::npos : rest - at);
+    }
+  };
+  cut("[[mesh.crack", "\n[");
+  cut("[[flexspline.crack", "\n[");
+  cut("[[wave_generator.crack", "\n[");
+  cut("[[manoeuvre]]", "\n[[none");
+  text += "\n[[manoeuvre]]\nduration = \"10 ms\"\ninput_speed = \"100 rpm\"\n";
+  if (!from.empty()) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  }
+  return read_drive(text, "drive.toml");
+}
+
+std::string with_table(KeptText* kept, const std::shared_ptr<const Drive>& drive) {
+  const Command& row = command_named(commands(), "simulate");
+  return run(row, drive, OptionValues(row.options), {}, {}, {.kept = kept}).json();
+}
+
+std::string refusal_of_table(KeptText& kept, const std::shared_ptr<const Drive>& drive) {
+  try {
+    (void)with_table(&kept, drive);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SimulateCurveTable, IdentityOfKeptAndNewTables) {
+  // (MO-27): all digits of the answer are the same without a table, with the run that writes it,
+  // and with one that reads it; another motion reads it too.
+  const auto drive = curve_drive();
+  KeptInMemory kept;
+  const std::string expected = with_table(nullptr, drive);
+  EXPECT_EQ(with_table(&kept, drive), expected);
+  EXPECT_EQ(kept.times, 1);
+  const std::string first = kept.kept.value();
+  EXPECT_EQ(with_table(&kept, drive), expected);
+  const auto faster = curve_drive("100 rpm", "200 rpm");
+  EXPECT_EQ(with_table(&kept, faster), with_table(nullptr, faster));
+  EXPECT_EQ(kept.times, 1);
+  EXPECT_EQ(kept.kept, first);
+}
+
+TEST(SimulateCurveTable, InputTablesThatAreRefused) {
+  KeptInMemory good;
+  (void)with_table(&good, curve_drive());
+  const std::string text = good.kept.value();
+  const auto refused = [&](const std::string& kept, const std::shared_ptr<const Drive>& drive) {
+    KeptInMemory of;
+    of.kept = kept;
+    const std::string message = refusal_of_table(of, drive);
+    EXPECT_EQ(of.times, 0) << "the table of another run stays";
+    EXPECT_EQ(of.kept, kept);
+    return message;
+  };
+  const auto drive = curve_drive();
+  // Another spelling of a number is the same drive.
+  EXPECT_EQ(refused(text, curve_drive("flank_angle = \"22 deg", "flank_angle = \"22.0 deg")), "");
+  EXPECT_EQ(refused(text, curve_drive("flank_angle = \"22 deg", "flank_angle = \"23 deg")),
+            "--curve-table: drive.curve belongs to another drive, or to this drive before it was "
+            "edited; name another file, or remove this one to compute the table again");
+  std::string torn = text;
+  torn[torn.size() / 2] = torn[torn.size() / 2] == '1' ? '2' : '1';
+  const std::string damaged =
+      "--curve-table: drive.curve is damaged; remove the file to compute the table again";
+  EXPECT_EQ(refused(torn, drive), damaged);
+  EXPECT_EQ(refused(text.substr(0, text.size() - 1), drive), damaged);
+  EXPECT_EQ(refused(text.substr(0, text.find('\n') + 1), drive), damaged);
+  EXPECT_EQ(refused("", drive),
+            "--curve-table: drive.curve is not a curve table of this version of strainwave "
+            "simulate; name another file");
+  // The text of another revision, with its own digest.
+  std::string older = text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  older.replace(older.find('\n') + 1, 1, "older ");
+  EXPECT_EQ(refused(older + sha256_hex(older) + '\n', drive),
+            "--curve-table: drive.curve was made by another version of the program; remove the "
+            "file to compute the table again");
+  KeptInMemory none;
+  EXPECT_EQ(refusal_of_table(none, test::example_drives().at("joint_size25")),
+            "--curve-table: keeps the table of a computed curve, and the spring of this drive has "
+            "none; leave it out, or give drivetrain.spring = \"computed\"");
+  EXPECT_FALSE(none.kept);
 }
 
 }  // namespace

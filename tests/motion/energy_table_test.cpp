@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/motion/harmonic_balance.hpp"
 #include "strainwave/motion/simulate.hpp"
 
 namespace strainwave {
@@ -196,8 +195,6 @@ TEST(EnergyTable, InputRulesOfATable) {
   EXPECT_THROW(EnergyTable(even_torques(), {}, 0.0), InputError);
   // A twist that falls has no inverse.
   EXPECT_THROW(made(even_torques(), swinging(1.0, -kSoft, 0.0, 0.0, 4), 0.0)(), SolverError);
-  // Periodic motions need a spring.
-  EXPECT_THROW((void)small_frequency(tabled(table_of(0.0)), {}), InputError);
 }
 
 }  // namespace

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strainwave/dynamics/torsional_chain.hpp"
@@ -352,6 +354,219 @@ TEST(HarmonicBalance, CrosscheckResponseRepeatsInTime) {
   }
 }
 
+/// A locked joint with slip elements: one that slips early, one late, one never.
+Joint with_elements(double damping = 3.0) {
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.slip_elements = {{3e4, 1.0}, {2e4, 4.0}, {1e4, 100.0}};
+  joint.damping = damping;
+  return joint;
+}
+
+/// Harmonic of one slip element under X cos tau, by (MO-47): cosine and sine of the torque.
+std::pair<double, double> of_element(const SlipElement& element, double X) {
+  const double most = element.stiffness * X;
+  if (element.limit >= most) return {most, 0.0};
+  const double theta = std::acos(1 - 2 * element.limit / most);
+  const double sine = std::sin(theta);
+  return {most / pi * (theta - sine * std::cos(theta)), -most / pi * sine * sine};
+}
+
+TEST(HarmonicBalance, ReferenceResonanceWithSlipElements) {
+  // (MO-17, MO-44, MO-45, MO-47): with one harmonic, J w^2 = K + sum a/X with the cosines a of the
+  // elements in closed form, and zeta = (W + pi c w X^2)/(2 pi J w^2 X^2) with the work W.
+  const Joint joint = with_elements();
+  const std::vector<double> amplitudes = {1e-6, 3e-5, 3.5e-5, 1e-4, 2.1e-4, 1e-3};
+  const Backbone curve = backbone(
+      joint,
+      {.balance = {.harmonics = 1}, .kind = BackboneKind::quadrature, .amplitudes = amplitudes});
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  for (const BackbonePoint& at : curve.points) {
+    const double X = at.amplitude;
+    double stiffness = 5e4;
+    double work = 0.0;
+    double torque = 5e4 * X;
+    for (const SlipElement& of : joint.slip_elements) {
+      stiffness += of_element(of, X).first / X;
+      torque += std::min(of.stiffness * X, of.limit);
+      if (of.limit < of.stiffness * X) work += 4 * of.limit * (X - of.limit / of.stiffness);
+    }
+    const double omega = std::sqrt(stiffness / 0.5);
+    test::expect_relative(at.frequency, omega / (2 * pi), 1e-9);
+    test::expect_relative(at.torque, torque, 1e-10);
+    test::expect_relative(at.damping_ratio,
+                          (work + pi * 3 * omega * X * X) / (2 * pi * stiffness * X * X), 1e-8);
+  }
+  test::expect_relative(small_frequency(joint, {}), std::sqrt(1.1e5 / 0.5) / (2 * pi), 1e-14);
+  test::expect_relative(curve.points.front().frequency, small_frequency(joint, {}), 1e-10);
+}
+
+TEST(HarmonicBalance, ReferenceResponseWithSlipElements) {
+  // (MO-18, MO-47): with one harmonic and a locked input, P^2 = ((K - J w^2) X + a)^2 +
+  // (c w X - b)^2 with the harmonics a, b of the elements in closed form, on both sides of the
+  // corners at which an element begins to slip.
+  const Joint joint = with_elements();
+  for (const double excitation : {0.5, 2.0, 8.0}) {
+    const ForcedResponse curve =
+        forced_response(joint, {.balance = {.input = VibratingInput::locked, .harmonics = 1},
+                                .excitation = excitation,
+                                .from = 25,
+                                .to = 75});
+    ASSERT_TRUE(curve.converged) << curve.reason;
+    int slipping = 0;
+    for (const ResponsePoint& at : curve.points) {
+      const double X = at.amplitude;
+      const double omega = 2 * pi * at.frequency;
+      double cosine = (5e4 - omega * omega) * X;
+      double sine = -3 * omega * X;
+      for (const SlipElement& of : joint.slip_elements) {
+        const auto [a, b] = of_element(of, X);
+        cosine += a;
+        sine += b;
+        slipping += of.limit < of.stiffness * X ? 1 : 0;
+      }
+      test::expect_relative(std::hypot(cosine, sine), excitation, 1e-7);
+      EXPECT_TRUE(at.stable);
+    }
+    EXPECT_GT(slipping, 0);
+    EXPECT_LT(slipping, 2 * static_cast<int>(curve.points.size()));
+  }
+}
+
+TEST(HarmonicBalance, ConvergenceOfManySlipElementsToDahl) {
+  // (MO-9, MO-44): in a loop of amplitude X, Dahl's torque behind a turn is 2 f(d/2) with
+  // f(x) = (F + F tanh q)/2 (1 - exp(-2 s x/F)) and q = s X/F.  Elements whose first loading is a
+  // polygon on f give a resonance that tends to Dahl's with the square of their number.
+  const double s = 1e5;
+  const double F = 3.0;
+  const double X = 4.5e-5;
+  Joint smooth = joint_with(LinearSpring{5e4});
+  smooth.hysteresis = dahl(s, F);
+  const auto resonance = [&](const Joint& joint) {
+    const Backbone curve = backbone(joint, {.kind = BackboneKind::quadrature, .amplitudes = {X}});
+    EXPECT_TRUE(curve.converged) << curve.reason;
+    return curve.points.at(0);
+  };
+  const BackbonePoint exact = resonance(smooth);
+  const auto first_loading = [&](double x) {
+    return F / 2 * (1 + std::tanh(s * X / F)) * -std::expm1(-2 * s * x / F);
+  };
+  std::vector<double> of_frequency;
+  std::vector<double> of_damping;
+  for (const int count : {16, 32, 64}) {
+    Joint joint = joint_with(LinearSpring{5e4});
+    const double h = X / count;
+    double next_slope = 0.0;
+    for (int n = count; n >= 1; --n) {
+      const double slope = (first_loading(n * h) - first_loading((n - 1) * h)) / h;
+      joint.slip_elements.push_back({slope - next_slope, (slope - next_slope) * n * h});
+      next_slope = slope;
+    }
+    const BackbonePoint at = resonance(joint);
+    of_frequency.push_back(std::abs(at.frequency / exact.frequency - 1));
+    of_damping.push_back(std::abs(at.damping_ratio / exact.damping_ratio - 1));
+    test::expect_relative(at.torque, exact.torque, 1e-9);
+  }
+  for (const std::size_t n : {1U, 2U}) {
+    EXPECT_NEAR(of_frequency[n - 1] / of_frequency[n], 4.0, 0.3) << of_frequency[n];
+    EXPECT_NEAR(of_damping[n - 1] / of_damping[n], 4.0, 0.3) << of_damping[n];
+  }
+  EXPECT_LT(of_damping[2], 1e-2);
+}
+
+TEST(HarmonicBalance, CrosscheckSlipElementsRepeatInTime) {
+  // (MO-13, MO-15, MO-44): as above with slip elements; each torque of them returns to its start.
+  Joint joint = joint_with(CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}});
+  joint.slip_elements = {{3e4, 1.0}, {2e4, 4.0}, {1e4, 100.0}};
+  joint.damping = 10;
+  joint.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};
+  const ResponseSettings settings{
+      .balance = {.load_torque = -12, .harmonics = 60}, .excitation = 8.0, .from = 35, .to = 36};
+  const ForcedResponse curve = forced_response(joint, settings);
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  const ResponsePoint& at = curve.points.back();
+  EXPECT_TRUE(at.stable);
+  const double period = 1 / at.frequency;
+  Joint moving = joint;
+  moving.output_torque = cosine(-12.0, settings.excitation, at.frequency, period, 4000);
+  moving.input = GivenTorque{{.value = {-12.0 / 100}}};
+  const JointState start = state_on_response(joint, settings, at);
+  ASSERT_TRUE(start.slip);
+  const Motion motion =
+      simulate(moving, start, {.duration = period, .output_step = period, .tolerance = 1e-13});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  const auto twist = [](const JointState& s) { return s.input_angle / -100 - s.output_angle; };
+  EXPECT_NEAR(twist(motion.last), twist(start), 2e-6 * at.amplitude);
+  const double speed = 2 * pi * at.frequency * at.amplitude;
+  EXPECT_NEAR(motion.last.output_speed, start.output_speed, 2e-5 * speed);
+  ASSERT_TRUE(motion.last.slip);
+  const SlipState end = slip_after(joint.slip_elements, *motion.last.slip, twist(motion.last));
+  for (std::size_t j = 0; j < end.torque.size(); ++j)
+    EXPECT_NEAR(end.torque[j], start.slip->torque[j], 2e-5) << j;
+}
+
+/// A table that stiffens and moves with the input, at the output.
+std::shared_ptr<const EnergyTable> moving_table() {
+  const std::vector<double> torques = {-100, -40, -15, -4, 4, 15, 40, 100};
+  EnergySamples samples{.rate = 1.3, .period = 0.7, .energy = {}, .twist = {}, .compliance = {}};
+  for (int q = 0; q < 12; ++q) {
+    const double wave = std::cos(2 * pi * q / 12);
+    std::vector<double> twist;
+    for (const double T : torques)
+      twist.push_back(3e-5 * T / (1 + std::abs(T) / 300) + wave * (2e-7 * T + 1e-5));
+    const std::vector<double> slopes = rising_slopes(torques, twist);
+    samples.energy.push_back(1e-4 + 1e-4 * wave);
+    samples.twist.insert(samples.twist.end(), twist.begin(), twist.end());
+    samples.compliance.insert(samples.compliance.end(), slopes.begin(), slopes.end());
+  }
+  return std::make_shared<const EnergyTable>(torques, std::vector{samples}, 4e-6);
+}
+
+TEST(HarmonicBalance, CrosscheckTableOfALockedInputRepeatsInTime) {
+  // (MO-13, MO-25, MO-28): a response about a load, of a locked input on the curve of a table with
+  // a crack and slip elements, returns to its start in a simulated period; 60 harmonics leave 1e-6
+  // of the amplitude.
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.table = moving_table();
+  joint.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};
+  joint.slip_elements = {{1e4, 1.0}};
+  joint.damping = 10;
+  const ResponseSettings settings{
+      .balance = {.input = VibratingInput::locked, .load_torque = -3, .harmonics = 60},
+      .excitation = 8.0,
+      .from = 20,
+      .to = 21};
+  const ForcedResponse curve = forced_response(joint, settings);
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  const ResponsePoint& at = curve.points.back();
+  const double period = 1 / at.frequency;
+  Joint moving = joint;
+  moving.output_torque = cosine(-3.0, settings.excitation, at.frequency, period, 4000);
+  moving.input = GivenSpeed{{.value = {0.0}}};
+  const JointState start = state_on_response(joint, settings, at);
+  const Motion motion =
+      simulate(moving, start, {.duration = period, .output_step = period, .tolerance = 1e-13});
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_NEAR(motion.last.output_angle, start.output_angle, 2e-6 * at.amplitude);
+  const double speed = 2 * pi * at.frequency * at.amplitude;
+  EXPECT_NEAR(motion.last.output_speed, start.output_speed, 2e-5 * speed);
+}
+
+TEST(HarmonicBalance, LimitSmallVibrationsOnATable) {
+  // (MO-16, MO-28): small vibrations about a load have the tangent of the table there, with the
+  // torque -T_0; and the twist at rest is that of the table.
+  Joint joint = joint_with(LinearSpring{5e4});
+  joint.table = moving_table();
+  const EnergyTable::At at = joint.table->at(0.0).at_torque(-20.0);
+  const double expected = std::sqrt(1 / at.compliance / 0.5) / (2 * pi);
+  const BalanceSettings balance{.load_torque = 20};
+  test::expect_relative(small_frequency(joint, balance), expected, 1e-12);
+  const Backbone curve = backbone(joint, {.balance = balance, .amplitudes = {1e-7, 1e-6}});
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  // The curve bends, which counts with the square of the amplitude.
+  test::expect_relative(curve.points[0].frequency, expected, 1e-6);
+  test::expect_relative(twist_at_rest(joint, 20), at.twist, 1e-13);
+}
+
 /// A hard spring behind a locked input, whose response has two folds.
 Joint hard_joint() {
   Joint joint = joint_with(CubicSpring{5e4, 2e10});
@@ -575,6 +790,74 @@ TEST(HarmonicBalance, CrosscheckMultipliersAgainstDifferencesOfMotions) {
     }
     EXPECT_GT(at.multiplier, 0.3);
   }
+}
+
+TEST(HarmonicBalance, CrosscheckMultipliersWithSlipElements) {
+  // (MO-13, MO-47): the monodromy matrix by differences of `simulate` over the period from the
+  // largest twist, where each element that slips bears its limit.  A start that is moved keeps
+  // these torques, and the element that sticks bears the move.  The tolerance is that of the
+  // harmonics that are left out and of the differences.
+  Joint joint = hard_joint();
+  joint.slip_elements = {{3e4, 1.0}, {2e4, 3.0}, {1e4, 100.0}};
+  ResponseSettings settings = hard_settings(40);
+  settings.from = 38;
+  settings.to = 39;
+  const ForcedResponse curve = forced_response(joint, settings);
+  ASSERT_TRUE(curve.converged) << curve.reason;
+  const ResponsePoint& at = curve.points.back();
+  ASSERT_EQ(at.multipliers.size(), 2U);
+  // From the cosine's 1 the motion is followed to its largest twist.
+  Joint moving = joint;
+  moving.input = GivenSpeed{{.value = {0.0}}};
+  const double omega = 2 * pi * at.frequency;
+  double top = 0.0;
+  double most = -1.0;
+  const auto twist_at = [&](double angle) {
+    double sum = at.twist[0];
+    for (std::size_t k = 1; 2 * k < at.twist.size(); ++k)
+      sum += at.twist[2 * k - 1] * std::cos(static_cast<double>(k) * angle) +
+             at.twist[2 * k] * std::sin(static_cast<double>(k) * angle);
+    return sum;
+  };
+  for (int n = 0; n < 100000; ++n)
+    if (const double angle = 2 * pi * n / 100000; twist_at(angle) > most) {
+      most = twist_at(angle);
+      top = angle / omega;
+    }
+  // Lines for a cosine that begins at the largest twist.
+  const double period = 1 / at.frequency;
+  const double half = pi / 4000;
+  const double lines = std::pow(std::sin(half) / half, 2);
+  moving.output_torque = {.time = {}, .value = {}};
+  for (int n = 0; n <= 4002; ++n) {
+    moving.output_torque.time.push_back(n * period / 4000);
+    moving.output_torque.value.push_back(8 / lines * std::cos(omega * top + 2 * pi * n / 4000));
+  }
+  const auto after = [&](double angle, double speed) {
+    const double twist = most - angle;
+    SlipState slip{.twist = twist, .torque = {1.0, 3.0, 1e4 * (at.amplitude - angle)}};
+    const Motion motion =
+        simulate(moving, {.output_angle = -twist, .output_speed = speed, .slip = slip},
+                 {.duration = period, .output_step = period, .tolerance = 1e-14});
+    EXPECT_TRUE(motion.converged) << motion.reason;
+    return std::array{motion.last.output_angle / at.amplitude,
+                      motion.last.output_speed / (omega * at.amplitude)};
+  };
+  const double step = 1e-4;
+  Eigen::Matrix2d monodromy;
+  for (int column = 0; column < 2; ++column) {
+    const double angle = column == 0 ? step * at.amplitude : 0.0;
+    const double speed = column == 1 ? step * omega * at.amplitude : 0.0;
+    const auto up = after(angle, speed);
+    const auto down = after(-angle, -speed);
+    for (int row = 0; row < 2; ++row)
+      monodromy(row, column) =
+          (up[static_cast<std::size_t>(row)] - down[static_cast<std::size_t>(row)]) / (2 * step);
+  }
+  const Eigen::Vector2cd values = monodromy.eigenvalues();
+  for (const std::complex<double>& own : at.multipliers)
+    EXPECT_LT(std::min(std::abs(values(0) - own), std::abs(values(1) - own)), 2e-5);
+  EXPECT_GT(at.multiplier, 0.2);
 }
 
 TEST(HarmonicBalance, IdentityQuadratureLiesOnTheForcedResponse) {

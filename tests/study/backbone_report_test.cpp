@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "strainwave/core/units.hpp"
@@ -191,6 +192,88 @@ bristle_stiffness = "100 N*m/rad"
   const BackboneReport far = backbone_report(gear, {.excitations = {1e300}, .amplitude = 1e300});
   EXPECT_GE(test::count_notes(far.notes, "backbone.not_finished"), 1);
   EXPECT_EQ(test::count_notes(far.notes, "backbone.response_not_finished"), 1);
+}
+
+TEST(BackboneReport, LimitSlipElementsOfADrive) {
+  // (MO-44, MO-47): an element that sticks in all vibrations is a spring, and elements of no size
+  // against the vibration do not count; both are loss enough for a response.
+  GearSet gear = without_cracks(shaken_joint());
+  gear.drivetrain->gear_damping = 0;
+  const double soft = backbone_report(gear, {.points = 2}).small_frequency;
+  gear.drivetrain->slip_element = {{.stiffness = 1e5, .limit = 1e6}};
+  const BackboneReport stuck = backbone_report(gear, {.points = 2});
+  EXPECT_GT(stuck.small_frequency, 1.01 * soft);
+  for (const BackboneRow& row : stuck.backbone) {
+    test::expect_relative(row.intact.resonance, stuck.small_frequency, 1e-8);
+    test::expect_relative(row.intact.frequency, soft, 1e-8);
+    EXPECT_NEAR(row.intact.damping_ratio, 0.0, 1e-9);
+  }
+  gear.drivetrain->slip_element = {{.stiffness = 1e5, .limit = 1e-3}};
+  gear.drivetrain->gear_damping = 50;
+  const BackboneReport slipping = backbone_report(gear, {.points = 2});
+  test::expect_relative(slipping.backbone.back().intact.resonance, soft, 1e-3);
+  EXPECT_EQ(slipping.responses.size(), 2U);
+  EXPECT_NE(std::ranges::find(slipping.equations, "MO-47"), slipping.equations.end());
+}
+
+/// A drive on its computed curve, without the cracks of its teeth and rings.
+GearSet curve_drive() {
+  GearSet gear =
+      without_cracks(read_gear_set_file(STRAINWAVE_EXAMPLES "/tooth_crack_orders_size25.toml"));
+  gear.drivetrain->gear_damping = 50;
+  return gear;
+}
+
+TEST(BackboneReport, CrosscheckComputedCurveOfADrive) {
+  // (DY-3, MO-28): small vibrations have the tangent of the table where the input stands, and the
+  // largest amplitude is the twist under the load from the place of rest.
+  const GearSet gear = curve_drive();
+  const BackboneReport report =
+      backbone_report(gear, {.load_torque = 30.0, .input = VibratingInput::locked, .points = 2});
+  EXPECT_EQ(report.springs, SpringModel::computed_curve);
+  ASSERT_TRUE(report.table);
+  const DriveJoint made = drive_joint(gear);
+  const EnergyTable::Slice slice = made.sound_table->at(0.0);
+  const double compliance = slice.at_torque(-30.0).compliance;
+  const double slip = made.joint.hysteresis ? made.joint.hysteresis->stiffness : 0.0;
+  test::expect_relative(
+      report.small_frequency,
+      std::sqrt((1 / compliance + slip) / made.joint.output_inertia) / (2 * std::numbers::pi),
+      1e-12);
+  // The chain with the tangent of the coupled drive, which has no table; 0.3 % is the tangent of
+  // the cubic pieces of the table, whose twist is within 0.2 %.
+  const ModesReport modes = modes_report(gear, 30.0);
+  test::expect_relative(report.small_frequency, modes.conditions[1].modes.front().intact.frequency,
+                        3e-3);
+  test::expect_relative(report.backbone.back().amplitude,
+                        std::abs(slice.at_torque(-gear.load.torque).twist - slice.rest()), 1e-12);
+  EXPECT_EQ(report.change_over_swing, 0.0);
+  EXPECT_FALSE(report.input_swing);
+  EXPECT_GT(report.change_over_turn.value(), 0.0);
+  ASSERT_EQ(test::count_notes(report.notes, "backbone.input_angle"), 1);
+  EXPECT_EQ(test::count_notes(report.notes, "backbone.beyond_table"), 0);
+  EXPECT_NE(backbone_sentences(report).front().find("the computed torsion curve where the input"),
+            std::string::npos);
+}
+
+TEST(BackboneReport, BehaviourFreeInputOnTheComputedCurve) {
+  // (MO-28): the swing of the free input is i X J_L/(i^2 J_m + J_L) of the largest amplitude.  A
+  // vibration beyond a table that ends at 20 N*m is noted.
+  GearSet gear = curve_drive();
+  gear.drivetrain->curve_torque = 20.0;
+  const BackboneReport report = backbone_report(gear, {.load_torque = 5.0, .points = 2});
+  const DriveJoint made = drive_joint(gear);
+  double largest = report.backbone.back().amplitude;
+  for (const ResponseOf& of : report.responses) largest = std::max(largest, of.peak);
+  const double i = made.joint.ratio;
+  const double moved = i * i * made.joint.input_inertia;
+  test::expect_relative(
+      report.input_swing.value(),
+      std::abs(i) * largest * made.joint.output_inertia / (moved + made.joint.output_inertia),
+      1e-12);
+  EXPECT_LE(report.change_over_swing.value(), report.change_over_turn.value() * 1.001);
+  EXPECT_EQ(test::count_notes(report.notes, "backbone.input_angle"), 1);
+  EXPECT_EQ(test::count_notes(report.notes, "backbone.beyond_table"), 1);
 }
 
 TEST(BackboneReport, InputRulesAreBroken) {

@@ -95,6 +95,23 @@ class Recording {
   virtual void keep(const std::string& checkpoint) = 0;
 };
 
+/// A text that a command makes once and that later runs read.  For a command line, it is a file.
+class KeptText {
+ public:
+  KeptText() = default;
+  virtual ~KeptText() = default;
+  KeptText(const KeptText&) = delete;
+  KeptText& operator=(const KeptText&) = delete;
+  KeptText(KeptText&&) = delete;
+  KeptText& operator=(KeptText&&) = delete;
+
+  [[nodiscard]] virtual std::string name() const = 0;  ///< name of the text in messages
+  /// The text; absent if none was kept.
+  [[nodiscard]] virtual std::optional<std::string> text() const = 0;
+  /// Keeps the text, completely or not at all.
+  virtual void keep(const std::string& text) = 0;
+};
+
 inline const Ranks kAlone;
 
 /// Services that only some programs offer to their commands.
@@ -102,6 +119,7 @@ struct Host {
   const Ranks& ranks = kAlone;  ///< processes that all run the same command
   Journal* journal = nullptr;
   Recording* recording = nullptr;
+  KeptText* kept = nullptr;
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
@@ -125,6 +143,7 @@ struct Request {
   const std::function<Attachments(const std::string& name)>& beside;  ///< as Host::beside
   const std::function<TextPieces(const std::string& name)>& open;     ///< as Host::open
   Recording* recording = nullptr;  ///< null unless rows are to be recorded
+  KeptText* kept = nullptr;        ///< null unless a text is to be kept or read
 
   /// The text that an option names, piece by piece.
   /// @throws OptionError  if no text has this name
@@ -228,6 +247,10 @@ struct Command {
   /// Content of the record that the command can write while it runs; its answer then has no rows.
   /// Empty: the command writes none.
   std::string_view record;
+  /// Option of the command line that names a text which later runs read, and its content.  Empty:
+  /// the command keeps none.
+  std::string_view kept_option;
+  std::string_view kept;
   /// Option whose result stands neither in the CSV of one drive nor in the text of several.  Empty:
   /// there is none.
   std::string_view not_in_tables;
@@ -259,6 +282,8 @@ struct CommandOf {
   std::string_view journal = {};
   std::string_view journal_option = {};
   std::string_view record = {};
+  std::string_view kept_option = {};
+  std::string_view kept = {};
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
   std::function<Result(const Request& request, const Options& options)> function;
@@ -278,6 +303,8 @@ template <class Options, class Result>
       .journal = of.journal,
       .journal_option = of.journal_option,
       .record = of.record,
+      .kept_option = of.kept_option,
+      .kept = of.kept,
       .not_in_tables = of.not_in_tables,
       .takes = of.takes,
       .options = options_type<Options>(),

@@ -10,6 +10,8 @@
 
 namespace strainwave {
 
+/// The table of the computed curve and its error, in a sentence or two.
+[[nodiscard]] std::string curve_table_words(const CurveTable& table);
 /// The spring, and what the cracks change, each in a sentence.
 [[nodiscard]] std::vector<std::string> simulation_sentences(const SimulationReport& report);
 /// What the motions did.

@@ -18,7 +18,8 @@
 /// The only nonlinear element is between the two ends, so the unknowns are the harmonics of the
 /// twist.  The joint works about a constant load torque, without mean speed.  The kinematic error,
 /// gravity, the friction of the input and the profiles of a joint do not enter; a crack that opens
-/// over an angle has its mean opening (MO-15).
+/// over an angle has its mean opening (MO-15).  Slip elements have their periodic state (MO-47),
+/// and a table is that of an input at the angle 0 (MO-28).
 
 namespace strainwave {
 

@@ -11,6 +11,7 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/motion/harmonic_balance.hpp"
+#include "strainwave/study/computed_curve.hpp"
 #include "strainwave/study/modes_report.hpp"
 
 /// @file
@@ -160,6 +161,14 @@ struct BackboneReport {
   JointEnd at = JointEnd::load;
   int harmonics = 0;
   SpringModel springs = SpringModel::members;
+  std::optional<CurveTable> table = {};  ///< absent: the spring is not the computed curve
+  /// largest angle by which a free input swings about its start [rad]; absent: no computed curve,
+  /// or a locked input
+  std::optional<double> input_swing = {};
+  /// largest change of the tangent stiffness under the load over this swing, and over a turn of
+  /// the input, relative to that at the start [-]; absent: no computed curve
+  std::optional<double> change_over_swing = {};
+  std::optional<double> change_over_turn = {};
   double small_frequency = 0.0;                        ///< [Hz]
   std::optional<double> cracked_small_frequency = {};  ///< [Hz]
   double truncation = 0.0;
@@ -175,8 +184,19 @@ struct BackboneReport {
           &BackboneReport::input);
     field({"at", "", "end on which the excitation acts"}, &BackboneReport::at);
     field({"harmonics", "", "harmonics of the twist"}, &BackboneReport::harmonics);
-    field({"springs", "", "origin of the spring: coupled_drive or members"},
+    field({"springs", "", "origin of the spring: coupled_drive, members or computed_curve"},
           &BackboneReport::springs);
+    field({"table", "", "the table of the computed curve and its error"}, &BackboneReport::table);
+    field({"input_swing", "rad",
+           "largest angle by which the free input swings about its start; absent: no computed "
+           "curve, or a locked input"},
+          &BackboneReport::input_swing);
+    field({"change_over_swing", "1",
+           "largest change of the tangent stiffness under the load over this swing, over that at "
+           "the start"},
+          &BackboneReport::change_over_swing);
+    field({"change_over_turn", "1", "the same over a turn of the input"},
+          &BackboneReport::change_over_turn);
     field({.name = "small_frequency",
            .unit = "Hz",
            .doc = "frequency of small vibrations, sound, with the hysteresis as a spring",
@@ -196,7 +216,8 @@ struct BackboneReport {
 
 /// Resonance and response of a drive over the amplitude, sound and with its cracks.
 ///
-/// Implements theory manual eqs. (MO-14) to (MO-19).  Cracks open with the sense of the torque.
+/// Implements theory manual eqs. (MO-14) to (MO-19), (MO-28) and (MO-47).  Cracks open with the
+/// sense of the torque.  The computed curve is that at the angle of the input at its start.
 /// The kinematic error, gravity and the friction of the input are left out, with a note.
 /// @throws InputError   if the drive has no drivetrain, or a setting is out of range
 /// @throws SolverError  if a compliance is not usable

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
@@ -61,12 +65,22 @@ struct CurveTable {
   }
 };
 
+/// The numbers of which the energies are made.
+struct CurveSamples {
+  std::vector<double> torques;         ///< [N*m]
+  std::vector<EnergySamples> sound;    ///< by family
+  std::vector<EnergySamples> cracked;  ///< by family; empty without cracks in the contacts
+  double compliance = 0.0;             ///< of the sound members in series [rad/(N*m)]
+  CurveTable table;
+};
+
 /// The sound drive and the drive with its cracks as energies at the output, without the cracks of
 /// wall and shaft.
 struct ComputedCurve {
   std::shared_ptr<const EnergyTable> sound;
   std::shared_ptr<const EnergyTable> cracked;  ///< `sound` itself without cracks in the contacts
   CurveTable table;
+  CurveSamples samples;
 };
 
 /// Most random angles at which the table is checked.
@@ -81,5 +95,19 @@ inline constexpr int kCheckedTriples = 100;
 /// @throws SolverError  if the coupled drive does not bear the largest torque of the table
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] ComputedCurve computed_curve(const GearSet& gear, const Progress& progress = {});
+
+/// Makes the computed curve of a drive, or takes it from where it was kept.
+using CurveSource = std::function<ComputedCurve(const GearSet& gear, const Progress& progress)>;
+
+/// The drive without what its computed curve does not depend on: the name, the motion, the duty,
+/// the kinematic error, ranges and scatter, and all of the drivetrain but the fixed member and the
+/// largest torque of the curve.
+[[nodiscard]] GearSet what_the_curve_depends_on(const GearSet& gear);
+
+/// The samples as one line of text, with all bits of each number (MO-27).
+[[nodiscard]] std::string curve_text(const CurveSamples& samples);
+/// The curve of such a text, with the digits of the curve whose samples were written.
+/// @throws InputError  if the text is not such a line
+[[nodiscard]] ComputedCurve read_curve(std::string_view text);
 
 }  // namespace strainwave

@@ -42,7 +42,9 @@ struct DriveJoint {
 /// @throws InputError   if the drive has no drivetrain
 /// @throws SolverError  if a compliance is not usable
 /// @param spring  in place of `drivetrain.spring`
+/// @param curve   makes the computed curve
 [[nodiscard]] DriveJoint drive_joint(const GearSet& gear, const Progress& progress = {},
-                                     std::optional<RestoringTorque> spring = {});
+                                     std::optional<RestoringTorque> spring = {},
+                                     const CurveSource& curve = computed_curve);
 
 }  // namespace strainwave

@@ -37,6 +37,7 @@ struct SimulationSettings {
   double output_step = 0.0;  ///< time between two rows [s]; > 0; 0: a thousandth of the motion
   double tolerance = 1e-9;   ///< error of the output's angle in one step [rad]; > 0
   MotionEngine engine = MotionEngine::explicit_steps;
+  CurveSource curve = computed_curve;  ///< makes the computed curve
 };
 
 /// One time of a motion.

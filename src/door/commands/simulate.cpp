@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -14,6 +15,8 @@
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/motion_record.hpp"
 #include "strainwave/layouts/simulation.hpp"
+#include "strainwave/present/json.hpp"
+#include "strainwave/study/computed_curve.hpp"
 
 namespace strainwave {
 namespace {
@@ -148,6 +151,63 @@ SimulationReport recorded(const Request& request, const SimulateOptions& options
   return simulation_report(request.drive.gear, settings, request.progress, &record);
 }
 
+constexpr std::string_view kCurveFormat = "strainwave-curve-table/1";
+
+/// The text of a kept curve: the program, a digest of the drive, the samples, and a digest of these
+/// lines (MO-27).
+class CurveKeeper {
+ public:
+  explicit CurveKeeper(const Request& request)
+      : kept_(*request.kept), program_(fmt::format("{} {}", version(), git_revision())) {
+    const GearSet drive = what_the_curve_depends_on(request.drive.gear);
+    drive_ = sha256_hex(json_of(drive) + '\n' + numbers_beside(drive));
+  }
+
+  /// The curve of the text, or a new one, whose text is then kept.
+  [[nodiscard]] ComputedCurve curve(const GearSet& gear, const Progress& progress) const {
+    if (const std::optional<std::string> found = kept_.text()) return read(*found);
+    ComputedCurve made = computed_curve(gear, progress);
+    const std::string lines =
+        fmt::format("{}\n{}\n{}\n{}\n", kCurveFormat, program_, drive_, curve_text(made.samples));
+    kept_.keep(lines + sha256_hex(lines) + '\n');
+    return made;
+  }
+
+ private:
+  [[nodiscard]] ComputedCurve read(std::string_view text) const {
+    const std::string_view whole = text;
+    const auto line = [&text] {
+      const std::size_t end = text.find('\n');
+      const std::string_view made = text.substr(0, end);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      return made;
+    };
+    if (line() != kCurveFormat)
+      refuse("is not a curve table of this version of strainwave simulate; name another file");
+    const std::string_view program = line();
+    const std::string_view drive = line();
+    const std::string_view samples = line();
+    const std::string_view lines = whole.substr(0, whole.size() - text.size());
+    if (text != sha256_hex(lines) + '\n')
+      refuse("is damaged; remove the file to compute the table again");
+    if (program != program_)
+      refuse(
+          "was made by another version of the program; remove the file to compute the table again");
+    if (drive != drive_)
+      refuse(
+          "belongs to another drive, or to this drive before it was edited; name another file, or "
+          "remove this one to compute the table again");
+    return read_curve(samples);
+  }
+  [[noreturn]] void refuse(std::string_view why) const {
+    throw OptionError("--curve-table", fmt::format("{} {}", shown(kept_.name()), why));
+  }
+
+  KeptText& kept_;
+  std::string program_;
+  std::string drive_;
+};
+
 SimulationReport simulation_of(const Request& request, const SimulateOptions& options) {
   SimulationSettings settings;
   settings.engine = options.engine;
@@ -155,6 +215,17 @@ SimulationReport simulation_of(const Request& request, const SimulateOptions& op
   if (options.step) {
     settings.output_step = parse_quantity("--step", *options.step, "s");
     require(settings.output_step > 0, "--step", settings.output_step, "s", "> 0");
+  }
+  if (request.kept != nullptr) {
+    const auto& train = request.drive.gear.drivetrain;
+    if (!train || train->spring != RestoringTorque::computed)
+      throw OptionError("--curve-table",
+                        "keeps the table of a computed curve, and the spring of this drive has "
+                        "none; leave it out, or give drivetrain.spring = \"computed\"");
+    const auto keeper = std::make_shared<const CurveKeeper>(request);
+    settings.curve = [keeper](const GearSet& gear, const Progress& progress) {
+      return keeper->curve(gear, progress);
+    };
   }
   return request.recording != nullptr
              ? recorded(request, options, settings)
@@ -175,10 +246,14 @@ Command simulate_command() {
           "the torque. Prints the largest torques and errors with the balance of energy; --format "
           "csv prints the motion over time. --record writes the rows of a long motion while it is "
           "computed; a run that was interrupted goes on from its last checkpoint, to the same "
-          "digits.",
+          "digits. --curve-table keeps the table of a computed curve between runs.",
       .example = "strainwave simulate examples/joint_size25.toml",
       .record = "write the rows to this file while they are computed, as CSV (.csv) or in the "
                 "compact binary form (.bin); the answer then has none",
+      .kept_option = "curve-table",
+      .kept =
+          "read the table of the computed curve from this file, or compute it and write it there "
+          "for later runs",
       .takes = Takes::drive,
       .function = simulation_of,
       .documents = {{Format::text, simulation_text},

@@ -161,9 +161,10 @@ struct Drivetrain {
     field(
         Field{.name = "spring",
               .unit = "",
-              .doc = "restoring torque of strainwave simulate: \"lines\", the maker's lines of the "
-                     "sound drive; or \"computed\", the torsion curve over the angle of the input, "
-                     "with cracks of teeth and rings",
+              .doc =
+                  "restoring torque of strainwave simulate and backbone: \"lines\", the maker's "
+                  "lines of the sound drive; or \"computed\", the torsion curve over the angle of "
+                  "the input, with cracks of teeth and rings",
               .example = R"("computed")",
               .fallback = R"("lines")",
               .in_template = InTemplate::commented},
