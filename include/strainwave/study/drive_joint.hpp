@@ -45,4 +45,9 @@ struct DriveJoint {
 [[nodiscard]] DriveJoint drive_joint(const GearSet& gear, const Progress& progress = {},
                                      std::optional<RestoringTorque> spring = {});
 
+/// The cracks that act in the joint of a drive, without the joint itself (MO-14).
+/// @param gear  has passed `check`, with a drivetrain
+/// @throws SolverError  if a compliance is not usable
+[[nodiscard]] std::vector<BreathingCrack> joint_cracks(const GearSet& gear);
+
 }  // namespace strainwave
