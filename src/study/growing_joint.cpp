@@ -178,8 +178,10 @@ std::vector<Note> GrowingJoint::notes() const {
                     .severity = Severity::information});
   if (!computed_ || growth_.drives.empty()) return made;
   const std::vector<DriveCrack> last = drive_cracks(growth_.drives.back());
+  const std::vector<BreathingCrack> moved = joint_cracks(growth_.drives.back());
   for (const DriveCrack& crack : drive_cracks(growth_.drives.front()))
-    if (crack.acts_in_coupled_drive && size_of(last, crack.path) > crack.size.size)
+    if (size_of(last, crack.path) > crack.size.size &&
+        std::ranges::find(moved, crack.path, &BreathingCrack::path) == moved.end())
       made.push_back(
           {.code = "motion.keeps_size",
            .text = fmt::format("the crack grows from {} to {} mm over the duty, but keeps its size "

@@ -62,6 +62,29 @@ TEST(SimulateRecord, IdentityAfterAStop) {
   }
 }
 
+TEST(SimulateRecord, IdentityGrowingCracksAfterAStop) {
+  // (MO-22, MO-50): the compliances over time come from the file and the option again.
+  const std::string growth = R"({"growth": "500 h", "step": "2 ms"})";
+  const std::string example = "resonance_shift_size25";
+  test::KeptRecording whole("motion.bin");
+  const std::string expected = simulated(whole, growth, example);
+  EXPECT_NE(expected.find("released_energy"), std::string::npos);
+  EXPECT_NE(whole.bytes.find("growth"), std::string::npos);  // the option in the head
+  test::KeptRecording recording("motion.bin");
+  EXPECT_THROW(
+      (void)simulated(recording, growth, example, Progress([](double at) { return at < 0.6; })),
+      Stopped);
+  ASSERT_TRUE(recording.kept);
+  test::KeptRecording other("motion.bin");
+  other.kept = recording.kept;
+  other.bytes = recording.bytes;
+  EXPECT_NE(
+      refusal_of(other, R"({"growth": "400 h", "step": "2 ms"})", example).find("of other options"),
+      std::string::npos);
+  EXPECT_EQ(simulated(recording, growth, example), expected);
+  EXPECT_EQ(recording.bytes, whole.bytes);
+}
+
 TEST(SimulateRecord, BehaviourARunThatWasKilledAtItsBeginBeginsAgain) {
   // The first checkpoint is kept before the record is emptied.
   struct Killed {};
