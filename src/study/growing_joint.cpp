@@ -50,6 +50,13 @@ double size_of(const std::vector<DriveCrack>& cracks, const std::string& path) {
   return found == cracks.end() ? 0.0 : found->size.size;
 }
 
+/// The answer of the growth as the end of a sentence.
+std::string ending(const GrowthReport& growth) {
+  std::string words = growth.sentence;
+  if (words.ends_with('.')) words.pop_back();
+  return words;
+}
+
 /// Stiffness of a joint without load, with the cracks that open under the softer sense of the
 /// torque fully open [N*m/rad].
 double stiffness_at(const Joint& joint, double time) {
@@ -163,7 +170,7 @@ std::vector<Note> GrowingJoint::notes() const {
          .text = fmt::format("the motion ends at {}, after {} h of duty, where the growth of the "
                              "cracks ends: {}",
                              shown_quantity(end_, "s", 4), shown_number(growth_.time / kHour, 4),
-                             growth_.sentence),
+                             ending(growth_)),
          .path = growth_.governing,
          .equation = "MO-50",
          .severity = Severity::care,
@@ -172,7 +179,7 @@ std::vector<Note> GrowingJoint::notes() const {
   else if (growth_.end == DriveEnd::arrested || growth_.end == DriveEnd::not_known)
     made.push_back({.code = "motion.growth_stands",
                     .text = fmt::format("the cracks keep their sizes from {} h of duty on: {}",
-                                        shown_number(growth_.time / kHour, 4), growth_.sentence),
+                                        shown_number(growth_.time / kHour, 4), ending(growth_)),
                     .path = "duty",
                     .equation = "MO-50",
                     .severity = Severity::information});
