@@ -155,11 +155,15 @@ TEST(GrowingJoint, LimitACrackThatStandsStill) {
 }
 
 TEST(GrowingJoint, CrosscheckCracksOfTheWall) {
-  // (MO-14), (MO-50): a surface crack of the wall that goes through, beside a through crack; their
-  // compliances at the end are those of the joint at the last sizes, under each sense, and so is
-  // the stiffness of the series model.
+  // (MO-14), (MO-50): a surface crack of the wall that goes through; its compliance at the end is
+  // that of the joint at the last size, under the sense that opens it, and so is the stiffness of
+  // the series model.  The jump becomes a steep line, across which the energy balances too.
   GearSet gear = growth_example("growing_size25");
   gear.mesh.reset();  // the sum of the members
+  auto& cracks = gear.flexspline->crack;
+  cracks.pop_back();
+  std::get<WallSurfaceCrack>(cracks.front()).depth = 0.35e-3;
+  std::get<WallSurfaceCrack>(cracks.front()).angle = 45 * units::deg;
   gear.drivetrain = Drivetrain{.motor_inertia = 1e-4, .load_inertia = 1.0, .gear_damping = 100};
   gear.manoeuvre = {{.duration = 0.05, .input_speed = 0.0, .output_torque = 40.0}};
   const GrowthReport whole = grown_until(gear, 1e6 * kDutyHour);
@@ -168,11 +172,12 @@ TEST(GrowingJoint, CrosscheckCracksOfTheWall) {
            crack.events.end();
   }));
   SimulationSettings settings;
-  settings.growth = whole.time * 0.99;
+  settings.growth = whole.time;
   const SimulationReport report = simulation_report(gear, settings);
   ASSERT_TRUE(report.growth);
-  const GearSet last = grown_until(gear, *settings.growth).drives.back();
-  EXPECT_GE(report.growth->cracks.size(), 2U);
+  const GearSet& last = whole.drives.back();
+  EXPECT_GE(report.growth->cracks.size(), 1U);
+  expect_relative(report.duration, 0.05, 1e-9);
   for (const GrowthInMotion& crack : report.growth->cracks) {
     const auto sum = [&](const GearSet& of) {
       double found = 0.0;
