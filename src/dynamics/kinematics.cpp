@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "strainwave/core/error.hpp"
 
@@ -77,7 +78,9 @@ WaveOrders wave_orders(const Arrangement& arrangement, double ratio, int wave_nu
           .circular_spline = wave_number * std::abs(turns.wave_generator - turns.circular_spline)};
 }
 
-BallOrders ball_orders(const Arrangement& arrangement, double ratio, const BallSet& bearing) {
+BallOrders ball_orders(const Arrangement& arrangement, double ratio, const BallSet& bearing,
+                       int wave_number) {
+  require(wave_number >= 1, "wave_number", wave_number, "1", ">= 1");
   require(bearing.balls >= 1, "balls", bearing.balls, "1", ">= 1");
   require(bearing.diameter_ratio > 0 && bearing.diameter_ratio < 1, "diameter_ratio",
           bearing.diameter_ratio, "1", "between 0 and 1");
@@ -87,7 +90,8 @@ BallOrders ball_orders(const Arrangement& arrangement, double ratio, const BallS
   const double cage = rings * (1 + bearing.diameter_ratio) / 2;
   return {.inner_ring = bearing.balls * cage,
           .outer_ring = bearing.balls * (rings - cage),
-          .cage = cage};
+          .cage = cage,
+          .lobe = std::lcm(bearing.balls, wave_number) * cage};  // (DY-2)
 }
 
 }  // namespace strainwave

@@ -45,6 +45,11 @@ TitledTable summary_table(const SimulationReport& report) {
       return shown_number(of.largest_output_torque.value_or(0.0) / torque.in_si, 5);
     });
   number("lost energy", display_unit({}, "J"), &MotionSummary::lost_energy);
+  if (report.cracked && report.cracked->released_energy)
+    row(with_unit("released by growing cracks", display_unit({}, "J")),
+        [](const MotionSummary& of) {
+          return shown_number(of.released_energy.value_or(0.0) / display_unit({}, "J").in_si, 5);
+        });
   row("imbalance of the energy",
       [](const MotionSummary& of) { return shown_number(of.imbalance, 2); });
   row("steps", [](const MotionSummary& of) { return shown_number(of.steps, 9); });
@@ -55,6 +60,30 @@ TitledTable summary_table(const SimulationReport& report) {
               "The error of the output is its angle beyond that of an ideal stiff gear. The "
               "largest values are those among the sampled times. Lost energy contains what "
               "the hysteresis stores, except in slip elements."};
+}
+
+TitledTable growth_table(const MotionGrowth& growth) {
+  const DisplayUnit compliance = display_unit({}, "rad/(N*m)");
+  const DisplayUnit stiffness = stiffness_unit();
+  const DisplayUnit size = display_unit({}, "m");
+  Table table{.head = {"over the motion", "start", "end"}, .align = "lrr"};
+  const auto row = [&](const std::string& label, const DisplayUnit& unit, double first,
+                       double last) {
+    table.rows.push_back(cells(with_unit(label, unit), shown_number(first / unit.in_si, 5),
+                               shown_number(last / unit.in_si, 5)));
+  };
+  row("stiffness without load", stiffness, growth.first_stiffness, growth.last_stiffness);
+  for (const GrowthInMotion& of : growth.cracks) {
+    const std::string name = of.sense == "both" ? of.path : of.path + ", " + of.sense + " torque";
+    row("size of " + name, size, of.first_size, of.last_size);
+    row("compliance of " + name, compliance, of.first_compliance, of.last_compliance);
+  }
+  return {.title = "Cracks that grow (MO-50)",
+          .table = std::move(table),
+          .remark =
+              "Stiffness and compliances are those of the cracked drive at its output, under "
+              "the sense of the torque that makes it softer, with its cracks open. " +
+              growth.sentence};
 }
 
 TitledTable orders_table(const MotionOrders& orders) {
@@ -135,6 +164,13 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
                       ? "the maker's three lines of the torsion curve"
                       : "the sum of the members")};
   if (report.table) sentences.push_back(curve_table_words(*report.table));
+  if (report.growth) {
+    const DisplayUnit hours = display_unit("time", "s", {"h", 3600.0});
+    sentences.push_back(
+        fmt::format("The cracks grow over {} of duty meanwhile: 1 s of the motion is {} of duty.",
+                    number_and_unit(report.growth->pace * report.duration, hours),
+                    number_and_unit(report.growth->pace, hours)));
+  }
   if (report.largest_difference)
     sentences.push_back(
         fmt::format("The cracks move the output by up to {} against the sound drive.",
@@ -144,6 +180,7 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
 
 std::vector<TitledTable> simulation_tables(const SimulationReport& report) {
   std::vector<TitledTable> tables = {summary_table(report)};
+  if (report.growth) tables.push_back(growth_table(*report.growth));
   if (report.orders) tables.push_back(orders_table(*report.orders));
   return tables;
 }

@@ -13,6 +13,19 @@ using std::numbers::pi;
 namespace {
 constexpr std::size_t kSamples = 16;  // angles per coefficient at which an opening is checked
 constexpr double kRounding = 1e-12;
+
+/// A crack never heals (MO-50).
+void require_growth(const Profile& growth, const FieldPath& at) {
+  require_constants(growth, at.text());
+  const std::vector<double>& values = growth.value;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    require(values[k] >= 0, at[k].text(), values[k], "rad/(N*m)", ">= 0");
+    if (k > 0)
+      require(values[k] >= values[k - 1], at[k].text(), values[k], "rad/(N*m)",
+              "at least the value before");
+  }
+}
+
 }  // namespace
 
 AngleOpening::At AngleOpening::at(double angle) const {
@@ -48,18 +61,22 @@ std::vector<double> gasch_opening(int terms) {
 }
 
 OpenCompliance open_compliance(const std::vector<BreathingCrack>& cracks, double torque_sign,
-                               double input_angle, double output_angle) {
+                               double input_angle, double output_angle, double time) {
   OpenCompliance sum;
   for (const BreathingCrack& crack : cracks) {
     if (crack.sense && (*crack.sense == OpeningSense::positive) != (torque_sign > 0)) continue;
+    const double compliance = crack.growth ? crack.growth->at(time) : crack.compliance;
+    const double rate = crack.growth ? crack.growth->slope(time) : 0.0;
     if (!crack.opening) {
-      sum.value += crack.compliance;
+      sum.value += compliance;
+      sum.by_time += rate;
       continue;
     }
     const bool input = crack.opening->shaft == BreathingShaft::input;
     const AngleOpening::At b = crack.opening->at(input ? input_angle : output_angle);
-    sum.value += crack.compliance * b.value;  // (MO-5)
-    (input ? sum.by_input : sum.by_output) += crack.compliance * b.slope;
+    sum.value += compliance * b.value;  // (MO-5)
+    (input ? sum.by_input : sum.by_output) += compliance * b.slope;
+    sum.by_time += rate * b.value;  // (MO-50)
   }
   return sum;
 }
@@ -70,6 +87,7 @@ void require_constants(const std::vector<BreathingCrack>& cracks) {
     const BreathingCrack& crack = cracks[i];
     require(crack.compliance >= 0 && std::isfinite(crack.compliance), (at[i] / "compliance").text(),
             crack.compliance, "rad/(N*m)", ">= 0");
+    if (crack.growth) require_growth(*crack.growth, at[i] / "growth");
     if (!crack.opening) continue;
     const auto& opening = *crack.opening;
     require(opening.order > 0 && std::isfinite(opening.order), (at[i] / "order").text(),

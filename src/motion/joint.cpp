@@ -18,21 +18,24 @@ struct ElasticState {
   double energy = 0.0;     ///< V [J]
   double on_input = 0.0;   ///< -dV/d theta_m at constant twist [N*m]
   double on_output = 0.0;  ///< -dV/d theta_L at constant twist [N*m]
+  double released = 0.0;   ///< -dV/dt at constant twist and angles [W]
 };
 
-ElasticState elastic_state(const Joint& joint, const JointState& x) {
+ElasticState elastic_state(const Joint& joint, const JointState& x, double time) {
   const KinematicError::At error = joint.kinematic_error.at(x.input_angle);
   ElasticState at;
   at.input_arm = 1 / joint.ratio + error.slope;
   at.twist = x.input_angle / joint.ratio - x.output_angle + error.value;  // (MO-11)
   const auto open_under = [&](double sense) {
-    return open_compliance(joint.cracks, sense < 0 ? -1.0 : 1.0, x.input_angle, x.output_angle);
+    return open_compliance(joint.cracks, sense < 0 ? -1.0 : 1.0, x.input_angle, x.output_angle,
+                           time);
   };
-  // A crack that opens with an angle pushes the shaft of this angle.
+  // A crack that opens with an angle pushes the shaft of this angle; one that grows takes energy.
   const auto push = [&](const OpenCompliance& open) {
     const double square = at.torque * at.torque / 2;  // (MO-11)
     at.on_input += square * open.by_input;
     at.on_output += square * open.by_output;
+    at.released += square * open.by_time;  // (MO-50)
   };
   if (joint.table) {
     const EnergyTable::Slice slice = joint.table->at(x.input_angle);
@@ -95,45 +98,7 @@ InputAt input_at(const Joint& joint, double time, const JointState& x, double re
   return {joint.input_inertia * acceleration + friction - reaction, acceleration};
 }
 
-void check(const Profile& profile, std::string_view name) {
-  const FieldPath at{std::string(name)};
-  if (profile.value.empty()) throw InputError(at.text(), "must have at least one value");
-  if (profile.time.size() != profile.value.size() &&
-      !(profile.time.empty() && profile.value.size() == 1))
-    throw InputError(at.text(), "must have as many times as values");
-  for (std::size_t i = 0; i < profile.value.size(); ++i)
-    require(std::isfinite(profile.value[i]), at[i].text(), profile.value[i], "", "a finite number");
-  for (std::size_t i = 0; i < profile.time.size(); ++i)
-    require(std::isfinite(profile.time[i]) && (i == 0 || profile.time[i] > profile.time[i - 1]),
-            (at / "time")[i].text(), profile.time[i], "s", "later than the time before");
-}
-
 }  // namespace
-
-double Profile::at(double t) const {
-  const auto next = std::ranges::upper_bound(time, t);
-  if (next == time.begin()) return value.front();
-  if (next == time.end()) return value.back();
-  const auto i = static_cast<std::size_t>(next - time.begin());
-  return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
-}
-
-double Profile::slope(double t) const {
-  const auto next = std::ranges::upper_bound(time, t);
-  if (next == time.begin() || next == time.end()) return 0.0;
-  const auto i = static_cast<std::size_t>(next - time.begin());
-  return (value[i] - value[i - 1]) / (time[i] - time[i - 1]);
-}
-
-double Profile::integral(double t) const {
-  if (time.empty() || t <= time.front()) return value.front() * t;
-  double sum = value.front() * time.front();
-  for (std::size_t i = 1; i < time.size() && time[i - 1] < t; ++i) {
-    const double end = std::min(time[i], t);
-    sum += (at(time[i - 1]) + at(end)) / 2 * (end - time[i - 1]);
-  }
-  return sum + (t > time.back() ? value.back() * (t - time.back()) : 0.0);
-}
 
 ServoTorque servo_torque(const ServoDrive& drive, double time, const JointState& x) {
   const Servo& servo = drive.servo;
@@ -153,7 +118,7 @@ JointState after_sample(const ServoDrive& drive, double time, JointState state) 
 }
 
 JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
-  const ElasticState at = elastic_state(joint, x);
+  const ElasticState at = elastic_state(joint, x, time);
   const double T = at.torque;
   JointRate rate;
   JointForces& f = rate.forces;
@@ -187,14 +152,15 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
     rate.output_acceleration = (without + f.output_torque) / joint.output_inertia;  // (MO-11)
   }
   rate.supplied = input.torque * x.input_speed + f.output_torque * x.output_speed;  // (MO-12)
+  rate.released = at.released;
   rate.lost = (joint.damping * f.twist_rate + loop) * f.twist_rate + slip_lost +
-              friction * x.input_speed +
-              joint.output_damping * x.output_speed * x.output_speed;  // (MO-12)
+              friction * x.input_speed + joint.output_damping * x.output_speed * x.output_speed +
+              rate.released;  // (MO-12)
   return rate;
 }
 
-double stored_energy(const Joint& joint, const JointState& x) {
-  const ElasticState at = elastic_state(joint, x);
+double stored_energy(const Joint& joint, const JointState& x, double time) {
+  const ElasticState at = elastic_state(joint, x, time);
   const double height = joint.gravity_torque * (1 - std::cos(x.output_angle - joint.gravity_angle));
   return joint.input_inertia * x.input_speed * x.input_speed / 2 +
          joint.output_inertia * x.output_speed * x.output_speed / 2 + at.energy +
@@ -225,18 +191,18 @@ void require_constants(const Joint& joint) {
   require_constants(joint.kinematic_error);
   require_constants(joint.cracks);
   if (const auto* const given = std::get_if<GivenTorque>(&joint.input))
-    check(given->torque, "input.torque");
+    require_constants(given->torque, "input.torque");
   else if (const auto* const speed = std::get_if<GivenSpeed>(&joint.input))
-    check(speed->speed, "input.speed");
+    require_constants(speed->speed, "input.speed");
   else {
     const ServoDrive& drive = std::get<ServoDrive>(joint.input);
     require_constants(drive.servo, joint.input_inertia);
-    check(drive.speed, "input.speed");
+    require_constants(drive.speed, "input.speed");
     require(std::isfinite(drive.holding_torque), "input.holding_torque", drive.holding_torque,
             "N*m", "a finite number");
   }
-  check(joint.output_torque, "output_torque");
-  if (joint.output_speed) check(*joint.output_speed, "output_speed");
+  require_constants(joint.output_torque, "output_torque");
+  if (joint.output_speed) require_constants(*joint.output_speed, "output_speed");
 }
 
 }  // namespace strainwave

@@ -30,6 +30,7 @@ enum Entry : std::size_t {
   kHeldTorque,
   kSupplied,
   kLost,
+  kReleased,
   kEntries
 };
 using State = std::array<double, kEntries>;
@@ -91,6 +92,8 @@ std::vector<double> corners_in_time(const Joint& joint, double duration) {
     add(*joint.output_speed);
   else
     add(joint.output_torque);
+  for (const BreathingCrack& crack : joint.cracks)
+    if (crack.growth) add(*crack.growth);
   times.push_back(duration);
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -215,9 +218,10 @@ class MotionRun::Steps {
     const State& x = at_.state;
     MotionEnergy& energy = made.energy;
     energy = {.at_start = at_.at_start,
-              .at_end = stored_energy(joint_, made.last),
+              .at_end = stored_energy(joint_, made.last, at_.time),
               .supplied = x[kSupplied],
               .lost = x[kLost],
+              .released = x[kReleased],
               .exchanged = at_.exchanged + std::abs(x[kSupplied]) + std::abs(x[kLost])};
     const double missing = energy.at_end - energy.at_start - energy.supplied + energy.lost;
     // The stored energy has a rounding error, which is all that a joint at rest exchanges.
@@ -427,6 +431,7 @@ class MotionRun::Steps {
     dx[kServo] = r.servo;
     dx[kSupplied] = r.supplied;
     dx[kLost] = r.lost;
+    dx[kReleased] = r.released;
     return dx;
   }
 

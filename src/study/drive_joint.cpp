@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -20,10 +21,11 @@
 namespace strainwave {
 namespace {
 
-/// The compliances of the members at the output, with the circular spline fixed.
+/// The compliances of the members at the output, with the circular spline fixed, and their cracks.
 struct MemberSum {
   double flexspline_side = 0.0;  ///< wave generator and flexspline [rad/(N*m)]
   double shaft = 0.0;            ///< [rad/(N*m)]
+  std::vector<BreathingCrack> cracks = {};
 };
 
 /// The torque of the drive on its load is the negative of that on the output (MO-14).
@@ -83,6 +85,29 @@ std::optional<AngleOpening> opening_by_moment(const GearSet& gear, const std::st
       !is_crack_of<ShaftSurfaceCrack>(gear, path))
     return std::nullopt;
   return AngleOpening{.shaft = BreathingShaft::output, .order = 1.0};
+}
+
+/// @param coupled  whether the file gives enough for the coupled drive
+MemberSum members_of(const GearSet& gear, bool coupled) {
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
+  MemberSum sum;
+  const auto take = [&](const MemberCompliance& member, double& side, double member_step,
+                        const auto& opening_of) {
+    if (!member.unusable_because.empty()) throw SolverError(member.unusable_because);
+    side += member.intact;
+    add_cracks(sum.cracks, member, member_step, opening_of);
+  };
+  if (gear.wave_generator && !coupled)
+    take(wave_generator_compliance(gear), sum.flexspline_side, step, [](const std::string&) {
+      return std::optional<AngleOpening>();
+    });  // it turns with the wave
+  if (gear.flexspline)
+    take(flexspline_compliance(gear), sum.flexspline_side, step,
+         [&](const std::string& path) { return opening_by_wave(gear, path); });
+  if (gear.output_shaft)
+    take(output_shaft_compliance(gear), sum.shaft, 1.0,
+         [&](const std::string& path) { return opening_by_moment(gear, path); });
+  return sum;
 }
 
 Note breathing_note(CrackBreathing breathing) {
@@ -170,29 +195,14 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
   DriveJoint made;
   Joint& joint = made.joint;
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
-  MemberSum sum;
-  const auto take = [&](const MemberCompliance& member, double& side, double member_step,
-                        const auto& opening_of) {
-    if (!member.unusable_because.empty()) throw SolverError(member.unusable_because);
-    side += member.intact;
-    add_cracks(joint.cracks, member, member_step, opening_of);
-  };
   const bool coupled = missing_for_torsion_curve(gear).empty();
   made.notes = coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
   // In the coupled drive, all cracks of the wave generator act inside the contacts.
   if (gear.wave_generator && coupled && !computed)
     for (const CrackReport& crack : wave_generator_compliance(gear).cracks)
       made.notes.push_back(contact_note(crack.path));
-  if (gear.wave_generator && !coupled)
-    take(wave_generator_compliance(gear), sum.flexspline_side, step, [](const std::string&) {
-      return std::optional<AngleOpening>();
-    });  // it turns with the wave
-  if (gear.flexspline)
-    take(flexspline_compliance(gear), sum.flexspline_side, step,
-         [&](const std::string& path) { return opening_by_wave(gear, path); });
-  if (gear.output_shaft)
-    take(output_shaft_compliance(gear), sum.shaft, 1.0,
-         [&](const std::string& path) { return opening_by_moment(gear, path); });
+  MemberSum sum = members_of(gear, coupled);
+  joint.cracks = std::move(sum.cracks);
   progress.at(0.1);
   if (computed) {
     ComputedCurve curve = source(gear, progress.part(0.1, 1.0));
@@ -240,6 +250,10 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
   });
   if (!joint.cracks.empty()) made.notes.push_back(breathing_note(train.breathing));
   return made;
+}
+
+std::vector<BreathingCrack> joint_cracks(const GearSet& gear) {
+  return members_of(gear, missing_for_torsion_curve(gear).empty()).cracks;
 }
 
 }  // namespace strainwave

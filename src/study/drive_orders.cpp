@@ -25,9 +25,12 @@ std::vector<DriveOrder> drive_orders(const GearSet& gear) {
   const double pitch = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
   const BallOrders balls =
       ball_orders(arrangement, ratio,
-                  {.balls = *bearing.ball_count, .diameter_ratio = bearing.ball_diameter / pitch});
+                  {.balls = *bearing.ball_count, .diameter_ratio = bearing.ball_diameter / pitch},
+                  gear.drive.wave_number);
   all.push_back({"balls pass a point of the inner ring", balls.inner_ring});
   all.push_back({"balls pass a point of the outer ring", balls.outer_ring});
+  all.push_back({"a ball comes to a lobe of the wave", balls.lobe});
+  all.push_back({"a ball comes to a lobe of the wave, second harmonic", 2 * balls.lobe});
   return all;
 }
 

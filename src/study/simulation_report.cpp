@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "growing_joint.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/roots.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -134,13 +135,15 @@ struct SteadyPart {
 
 /// The second half of the longest part with a constant given speed; the first half is left to the
 /// vibration that the change of speed began.
-std::optional<SteadyPart> steady_part(const std::vector<Manoeuvre>& manoeuvres) {
+/// @param duration  of the motion [s]
+std::optional<SteadyPart> steady_part(const std::vector<Manoeuvre>& manoeuvres, double duration) {
   std::optional<SteadyPart> longest;
   SteadyPart now;
   for (const Manoeuvre& piece : manoeuvres) {
     if (!piece.input_speed) return std::nullopt;
+    if (now.to >= duration) break;
     const bool constant = *piece.input_speed == now.speed;
-    const double end = now.to + piece.duration;
+    const double end = std::min(now.to + piece.duration, duration);
     now = {.from = constant ? now.from : end, .to = end, .speed = *piece.input_speed};
     if (now.speed != 0 && (!longest || now.to - now.from > longest->to - longest->from))
       longest = now;
@@ -213,6 +216,8 @@ class MovedJoint {
       : ratio_(joint.ratio), steady_(steady), run_(begun(joint, engine, options, from)) {
     if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) given_ = drive->speed;
     output_given_ = joint.output_speed.has_value();
+    grows_ = std::ranges::any_of(
+        joint.cracks, [](const BreathingCrack& crack) { return crack.growth.has_value(); });
     if (steady_) sums_.emplace(orders, std::size_t{2});
     if (from == nullptr) return;
     largest_ = from->largest;
@@ -266,6 +271,7 @@ class MovedJoint {
     if (output_given_) made.largest_output_torque = largest_[4];
     made.last_error = motion.last.output_angle - motion.last.input_angle / ratio_;
     made.lost_energy = motion.energy.lost;
+    if (grows_) made.released_energy = motion.energy.released;
     made.imbalance = motion.energy.imbalance;
     made.steps = static_cast<double>(motion.steps);
     made.events = static_cast<double>(motion.event_count);
@@ -296,6 +302,7 @@ class MovedJoint {
   std::optional<OrderSums> sums_ = {};
   std::optional<MotionSample> now_ = {};
   bool output_given_ = false;  ///< whether the output moves as given
+  bool grows_ = false;         ///< whether a crack grows
   std::array<double, 5> largest_ = {};
 };
 
@@ -362,8 +369,10 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   }
   // A recorded motion is long against the making of its joint, and a computed curve takes long.
   const bool computed = gear.drivetrain && gear.drivetrain->spring == RestoringTorque::computed;
-  const double joint_share = record != nullptr ? 0.01 : (computed ? 0.5 : 0.1);
-  DriveJoint made = drive_joint(gear, progress.part(0.0, joint_share), {}, settings.curve);
+  const double growth_share = settings.growth ? 0.1 : 0.0;
+  const double joint_share = (record != nullptr ? 0.01 : (computed ? 0.5 : 0.1)) + growth_share;
+  DriveJoint made =
+      drive_joint(gear, progress.part(0.0, joint_share - growth_share), {}, settings.curve);
   Joint& joint = made.joint;
   apply(gear, joint);
   check_wind_up(gear, joint);
@@ -372,6 +381,13 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   report.table = made.table;
   report.signed_ratio = joint.ratio;
   report.duration = joint.output_torque.time.back();
+  std::optional<GrowingJoint> growing;
+  if (settings.growth) {
+    growing.emplace(gear, made, *settings.growth, report.duration,
+                    progress.part(joint_share - growth_share, joint_share));
+    report.duration = growing->end();
+    report.growth = growing->result(joint);
+  }
   require(settings.output_step >= 0 && std::isfinite(settings.output_step), "step",
           settings.output_step, "s", "> 0");
   SimulationOptions options{.duration = report.duration,
@@ -390,7 +406,7 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   const double longer = record != nullptr ? kRecordedFactor : 1.0;
   if (record != nullptr) options.max_steps = kMostRecordedSteps;
   // A spectrum needs samples between the rows.
-  std::optional<SteadyPart> steady = steady_part(gear.manoeuvre);
+  std::optional<SteadyPart> steady = steady_part(gear.manoeuvre, report.duration);
   std::size_t samples_per_row = 1;
   std::vector<DriveOrder> named;
   std::vector<double> orders;
@@ -482,6 +498,10 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     report.orders =
         orders_of(named, *steady, *sound.sums(), other != nullptr ? other->sums() : nullptr);
   report.notes = std::move(made.notes);
+  if (growing)
+    for (Note& note : growing->notes())
+      if (std::ranges::find(report.notes, note) == report.notes.end())
+        report.notes.push_back(std::move(note));
   const auto demand_end = [&](const MotionSummary& of, std::string_view words) {
     if (of.converged) {
       if (of.imbalance <= kLargestImbalance) return;
@@ -536,6 +556,12 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     report.equations.emplace_back("MO-40");
   if (!gear.drivetrain->slip_element.empty()) report.equations.emplace_back("MO-44");
   if (joint.output_speed) report.equations.emplace_back("MO-46");
+  if (growing) {
+    report.equations.emplace_back("MO-50");
+    for (const std::string& tag : growing->equations())
+      if (std::ranges::find(report.equations, tag) == report.equations.end())
+        report.equations.push_back(tag);
+  }
   return report;
 }
 

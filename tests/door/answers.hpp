@@ -64,6 +64,7 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"accuracy",
        R"({"torque": "20 N*m", "speed": "700 rpm", "tool_radius": "0.7 m", "draws": 3})"},
       {"simulate", R"({"step": "10 ms", "tolerance": "1e-8 rad"})"},
+      {"simulate", R"({"step": "50 ms", "growth": "100 h"})"},
       {"backbone", R"({"points": 3, "harmonics": 5})"},
       {"backbone", R"({"excitation": ["5 N*m"], "amplitude": "10 arcmin", "load_torque": "0 N*m",
                        "at": "load", "input": "locked", "points": 3, "from": "15 Hz",

@@ -64,6 +64,42 @@ TEST(SimulateRecord, IdentityAfterAStop) {
   }
 }
 
+TEST(SimulateRecord, IdentityGrowingCracksAfterAStop) {
+  // (MO-22, MO-50): the compliances over time come from the file and the option again.
+  const Command& row = command_named(commands(), "simulate");
+  const auto drive = read_drive(
+      test::contents(STRAINWAVE_EXAMPLES "/growing_shaft.toml") +
+          "\n[drivetrain]\nmotor_inertia = \"1e-2 kg*m^2\"\nload_inertia = \"20 kg*m^2\"\n"
+          "\n[[manoeuvre]]\nduration = \"1 s\"\ninput_speed = \"0 rpm\"\n"
+          "output_torque = \"6000 N*m\"\n",
+      "hanging.toml");
+  const auto run_it = [&](Recording& recording, const std::string& hours,
+                          const Progress& progress = {}) {
+    OptionValues values(row.options);
+    values.set_from_json(R"({"growth": ")" + hours + "\"}");
+    return run(row, drive, values, {}, progress, {.recording = &recording}).json();
+  };
+  test::KeptRecording whole("motion.bin");
+  const std::string expected = run_it(whole, "200 h");
+  EXPECT_NE(expected.find("\"released_energy\""), std::string::npos);
+  EXPECT_NE(whole.bytes.find("growth"), std::string::npos);  // the option in the head
+  test::KeptRecording recording("motion.bin");
+  EXPECT_THROW((void)run_it(recording, "200 h", Progress([](double at) { return at < 0.6; })),
+               Stopped);
+  ASSERT_TRUE(recording.kept);
+  test::KeptRecording other("motion.bin");
+  other.kept = recording.kept;
+  other.bytes = recording.bytes;
+  try {
+    (void)run_it(other, "100 h");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("of other options"), std::string::npos);
+  }
+  EXPECT_EQ(run_it(recording, "200 h"), expected);
+  EXPECT_EQ(recording.bytes, whole.bytes);
+}
+
 TEST(SimulateRecord, BehaviourARunThatWasKilledAtItsBeginBeginsAgain) {
   // The first checkpoint is kept before the record is emptied.
   struct Killed {};

@@ -69,6 +69,12 @@ TEST(Kinematics, ReferenceOrdersOfABearing) {
   test::expect_relative(balls.inner_ring, 7.6356, 1e-12);
   test::expect_relative(balls.outer_ring, 6.5044, 1e-12);
   test::expect_relative(balls.cage, 0.54 * 1.01, 1e-12);
+  // 14 balls stand at both lobes at once, and 13 or 23 at one of them after the other.
+  test::expect_relative(balls.lobe, 7.6356, 1e-12);
+  for (const int odd : {13, 23})
+    test::expect_relative(ball_orders({}, 100, {.balls = odd, .diameter_ratio = 0.08}).lobe,
+                          2 * odd * 0.54 * 1.01, 1e-12);
+  test::expect_relative(ball_orders({}, 100, bearing, 3).lobe, 42 * 0.54 * 1.01, 1e-12);
   const WaveOrders waves = wave_orders({}, 100, 2);
   test::expect_relative(waves.flexspline, 2.02, 1e-15);
   EXPECT_DOUBLE_EQ(waves.circular_spline, 2.0);
@@ -97,6 +103,10 @@ TEST(Kinematics, InputEachRuleBrokenOnce) {
   EXPECT_NE(balls({0, 0.1}).find("balls"), std::string::npos);
   EXPECT_NE(balls({14, 1}).find("diameter_ratio"), std::string::npos);
   EXPECT_NE(balls({14, 0}).find("diameter_ratio"), std::string::npos);
+  EXPECT_NE(test::broken_rule([&] {
+              (void)ball_orders({}, 100, {14, 0.1}, 0);
+            }).find("wave_number"),
+            std::string::npos);
 }
 
 }  // namespace

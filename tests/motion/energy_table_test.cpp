@@ -162,6 +162,28 @@ TEST(EnergyTable, IdentityATableKeepsItsEnergyOverManyTurns) {
   EXPECT_EQ(motion.event_count, 0U);
 }
 
+TEST(EnergyTable, IdentityACrackGrowsBesideATable) {
+  // (MO-25), (MO-50): the crack opens with the torque that differs from that of the place of rest.
+  // The table without swing is a linear spring, so the motion is that of the spring.
+  const SimulationOptions options{.duration = 0.5, .output_step = 0.5, .tolerance = 1e-13};
+  const JointState start{.input_speed = 100.0, .output_angle = -1e-4, .output_speed = 0.8};
+  const auto grown = [&](Joint joint) {
+    joint.cracks = {{.sense = OpeningSense::positive,
+                     .growth = Profile{.time = {0.1, 0.4}, .value = {kMore, 4 * kMore}}}};
+    return simulate(joint, start, options);
+  };
+  const Motion swings = grown(tabled(table_of(2e-3)));
+  ASSERT_TRUE(swings.converged) << swings.reason;
+  EXPECT_GT(swings.energy.released, 1e-5 * swings.energy.exchanged);
+  EXPECT_EQ(swings.energy.lost, swings.energy.released);
+  EXPECT_LT(swings.energy.imbalance, 1e-9);
+  const Motion table = grown(tabled(std::make_shared<const EnergyTable>(
+      even_torques(), std::vector{swinging(0.0, kSoft, 0.0, 0.0, 1)}, 0.0)));
+  const Motion spring = grown(tabled(nullptr));
+  EXPECT_NEAR(table.last.output_angle, spring.last.output_angle, 1e-9);
+  EXPECT_NEAR(table.energy.released, spring.energy.released, 1e-8 * spring.energy.released);
+}
+
 TEST(EnergyTable, BehaviourAMotionEndsBeyondTheTable) {
   // (MO-25): the last state is good, and the reason says what to raise.
   Joint joint = tabled(table_of(0.0));

@@ -55,6 +55,9 @@ std::vector<Joint> joints() {
   made.push_back(slipping);
   slipping.output_speed = Profile{.time = {0, 0.1, 0.2}, .value = {0, 0.3, -0.2}};
   made.push_back(slipping);
+  Joint growing = all;
+  growing.cracks.front().growth = Profile{.time = {0.02, 0.07, 0.3}, .value = {1e-6, 3e-6, 9e-6}};
+  made.push_back(growing);
   return made;
 }
 

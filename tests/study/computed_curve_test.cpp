@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <string>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/simulation.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
@@ -98,6 +101,40 @@ TEST(ComputedCurve, IdentityTheReactionHasNoMean) {
   }
   EXPECT_GT(most, 1e-6);
   EXPECT_LT(std::abs(sum), 1e-6 * most);
+}
+
+TEST(ComputedCurve, IdentityTheOrdersOfTheBalls) {
+  // (DY-2), (MO-27): 23 balls come to one of the two lobes 46 times in a turn of the cage, so the
+  // sound twist has the multiples of this order only; 1e-6 is the rounding of the coupled drive.  A
+  // crack of the inner ring adds the order at which the balls pass a point of it.
+  GearSet gear = without_cracks(tooth_drive());
+  RaceSurfaceCrack crack;
+  crack.depth = 3e-4;
+  crack.aspect_ratio = 0.5;
+  gear.wave_generator->crack.emplace_back(crack);
+  const ComputedCurve curve = computed_curve(gear);
+  const Bearing& bearing = *gear.wave_generator->bearing;
+  const double pitch = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
+  const BallOrders balls =
+      ball_orders(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio,
+                  {.balls = *bearing.ball_count, .diameter_ratio = bearing.ball_diameter / pitch});
+  EXPECT_NEAR(balls.lobe, 46 * 0.505 * (1 + bearing.ball_diameter / pitch), 1e-12);
+  const auto amplitude = [&](const EnergyTable& table, double order) {
+    constexpr int kAngles = 1024;
+    std::complex<double> sum = 0.0;
+    for (int n = 0; n < kAngles; ++n) {
+      const double angle = 2 * std::numbers::pi / balls.inner_ring * n / kAngles;
+      sum += table.at(angle).at_torque(40.0).twist * std::polar(2.0 / kAngles, order * angle);
+    }
+    return std::abs(sum);
+  };
+  const double lobe = amplitude(*curve.sound, balls.lobe);
+  const double second = amplitude(*curve.sound, 2 * balls.lobe);
+  EXPECT_GT(lobe, 1e-9);
+  EXPECT_GT(second, 1e-3 * lobe);
+  for (const int odd : {1, 3})
+    EXPECT_LT(amplitude(*curve.sound, odd * balls.inner_ring), 1e-6 * lobe);
+  EXPECT_GT(amplitude(*curve.cracked, balls.inner_ring), 1e-3 * lobe);
 }
 
 TEST(ComputedCurve, BehaviourNotesOfAMotion) {

@@ -259,19 +259,20 @@ TEST(ModesReport, ReferenceCriticalSpeeds) {
   // (DY-2, DY-8): with the circular spline fixed, a wave passes it twice a turn and the flexspline
   // 2 (1 + 1/i) times; with the flexspline fixed, 2 (1 - 1/(i + 1)) times and twice.  23 balls of
   // 4.673 mm on 53.63 mm pass 11.5 (1 +- 4.673/53.63) times a turn of the wave against the
-  // flexspline.  The lowest frequency is that of the free input for a given torque, and that of the
-  // locked input for a given speed.
+  // flexspline.  With the two lobes, an odd number of balls comes twice as often to a lobe as to a
+  // point of the inner ring.  The lowest frequency is that of the free input for a given torque,
+  // and that of the locked input for a given speed.
   const double balls = 4.673 / 53.63;
   struct Case {
     FixedMember fixed;
-    std::array<double, 9> orders;
+    std::array<double, 11> orders;
   };
-  for (const Case& of :
-       {Case{FixedMember::circular_spline,
-             {1, 2, 4, 2.02, 2, 0.01, 0.02, 11.615 * (1 + balls), 11.615 * (1 - balls)}},
-        Case{FixedMember::flexspline,
-             {1, 2, 4, 2, 2 - 2 / 101.0, 1 / 101.0, 2 / 101.0, 11.5 * (1 + balls),
-              11.5 * (1 - balls)}}}) {
+  for (const Case& of : {Case{FixedMember::circular_spline,
+                              {1, 2, 4, 2.02, 2, 0.01, 0.02, 11.615 * (1 + balls),
+                               11.615 * (1 - balls), 23.23 * (1 + balls), 46.46 * (1 + balls)}},
+                         Case{FixedMember::flexspline,
+                              {1, 2, 4, 2, 2 - 2 / 101.0, 1 / 101.0, 2 / 101.0, 11.5 * (1 + balls),
+                               11.5 * (1 - balls), 23 * (1 + balls), 46 * (1 + balls)}}}) {
     GearSet gear = robot_joint();
     gear.drivetrain->fixed = of.fixed;
     const ModesReport report = modes_report(gear);

@@ -74,17 +74,22 @@ struct BallSet {
   double diameter_ratio = 0.0;  ///< ball over pitch diameter, d/D [-]; in (0, 1)
 };
 
-/// Number of times in one turn of the input that balls pass a fixed point of each ring (DY-2) [-].
+/// Number of times in one turn of the input that balls pass a fixed point of each ring, and a lobe
+/// (DY-2) [-].
 struct BallOrders {
   double inner_ring = 0.0;
   double outer_ring = 0.0;
   double cage = 0.0;  ///< turns of the cage against the wave generator
+  /// Number of times in one turn of the input that a ball stands at a lobe of the wave; balls that
+  /// stand at several lobes at once count once
+  double lobe = 0.0;
 };
 
 /// Implements theory manual eq. (DY-2).  The outer ring turns with the flexspline, and the balls
 /// roll.
+/// @param wave_number  U, number of lobes [-]; >= 1
 /// @throws InputError  if an argument is out of range
 [[nodiscard]] BallOrders ball_orders(const Arrangement& arrangement, double ratio,
-                                     const BallSet& bearing);
+                                     const BallSet& bearing, int wave_number = 2);
 
 }  // namespace strainwave

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/motion/profile.hpp"
 
 /// @file
-/// Cracks that open and close while the drive turns.
+/// Cracks that open and close, or grow, while the drive turns.
 
 namespace strainwave {
 
@@ -60,18 +61,23 @@ struct BreathingCrack {
   /// opening over the angle of a shaft; empty: the same at all angles.  Without `sense` and
   /// `opening` the crack does not breathe, as an annular crack in torsion
   std::optional<AngleOpening> opening = {};
+  /// Delta lambda over time of a crack that grows (MO-50), which a motion takes in place of
+  /// `compliance` and a periodic motion does not read [rad/(N*m)]; >= 0, never falling
+  std::optional<Profile> growth = {};
 };
 
-/// Compliance of all open cracks at an angle, and its derivatives (MO-5).
+/// Compliance of all open cracks at an angle and a time, and its derivatives (MO-5, MO-50).
 struct OpenCompliance {
   double value = 0.0;      ///< Lambda [rad/(N*m)]
   double by_input = 0.0;   ///< dLambda/dtheta_m [1/(N*m)]
   double by_output = 0.0;  ///< dLambda/dtheta_L [1/(N*m)]
+  double by_time = 0.0;    ///< dLambda/dt at constant angles, behind the time [rad/(N*m*s)]
 };
 /// @param torque_sign  sign of the elastic torque: +1 or -1
+/// @param time         of the cracks that grow [s]
 [[nodiscard]] OpenCompliance open_compliance(const std::vector<BreathingCrack>& cracks,
                                              double torque_sign, double input_angle,
-                                             double output_angle);
+                                             double output_angle, double time = 0.0);
 
 /// Throws InputError, which names the number, unless each number is in its range.
 void require_constants(const std::vector<BreathingCrack>& cracks);

@@ -11,6 +11,7 @@
 #include "strainwave/motion/energy_table.hpp"
 #include "strainwave/motion/kinematic_error.hpp"
 #include "strainwave/motion/losses.hpp"
+#include "strainwave/motion/profile.hpp"
 #include "strainwave/motion/servo.hpp"
 #include "strainwave/motion/spring.hpp"
 
@@ -18,18 +19,6 @@
 /// Two inertias and the drive between them: what is needed to write the equations of motion.
 
 namespace strainwave {
-
-/// A number over time by straight lines between points; constant before the first point and behind
-/// the last.
-struct Profile {
-  std::vector<double> time = {};   ///< [s]; rising
-  std::vector<double> value = {};  ///< as many; a single one without time is a constant
-
-  [[nodiscard]] double at(double time) const;
-  [[nodiscard]] double slope(double time) const;  ///< behind the time [1/s]
-  /// From the time 0; the value's unit times [s].
-  [[nodiscard]] double integral(double time) const;
-};
 
 /// The input is driven by a torque over time [N*m].
 struct GivenTorque {
@@ -108,8 +97,10 @@ struct JointRate {
   double bristle = 0.0;              ///< du/dt [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]
   double supplied = 0.0;             ///< power of the input and of T_ext [W]
-  /// power lost in damping, friction and slip, or stored in z and the bristles [W]
+  /// power lost in damping, friction, slip and the growth of cracks, or stored in z and the
+  /// bristles [W]
   double lost = 0.0;
+  double released = 0.0;  ///< part of `lost` that the growing cracks release (MO-50) [W]
 };
 
 /// Equations of motion of a joint (MO-11).
@@ -128,7 +119,8 @@ struct ServoTorque {
 [[nodiscard]] JointState after_sample(const ServoDrive& drive, double time, JointState state);
 
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
-[[nodiscard]] double stored_energy(const Joint& joint, const JointState& state);
+/// @param time  of the cracks that grow [s]
+[[nodiscard]] double stored_energy(const Joint& joint, const JointState& state, double time = 0.0);
 
 /// Throws InputError, which names the number, unless each number of the joint is in its range.
 void require_constants(const Joint& joint);

@@ -60,7 +60,9 @@ struct MotionEnergy {
   double at_start = 0.0;  ///< stored [J]
   double at_end = 0.0;    ///< stored [J]
   double supplied = 0.0;  ///< work of the input and of T_ext [J]
-  double lost = 0.0;      ///< in damping, friction and slip, or stored in z and the bristles [J]
+  /// in damping, friction, slip and the growth of cracks, or stored in z and the bristles [J]
+  double lost = 0.0;
+  double released = 0.0;  ///< part of `lost` that the growing cracks release (MO-50) [J]
   /// kinetic energy that came and went, with supplied and lost: what the balance is compared with
   /// [J]
   double exchanged = 0.0;
@@ -92,9 +94,10 @@ using SampleSink = std::function<void(const MotionSample&)>;
 struct MotionCheckpoint {
   double time = 0.0;  ///< [s]
   /// theta_m [rad], its speed [rad/s], wind-up theta_m/ratio - theta_L [rad], speed of the output
-  /// [rad/s], z [N*m], u [rad], q [rad], held torque [N*m], supplied and lost energy [J]
-  std::array<double, 10> state = {};
-  std::array<double, 10> slope = {};  ///< of the state, per second
+  /// [rad/s], z [N*m], u [rad], q [rad], held torque [N*m], supplied, lost and
+  /// released energy [J]
+  std::array<double, 11> state = {};
+  std::array<double, 11> slope = {};  ///< of the state, per second
   double step = 0.0;                  ///< length of the next trial [s]
   double segment_end = 0.0;           ///< next point of a profile or sample of a controller [s]
   std::uint64_t next_corner = 0;      ///< points of the profiles before the end of the segment [-]

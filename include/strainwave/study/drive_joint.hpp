@@ -47,4 +47,9 @@ struct DriveJoint {
                                      std::optional<RestoringTorque> spring = {},
                                      const CurveSource& curve = computed_curve);
 
+/// The cracks that act in the joint of a drive, without the joint itself (MO-14).
+/// @param gear  has passed `check`, with a drivetrain
+/// @throws SolverError  if a compliance is not usable
+[[nodiscard]] std::vector<BreathingCrack> joint_cracks(const GearSet& gear);
+
 }  // namespace strainwave

@@ -38,6 +38,9 @@ struct SimulationSettings {
   double tolerance = 1e-9;   ///< error of the output's angle in one step [rad]; > 0
   MotionEngine engine = MotionEngine::explicit_steps;
   CurveSource curve = computed_curve;  ///< makes the computed curve
+  /// time of the duty that passes evenly during the motion while the cracks grow [s]; > 0; absent:
+  /// the cracks keep the sizes of the file
+  std::optional<double> growth = {};
 };
 
 /// One time of a motion.
@@ -102,7 +105,9 @@ struct MotionSummary {
   /// is free [N*m]
   std::optional<double> largest_output_torque = {};
   double lost_energy = 0.0;  ///< [J]
-  double imbalance = 0.0;    ///< of the energy, over that exchanged [-]
+  /// part of `lost_energy` that growing cracks release [J]; absent: no crack grows
+  std::optional<double> released_energy = {};
+  double imbalance = 0.0;  ///< of the energy, over that exchanged [-]
   double steps = 0.0;
   double events = 0.0;
   bool converged = false;
@@ -136,6 +141,9 @@ struct MotionSummary {
     field(
         {"lost_energy", "J", "energy lost, or stored in drivetrain.hysteresis and in the friction"},
         &MotionSummary::lost_energy);
+    field({"released_energy", "J",
+           "part of the lost energy that the growing cracks release; absent if no crack grows"},
+          &MotionSummary::released_energy);
     field({"imbalance", "1", "imbalance of the energy over the energy that was exchanged"},
           &MotionSummary::imbalance);
     field({"steps", "1", "accepted steps"}, &MotionSummary::steps);
@@ -211,6 +219,59 @@ struct MotionOrders {
   }
 };
 
+/// A crack that grows during a motion (MO-50).
+struct GrowthInMotion {
+  std::string path;
+  std::string sense;              ///< of the torque on the load that opens it; "both"
+  double first_size = 0.0;        ///< depth or half length [m]
+  double last_size = 0.0;         ///< [m]
+  double first_compliance = 0.0;  ///< of the open crack at the output [rad/(N*m)]
+  double last_compliance = 0.0;   ///< [rad/(N*m)]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"path", "", "the crack"}, &GrowthInMotion::path);
+    field({"sense", "", "sense of the torque on the load that opens it: positive, negative, both"},
+          &GrowthInMotion::sense);
+    field({"first_size", "m", "depth or half length at the start"}, &GrowthInMotion::first_size);
+    field({"last_size", "m", "depth or half length at the end"}, &GrowthInMotion::last_size);
+    field({"first_compliance", "rad/(N*m)",
+           "compliance of the open crack at the output, at the start"},
+          &GrowthInMotion::first_compliance);
+    field(
+        {"last_compliance", "rad/(N*m)", "compliance of the open crack at the output, at the end"},
+        &GrowthInMotion::last_compliance);
+  }
+};
+
+/// Growth of the cracks during a motion (MO-50).
+struct MotionGrowth {
+  double time = 0.0;             ///< of duty that was to pass [s]
+  double pace = 0.0;             ///< time of duty over that of the motion [-]
+  double time_at_end = 0.0;      ///< of duty at the end of the motion, or of the growth [s]
+  std::string sentence = {};     ///< what ends the growth
+  double first_stiffness = 0.0;  ///< without load, cracks of the softer sense open [N*m/rad]
+  double last_stiffness = 0.0;   ///< [N*m/rad]
+  std::vector<GrowthInMotion> cracks = {};  ///< those whose compliance changes
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"time", "s", "time of duty that was to pass during the motion"}, &MotionGrowth::time);
+    field({"pace", "1", "time of duty over the time of the motion"}, &MotionGrowth::pace);
+    field({"time_at_end", "s", "time of duty at the end of the motion, or of the growth"},
+          &MotionGrowth::time_at_end);
+    field({"sentence", "", "the answer of the growth in words"}, &MotionGrowth::sentence);
+    field({"first_stiffness", "N*m/rad",
+           "stiffness without load at the start, with the cracks of the softer sense fully open"},
+          &MotionGrowth::first_stiffness);
+    field({"last_stiffness", "N*m/rad",
+           "stiffness without load at the end, with the cracks of the softer sense fully open"},
+          &MotionGrowth::last_stiffness);
+    field({"cracks", "", "the cracks whose compliance grows in the motion"}, &MotionGrowth::cracks);
+  }
+};
+
 /// The result of `strainwave simulate`.
 struct SimulationReport {
   double duration = 0.0;  ///< [s]
@@ -221,6 +282,7 @@ struct SimulationReport {
   std::optional<MotionSummary> cracked = {};  ///< absent: no crack that a motion contains
   /// largest difference of the output's angle between both motions, among the samples [rad]
   std::optional<double> largest_difference = {};
+  std::optional<MotionGrowth> growth = {};  ///< absent: the cracks keep their sizes
   /// absent: the input never turns four times at one given speed, in the half of that time
   std::optional<MotionOrders> orders = {};
   std::optional<double> recorded_rows = {};  ///< absent: the rows are in `rows`
@@ -244,6 +306,7 @@ struct SimulationReport {
                "largest difference of the output's angle, cracked against sound, among the samples",
            .headline = true},
           &SimulationReport::largest_difference);
+    field({"growth", "", "growth of the cracks during the motion"}, &SimulationReport::growth);
     field({"orders", "", "lines of the motion while the input turns at a constant speed"},
           &SimulationReport::orders);
     field({"recorded_rows", "1",
@@ -301,13 +364,13 @@ struct SimulationRecord {
 
 /// The motion of a drive through its manoeuvres, sound and with its cracks.
 ///
-/// Implements theory manual eqs. (MO-1) to (MO-14), (MO-20) to (MO-22).  The drive starts in the
-/// equilibrium of its external torque and gravity, with the input at rest.  Both motions go side by
-/// side.
+/// Implements theory manual eqs. (MO-1) to (MO-14), (MO-20) to (MO-22) and (MO-50).  The drive
+/// starts in the equilibrium of its external torque and gravity, with the input at rest.  Both
+/// motions go side by side.
 /// @param record  takes the rows, whose number then has no limit; null: the result has them
-/// @throws InputError   if the drive has no drivetrain or no manoeuvre, or a setting is out of
-/// range, or a checkpoint cannot be one of this drive, or the stiff engine is not built or cannot
-/// move the drive or is asked for a record
+/// @throws InputError   if the drive has no drivetrain or no manoeuvre, or no duty for cracks that
+/// grow, or a setting is out of range, or a checkpoint cannot be one of this drive, or the stiff
+/// engine is not built or cannot move the drive or is asked for a record
 /// @throws SolverError  if a compliance is not usable
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] SimulationReport simulation_report(const GearSet& gear,

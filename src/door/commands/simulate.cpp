@@ -25,6 +25,7 @@ struct SimulateOptions {
   std::optional<std::string> step;
   std::string tolerance = "1e-9 rad";
   MotionEngine engine = MotionEngine::explicit_steps;
+  std::optional<std::string> growth;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -42,6 +43,11 @@ struct SimulateOptions {
                   "if the program was built with it",
            .fallback = "explicit"},
           &SimulateOptions::engine);
+    field({"growth", "",
+           "time of the [duty] of the file that passes evenly during the motion while the cracks "
+           "grow as strainwave grow computes them, a number with its unit such as '100 h'; a time "
+           "lapse unless the motion takes as long"},
+          &SimulateOptions::growth);
   }
 };
 
@@ -61,11 +67,11 @@ class RecordCheckpoint {
  public:
   RecordCheckpoint(const Request& request, const SimulateOptions& options, RecordForm form)
       : name_(request.recording->name()),
-        head_(fmt::format(
-            "{} {} {} {}", kRunFormat, version(), git_revision(),
-            sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}", enum_name(form), options.step.value_or(""),
-                                   options.tolerance, request.drive.text,
-                                   numbers_beside(request.drive.gear))))) {}
+        head_(fmt::format("{} {} {} {}", kRunFormat, version(), git_revision(),
+                          sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", enum_name(form),
+                                                 options.step.value_or(""), options.tolerance,
+                                                 options.growth.value_or(""), request.drive.text,
+                                                 numbers_beside(request.drive.gear))))) {}
 
   /// @param state  empty: the motion is to begin
   [[nodiscard]] std::string text(std::uint64_t size, const std::string& state) const {
@@ -136,6 +142,7 @@ SimulationReport recorded(const Request& request, const SimulateOptions& options
                         .input_sha256 = sha256_hex(request.drive.text),
                         .options = {{"tolerance", options.tolerance}}};
     if (options.step) origin.options.emplace_back("step", *options.step);
+    if (options.growth) origin.options.emplace_back("growth", *options.growth);
     recording.append(record_head(form, origin, columns));
   };
   std::string bytes;
@@ -227,6 +234,7 @@ SimulationReport simulation_of(const Request& request, const SimulateOptions& op
       return keeper->curve(gear, progress);
     };
   }
+  if (options.growth) settings.growth = parse_quantity("--growth", *options.growth, "s");
   return request.recording != nullptr
              ? recorded(request, options, settings)
              : simulation_report(request.drive.gear, settings, request.progress);
@@ -243,9 +251,10 @@ Command simulate_command() {
           "load of its [drivetrain], once sound and once with its cracks. The drive is a spring "
           "with the maker's three lines of its torsion curve, or the sum of its members, with "
           "[[kinematic_error]], hysteresis and friction as given. Cracks open with the sense of "
-          "the torque. Prints the largest torques and errors with the balance of energy; --format "
-          "csv prints the motion over time. --record writes the rows of a long motion while it is "
-          "computed; a run that was interrupted goes on from its last checkpoint, to the same "
+          "the torque, and keep their sizes without --growth. Prints the largest torques and "
+          "errors with the balance of energy; --format csv prints the motion over time. --record "
+          "writes the rows of a long motion while it is computed; a run that was interrupted goes "
+          "on from its last checkpoint, to the same "
           "digits. --curve-table keeps the table of a computed curve between runs.",
       .example = "strainwave simulate examples/joint_size25.toml",
       .record = "write the rows to this file while they are computed, as CSV (.csv) or in the "
