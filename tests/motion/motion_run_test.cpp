@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,12 @@ std::vector<Joint> joints() {
   made.push_back(slipping);
   slipping.output_speed = Profile{.time = {0, 0.1, 0.2}, .value = {0, 0.3, -0.2}};
   made.push_back(slipping);
+  Joint rubbing = all;
+  rubbing.hysteresis.reset();
+  rubbing.loops =
+      std::make_shared<const TwistLoops>(std::vector<double>{-90, -20, 0, 20, 90},
+                                         std::vector<double>{3e-4, 1e-4, 1e-5, 1e-4, 3e-4}, 3.0);
+  made.push_back(rubbing);
   return made;
 }
 

@@ -13,6 +13,7 @@
 #include "strainwave/motion/losses.hpp"
 #include "strainwave/motion/servo.hpp"
 #include "strainwave/motion/spring.hpp"
+#include "strainwave/motion/twist_loops.hpp"
 
 /// @file
 /// Two inertias and the drive between them: what is needed to write the equations of motion.
@@ -60,6 +61,8 @@ struct Joint {
   double damping = 0.0;         ///< c, parallel to the spring [N*m*s/rad]; >= 0
   double input_damping = 0.0;   ///< B_m [N*m*s/rad]; >= 0
   double output_damping = 0.0;  ///< B_L [N*m*s/rad]; >= 0
+  /// friction in the contacts of the drive, in series with the spring (MO-52)
+  std::shared_ptr<const TwistLoops> loops = {};
   std::optional<BoucWen> hysteresis = {};
   std::vector<SlipElement> slip_elements = {};  ///< parallel to the spring
   std::optional<LuGre> input_friction = {};
@@ -83,6 +86,8 @@ struct JointState {
   double hysteresis = 0.0;    ///< z [N*m]
   /// of the slip elements; absent: they bear nothing at this twist
   std::optional<SlipState> slip = {};
+  /// of the friction in the contacts; absent: the twist is that without friction
+  std::optional<LoopMemory> loops = {};
   double bristle = 0.0;      ///< u of the input's friction [rad]
   double servo = 0.0;        ///< q, integral of the controller's error [rad]
   double held_torque = 0.0;  ///< of the motor since the last sample of its controller [N*m]
@@ -93,10 +98,15 @@ struct JointForces {
   double twist = 0.0;           ///< phi = theta_m/ratio + theta_k - theta_L [rad]
   double twist_rate = 0.0;      ///< [rad/s]
   double elastic_torque = 0.0;  ///< T_el of the spring or of the table [N*m]
-  double torque = 0.0;          ///< T_el + c phi' + z, on the output [N*m]
-  double output_torque = 0.0;   ///< T_ext on the output, given or needed [N*m]
-  double input_torque = 0.0;    ///< torque that drives the input [N*m]
-  double reaction = 0.0;        ///< torque of the drive on the input, with its cracks [N*m]
+  /// rate of T_el [N*m/s]; absent without loops of the contacts
+  std::optional<double> elastic_torque_rate = {};
+  /// largest |q_k| over its bound of the play elements that are between their bounds [rad];
+  /// likewise
+  std::optional<double> contact_margin = {};
+  double torque = 0.0;         ///< T_el + c phi' + z, on the output [N*m]
+  double output_torque = 0.0;  ///< T_ext on the output, given or needed [N*m]
+  double input_torque = 0.0;   ///< torque that drives the input [N*m]
+  double reaction = 0.0;       ///< torque of the drive on the input, with its cracks [N*m]
 };
 
 /// Rates of change of a state, with the torques and powers behind them.
@@ -126,6 +136,11 @@ struct ServoTorque {
                                        const JointState& state);
 /// The state behind a sample of the controller: its integral and its torque are new.
 [[nodiscard]] JointState after_sample(const ServoDrive& drive, double time, JointState state);
+
+/// What the contacts remember of a state: of the path on which its own memory was taken and from
+/// there on, or, without a memory, that there is no friction yet.
+/// @param joint  with loops
+[[nodiscard]] LoopMemory loops_after(const Joint& joint, const JointState& state);
 
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
 [[nodiscard]] double stored_energy(const Joint& joint, const JointState& state);
