@@ -265,11 +265,15 @@ EnergyTable::At EnergyTable::Slice::Piece::at(double torque) const {
   const auto sum = [&](const std::array<double, 5>& c) {
     return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
   };
+  const auto slope = [&](const std::array<double, 5>& c) {
+    return c[1] + t * (2 * c[2] + t * (3 * c[3] + t * 4 * c[4]));
+  };
   return {.torque = torque,
-          .twist = a[1] + t * (2 * a[2] + t * (3 * a[3] + t * 4 * a[4])),
+          .twist = slope(a),
           .compliance = 2 * a[2] + t * (6 * a[3] + t * 12 * a[4]),
           .energy = sum(a),
-          .by_input = sum(by_input)};
+          .by_input = sum(by_input),
+          .twist_by_input = slope(by_input)};
 }
 
 EnergyTable::Slice::Piece EnergyTable::Slice::piece(std::size_t interval, double in_series) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
@@ -10,7 +11,7 @@
 namespace strainwave {
 namespace {
 
-/// Spring and open cracks at one state.
+/// Spring, loops and open cracks at one state.
 struct ElasticState {
   double input_arm = 0.0;  ///< d phi/d theta_m = 1/ratio + theta_k' [-]
   double twist = 0.0;      ///< phi [rad]
@@ -19,6 +20,115 @@ struct ElasticState {
   double on_input = 0.0;   ///< -dV/d theta_m at constant twist [N*m]
   double on_output = 0.0;  ///< -dV/d theta_L at constant twist [N*m]
   double released = 0.0;   ///< -dV/dt at constant twist and angles [W]
+  /// of the friction in the contacts; its twist is part of `twist`
+  TwistLoops::At loops = {};
+  TwistLoops::Change since_memory = {};
+  std::optional<double> torque_rate = {};  ///< of T [N*m/s]; only with loops
+};
+
+/// The spring or the table of a joint at one angle of the input.
+class SpringAt {
+ public:
+  SpringAt(const Joint& joint, double input_angle) : joint_(joint) {
+    if (joint.table) slice_ = joint.table->at(input_angle);
+  }
+
+  /// Twist without torque [rad].
+  [[nodiscard]] double rest() const { return joint_.table ? slice_.rest() : 0.0; }
+  /// @param in_series  compliance of open cracks [rad/(N*m)]
+  [[nodiscard]] EnergyTable::At at_torque(double torque, double in_series) const {
+    if (joint_.table) return slice_.at_torque(torque, in_series);
+    const double own = spring_twist(joint_.spring, torque);
+    EnergyTable::At at = whole(own, torque, in_series);
+    at.compliance = 1 / tangent_stiffness(joint_.spring, own) + in_series;
+    return at;
+  }
+  /// Without the compliance if the joint has no table.
+  [[nodiscard]] EnergyTable::At at_twist(double twist, double in_series) const {
+    if (joint_.table) return slice_.at_twist(twist, in_series);
+    const SpringState spring = strainwave::in_series(joint_.spring, twist, in_series);
+    EnergyTable::At at = whole(spring.twist, spring.torque, in_series);
+    at.twist = twist;
+    return at;
+  }
+
+ private:
+  [[nodiscard]] EnergyTable::At whole(double own, double torque, double in_series) const {
+    const double twist = own + in_series * torque;  // (MO-1)
+    const double stored =
+        elastic_energy(joint_.spring, own) + in_series * torque * torque / 2;  // (MO-1)
+    return {.torque = torque, .twist = twist, .energy = torque * twist - stored};
+  }
+
+  const Joint& joint_;
+  EnergyTable::Slice slice_;
+};
+
+constexpr int kMostSolverSteps = 200;
+constexpr double kExact = 4e-16;  // of the twist [-]
+
+/// Spring, open cracks and loops at one twist.
+class WithLoops {
+ public:
+  /// Finds the torque at which they have the twist of `at` together (MO-52).
+  WithLoops(const Joint& joint, const SpringAt& spring, const JointState& x,
+            const OpenCompliance& open, ElasticState& at)
+      : loops_(*joint.loops),
+        memory_(*x.loops),
+        // The cracks in series do not slide the contacts.
+        before_(spring.at_torque(memory_.torque, 0.0)) {
+    double below = -std::numeric_limits<double>::infinity();
+    double above = -below;
+    double torque = memory_.torque;
+    at.since_memory.before_slip = true;
+    at.since_memory.turn = std::abs(x.input_angle - memory_.input_angle);
+    for (int n = 0; n < kMostSolverSteps; ++n) {
+      of_ = spring.at_torque(torque, open.value);
+      at.since_memory.torque = torque;
+      at.since_memory.slide = of_.twist - open.value * torque - before_.twist;
+      at.since_memory.compliance = of_.compliance - open.value;
+      at.loops = loops_.at(memory_, at.since_memory);
+      const double missing = at.twist - of_.twist - at.loops.twist;
+      if (std::abs(missing) <= kExact * (std::abs(at.twist) + std::abs(at.loops.twist))) break;
+      (missing > 0 ? below : above) = torque;
+      double next = torque + missing / (of_.compliance + at.loops.compliance);
+      if (!(next > below && next < above)) next = below + (above - below) / 2;
+      if (next == torque || !std::isfinite(next)) break;
+      torque = next;
+    }
+    find_rate(x, open, at);
+  }
+
+  [[nodiscard]] const EnergyTable::At& spring() const { return of_; }
+
+ private:
+  /// Rate of the torque, by the derivative of the twist over time (MO-54).
+  void find_rate(const JointState& x, const OpenCompliance& open, ElasticState& at) const {
+    const double T = at.since_memory.torque;
+    const double twist_rate = at.input_arm * x.input_speed - x.output_speed;
+    TwistLoops::Change& change = at.since_memory;
+    change.turn_rate = std::abs(x.input_speed);
+    const auto rate = [&] {
+      const double by_input = of_.twist_by_input + T * open.by_input +
+                              at.loops.by_slide * (of_.twist_by_input - before_.twist_by_input);
+      return (twist_rate - by_input * x.input_speed - T * open.by_output * x.output_speed -
+              T * open.by_time - at.loops.by_turn * change.turn_rate) /
+             (of_.compliance + at.loops.compliance);
+    };
+    double torque_rate = rate();
+    // Whether an element leaves its bound depends on the rate, whose sign depends little on this.
+    for (int pass = 0; pass < 2 && at.loops.on_edge; ++pass) {
+      change.slide_rate = change.compliance * torque_rate;
+      at.loops = loops_.at(memory_, change);
+      torque_rate = rate();
+    }
+    at.torque_rate = torque_rate;
+  }
+
+  const TwistLoops& loops_;
+  const LoopMemory& memory_;
+  EnergyTable::At before_;
+  EnergyTable::At of_;
 };
 
 ElasticState elastic_state(const Joint& joint, const JointState& x, double time) {
@@ -26,34 +136,31 @@ ElasticState elastic_state(const Joint& joint, const JointState& x, double time)
   ElasticState at;
   at.input_arm = 1 / joint.ratio + error.slope;
   at.twist = x.input_angle / joint.ratio - x.output_angle + error.value;  // (MO-11)
-  const auto open_under = [&](double sense) {
-    return open_compliance(joint.cracks, sense < 0 ? -1.0 : 1.0, x.input_angle, x.output_angle,
-                           time);
-  };
-  // A crack that opens with an angle pushes the shaft of this angle; one that grows takes energy.
-  const auto push = [&](const OpenCompliance& open) {
-    const double square = at.torque * at.torque / 2;  // (MO-11)
-    at.on_input += square * open.by_input;
-    at.on_output += square * open.by_output;
-    at.released += square * open.by_time;  // (MO-50)
-  };
-  if (joint.table) {
-    const EnergyTable::Slice slice = joint.table->at(x.input_angle);
-    const OpenCompliance open =
-        joint.cracks.empty() ? OpenCompliance{} : open_under(at.twist - slice.rest());
-    const EnergyTable::At state = slice.at_twist(at.twist, open.value);
-    at.torque = state.torque;
-    at.energy = state.torque * at.twist - state.energy;  // (MO-25)
-    at.on_input = state.by_input;                        // (MO-25)
-    push(open);
-    return at;
+  const SpringAt spring(joint, x.input_angle);
+  const bool with_loops = joint.loops && x.loops;
+  OpenCompliance open;
+  if (!joint.cracks.empty()) {
+    // The twist without torque says the sense of the torque.
+    double rest = spring.rest();
+    if (with_loops)
+      rest += joint.loops
+                  ->at(*x.loops, {.torque = 0.0,
+                                  .slide = rest - spring.at_torque(x.loops->torque, 0.0).twist,
+                                  .turn = std::abs(x.input_angle - x.loops->input_angle)})
+                  .twist;
+    open = open_compliance(joint.cracks, at.twist < rest ? -1.0 : 1.0, x.input_angle,
+                           x.output_angle, time);
   }
-  const OpenCompliance open = open_under(at.twist);
-  const SpringState spring = in_series(joint.spring, at.twist, open.value);
-  at.torque = spring.torque;
-  at.energy =
-      elastic_energy(joint.spring, spring.twist) + open.value * spring.torque * spring.torque / 2;
-  push(open);
+  const EnergyTable::At state = with_loops ? WithLoops(joint, spring, x, open, at).spring()
+                                           : spring.at_twist(at.twist, open.value);
+  const double T = state.torque;
+  at.torque = T;
+  at.energy = T * at.twist - state.energy;  // (MO-25, MO-52)
+  // A crack that opens with an angle pushes the shaft of this angle.
+  at.on_input = state.by_input + T * T / 2 * open.by_input;  // (MO-11, MO-25)
+  at.on_output = T * T / 2 * open.by_output;                 // (MO-11)
+  // One that grows takes energy.
+  at.released = T * T / 2 * open.by_time;  // (MO-50)
   return at;
 }
 
@@ -131,6 +238,12 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
     f.torque += loop;
     rate.hysteresis = joint.hysteresis->rate(x.hysteresis, f.twist_rate);
   }
+  double contacts_lost = 0.0;
+  f.elastic_torque_rate = at.torque_rate;
+  if (at.torque_rate) {
+    f.contact_margin = at.loops.margin;
+    contacts_lost = -at.loops.twist * *at.torque_rate;  // (MO-54)
+  }
   double slip_lost = 0.0;
   if (!joint.slip_elements.empty() && x.slip) {
     f.torque += slip_torque(joint.slip_elements, *x.slip, at.twist);  // (MO-44)
@@ -153,10 +266,16 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   }
   rate.supplied = input.torque * x.input_speed + f.output_torque * x.output_speed;  // (MO-12)
   rate.released = at.released;
-  rate.lost = (joint.damping * f.twist_rate + loop) * f.twist_rate + slip_lost +
+  rate.lost = (joint.damping * f.twist_rate + loop) * f.twist_rate + slip_lost + contacts_lost +
               friction * x.input_speed + joint.output_damping * x.output_speed * x.output_speed +
               rate.released;  // (MO-12)
   return rate;
+}
+
+LoopMemory loops_after(const Joint& joint, const JointState& x, double time) {
+  const ElasticState at = elastic_state(joint, x, time);
+  return x.loops ? joint.loops->after(*x.loops, at.since_memory, x.input_angle)
+                 : joint.loops->relaxed(at.torque, x.input_angle);
 }
 
 double stored_energy(const Joint& joint, const JointState& x, double time) {

@@ -46,15 +46,20 @@ constexpr double kStepsPerPeriod = 5;    // of the fastest excitation [-]
 constexpr double kPointsPerOrder = 10;   // points of a table in a period of its fastest order [-]
 constexpr double kSmallShare = 1e-9;     // of the stored energy, which a balance neglects [-]
 constexpr double kUsualTwist = 1e-3;     // [rad]
-constexpr double kJustBehind = 1e-3;     // share of a step behind an event [-]
+constexpr double kMostFading = 0.1;      // share of the memory that fades in a step [-]
+constexpr int kMostRefinements = 6;
+constexpr double kExactMargin = 1e-9;  // of the margin at the beginning of a step [-]
+constexpr double kJustBehind = 1e-3;   // share of a step behind an event [-]
 
-JointState joint_state(const Joint& joint, const State& x, const std::optional<SlipState>& slip) {
+JointState joint_state(const Joint& joint, const State& x, const std::optional<SlipState>& slip,
+                       const std::optional<LoopMemory>& loops) {
   return {.input_angle = x[kInputAngle],
           .input_speed = x[kInputSpeed],
           .output_angle = x[kInputAngle] / joint.ratio - x[kWindUp],
           .output_speed = x[kOutputSpeed],
           .hysteresis = x[kHysteresis],
           .slip = slip,
+          .loops = loops,
           .bristle = x[kBristle],
           .servo = x[kServo],
           .held_torque = x[kHeldTorque]};
@@ -129,8 +134,10 @@ class MotionRun::Steps {
         to_angle_[kServo] =
             std::max(1 / i, drive->servo.speed_gain / *drive->servo.integral_time * i / K);
     }
-    // If both ends move as given, only the energy has an error.
-    if (joint_.output_speed && std::holds_alternative<GivenSpeed>(joint_.input))
+    // Behind a reversal of the torque the contacts hold, and the drive is many times stiffer.
+    if (joint_.loops) to_angle_[kWindUp] = LoopMemory::kElements;
+    // If both ends move as given, only the energy has an error.  The contacts lose energy in jumps.
+    if (joint_.loops || (joint_.output_speed && std::holds_alternative<GivenSpeed>(joint_.input)))
       to_angle_[kSupplied] = to_angle_[kLost] = 1 / (K * kUsualTwist);
     if (joint_.input_friction)
       to_angle_[kBristle] = std::max(1 / i, joint_.input_friction->bristle_stiffness * i / K);
@@ -160,6 +167,8 @@ class MotionRun::Steps {
     if (joint_.output_speed) at_.state[kOutputSpeed] = joint_.output_speed->at(0.0);
     if (!joint_.slip_elements.empty())
       at_.slip = start.slip ? *start.slip : relaxed(joint_.slip_elements, twist_of(0.0, at_.state));
+    if (joint_.loops)
+      at_.loops = start.loops ? *start.loops : loops_after(joint_, unpacked(at_.state));
     at_.at_start = stored_energy(joint_, unpacked(at_.state));
     at_.step = std::min(0.01 / omega_, options_.duration);
   }
@@ -168,6 +177,7 @@ class MotionRun::Steps {
     if (from.guards.size() != at_.guards.size() || from.fresh.size() != at_.guards.size() ||
         from.next_corner > corners_.size() || !(from.time >= 0) || from.time > options_.duration ||
         !(from.step > 0) || from.slip.has_value() == joint_.slip_elements.empty() ||
+        from.loops.has_value() != (joint_.loops != nullptr) ||
         (from.slip && from.slip->torque.size() != joint_.slip_elements.size()))
       throw InputError("checkpoint", "is not one of this joint; begin the motion again");
     at_ = from;
@@ -243,7 +253,12 @@ class MotionRun::Steps {
         events_.push_back(MotionEvent::torque_sense);
       if (joint.hysteresis || !joint.slip_elements.empty())
         events_.push_back(MotionEvent::twist_reversal);
-      if (joint.input_friction) events_.push_back(MotionEvent::speed_reversal);
+      if (joint.loops) {
+        events_.push_back(MotionEvent::torque_reversal);
+        events_.push_back(MotionEvent::contact_slip);
+      }
+      if (joint.input_friction || (joint.loops && joint.loops->fading() > 0))
+        events_.push_back(MotionEvent::speed_reversal);
       servo_ = std::get_if<ServoDrive>(&joint.input);
       if (servo_ != nullptr && servo_->servo.torque_limit && !servo_->servo.sample_time)
         events_.push_back(MotionEvent::torque_limit);
@@ -270,6 +285,10 @@ class MotionRun::Steps {
           return servo_torque(*servo_, time, state).excess;
         case MotionEvent::load_sense:
           return forces.torque;
+        case MotionEvent::torque_reversal:
+          return forces.elastic_torque_rate.value_or(0.0);
+        case MotionEvent::contact_slip:
+          return forces.contact_margin.value_or(-1.0);
         case MotionEvent::element_slip: {
           const std::size_t j = n - first_element_;
           const double change = forces.twist - state.slip->twist;
@@ -284,6 +303,18 @@ class MotionRun::Steps {
       if (event < first_element_) return;
       const std::size_t j = event - first_element_;
       slip.torque[j] = std::copysign((*elements_)[j].limit, slip.torque[j]);
+    }
+    /// With the memory of the contacts taken anew, other elements are between their bounds.
+    void restart(std::vector<double>& values, std::vector<bool>& fresh,
+                 const JointForces& forces) const {
+      for (std::size_t n = 0; n < events_.size(); ++n) {
+        if (events_[n] == MotionEvent::torque_reversal)
+          values[n] = forces.elastic_torque_rate.value_or(0.0);
+        if (events_[n] == MotionEvent::contact_slip) {
+          values[n] = forces.contact_margin.value_or(-1.0);
+          fresh[n] = false;
+        }
+      }
     }
     /// At the state of the elements itself, an element that slips has the value 0.
     void restart(std::vector<double>& values, const SlipState& slip) const {
@@ -300,7 +331,7 @@ class MotionRun::Steps {
   };
 
   [[nodiscard]] JointState unpacked(const State& x) const {
-    return joint_state(joint_, x, at_.slip);
+    return joint_state(joint_, x, at_.slip, at_.loops);
   }
   [[nodiscard]] double twist_of(double t, const State& x) const {
     return joint_rate(joint_, inside(t), unpacked(x)).forces.twist;
@@ -391,6 +422,11 @@ class MotionRun::Steps {
       guards_.restart(at_.guards, *at_.slip);
       at_.slope = rate(at_.time, at_.state);
     }
+    if (at_.loops) {
+      at_.loops = loops_after(joint_, unpacked(at_.state), at_.time);
+      at_.slope = rate(at_.time, at_.state);
+      guards_.restart(at_.guards, fresh_at_end_, last_forces_);
+    }
     at_.fresh.swap(fresh_at_end_);
     ++at_.steps;
     end_beyond_table(trial_->forces);
@@ -435,11 +471,13 @@ class MotionRun::Steps {
     return dx;
   }
 
-  /// A step so short that no order of the excitation is overlooked.
+  /// A step so short that no order of the excitation is overlooked, and little of the memory of
+  /// the contacts fades.
   [[nodiscard]] double longest(const State& x) const {
-    const double speed = std::abs(x[kInputSpeed]) * fastest_order_;
-    return speed > 0 ? 2 * std::numbers::pi / (speed * kStepsPerPeriod)
-                     : std::numeric_limits<double>::infinity();
+    double order = fastest_order_ * kStepsPerPeriod / (2 * std::numbers::pi);
+    if (joint_.loops) order = std::max(order, joint_.loops->fading() / kMostFading);
+    const double speed = std::abs(x[kInputSpeed]) * order;
+    return speed > 0 ? 1 / speed : std::numeric_limits<double>::infinity();
   }
 
   [[nodiscard]] double kinetic(const State& x, Entry speed) const {
@@ -514,11 +552,33 @@ class MotionRun::Steps {
     if (!first) return first;
     // A step that is taken anew up to the event has the error of a step, not that of its inside.
     trial = try_step(t, x, slope, earliest - t);
+    if (guards_.events()[*first] == MotionEvent::contact_slip)
+      earliest = refined(t, x, slope, trial, at_begin[*first]);
     const JointState there = unpacked(trial.state);
     for (std::size_t n = 0; n < at_end.size(); ++n)
       at_end[n] = guards_.value(n, inside(earliest), trial.forces, there);
     fresh_at_end_[*first] = true;
     return first;
+  }
+
+  /// Ends a step where a play element of the contacts meets its bound, by the steps themselves:
+  /// behind a reversal the torque is so steep over the twist that the inside of a step is not exact
+  /// enough.
+  [[nodiscard]] double refined(double t, const State& x, const State& slope, Trial& trial,
+                               double margin_at_begin) {
+    double length = 0.0;
+    double margin = margin_at_begin;
+    for (int n = 0; n < kMostRefinements; ++n) {
+      const double here = trial.forces.contact_margin.value_or(0.0);
+      if (std::abs(here) <= kExactMargin * std::abs(margin_at_begin) || here == margin) break;
+      const double next =
+          trial.length - here * (trial.length - length) / (here - margin);  // a secant
+      if (!(next > 0 && next < 2 * trial.length)) break;
+      length = trial.length;
+      margin = here;
+      trial = try_step(t, x, slope, next);
+    }
+    return t + trial.length;
   }
 
   [[nodiscard]] MotionSample sample(double t, const State& x) const {
@@ -561,6 +621,16 @@ void require_state(const std::vector<SlipElement>& elements, const SlipState& st
             state.torque[j], "N*m", "within the limit of the element");
 }
 
+void require_memory(const TwistLoops& loops, const LoopMemory& memory) {
+  require(std::isfinite(memory.torque), "loops.torque", memory.torque, "N*m", "a finite number");
+  require(std::isfinite(memory.input_angle), "loops.input_angle", memory.input_angle, "rad",
+          "a finite number");
+  for (std::size_t k = 0; k < memory.play.size(); ++k)
+    require(std::abs(memory.play[k]) <= loops.bound(k, memory.torque),
+            (FieldPath("loops.play")[k]).text(), memory.play[k], "rad",
+            "within the bounds of the element");
+}
+
 void require_options(const Joint& joint, const SimulationOptions& options) {
   require_constants(joint);
   const auto positive = [](const char* field, double value, const char* unit) {
@@ -588,6 +658,7 @@ void require_start(const Joint& joint, const JointState& start) {
   finite("output_speed", start.output_speed, "rad/s");
   finite("hysteresis", start.hysteresis, "N*m");
   if (start.slip) require_state(joint.slip_elements, *start.slip);
+  if (joint.loops && start.loops) require_memory(*joint.loops, *start.loops);
   finite("bristle", start.bristle, "rad");
   finite("servo", start.servo, "rad");
   finite("held_torque", start.held_torque, "N*m");

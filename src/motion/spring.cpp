@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/motion/spring.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
@@ -35,6 +36,7 @@ SpringState LinearSpring::in_series(double twist, double compliance) const {
   const double torque = twist * stiffness / (1 + compliance * stiffness);  // (MO-1)
   return {.torque = torque, .twist = torque / stiffness};
 }
+double LinearSpring::twist(double torque) const { return torque / stiffness; }
 double LinearSpring::energy(double twist) const { return stiffness * twist * twist / 2; }
 double LinearSpring::tangent(double) const { return stiffness; }
 std::array<double, 0> LinearSpring::corners() const { return {}; }
@@ -53,6 +55,18 @@ SpringState CatalogueSpring::in_series(double twist, double compliance) const {
     at = {.torque = torque[i], .twist = at.twist + whole * own};
   }
   return at;
+}
+double CatalogueSpring::twist(double of_torque) const {
+  const double size = std::abs(of_torque);
+  double sum = 0.0;
+  double from = 0.0;  // torque at the beginning of a piece
+  for (std::size_t i = 0; i < stiffness.size(); ++i) {
+    const double to = i < torque.size() ? std::min(size, torque[i]) : size;
+    sum += (to - from) / stiffness[i];  // (MO-2)
+    if (to == size) break;
+    from = to;
+  }
+  return std::copysign(sum, of_torque);
 }
 double CatalogueSpring::energy(double twist) const {
   double left = std::abs(twist);
@@ -86,6 +100,13 @@ SpringState CubicSpring::in_series(double twist, double compliance) const {
   }
   return {.torque = own * (stiffness + cubic * own * own), .twist = own};
 }
+double CubicSpring::twist(double torque) const {
+  if (cubic == 0) return torque / stiffness;
+  // (MO-3): the only real root of K psi + K_3 psi^3 = T.
+  const double root = std::sqrt(stiffness / (3 * cubic));
+  const double share = 1.5 * torque / (stiffness * root);
+  return 2 * root * std::sinh(std::asinh(share) / 3);
+}
 double CubicSpring::energy(double twist) const {
   const double square = twist * twist;
   return square * (stiffness / 2 + cubic * square / 4);
@@ -95,6 +116,9 @@ std::array<double, 0> CubicSpring::corners() const { return {}; }
 
 SpringState in_series(const Spring& spring, double twist, double compliance) {
   return std::visit([&](const auto& s) { return s.in_series(twist, compliance); }, spring);
+}
+double spring_twist(const Spring& spring, double torque) {
+  return std::visit([&](const auto& s) { return s.twist(torque); }, spring);
 }
 double elastic_energy(const Spring& spring, double twist) {
   return std::visit([&](const auto& s) { return s.energy(twist); }, spring);

@@ -47,6 +47,14 @@ void require_supported(const Joint& joint) {
     throw InputError("slip_elements",
                      "are not moved by the engine stiff; choose the engine explicit, or give "
                      "hysteresis in their place");
+  if (joint.loops)
+    throw InputError("loops",
+                     "are not moved by the engine stiff; choose the engine explicit, or give "
+                     "hysteresis in their place");
+  for (const BreathingCrack& crack : joint.cracks)
+    if (crack.growth)
+      throw InputError("cracks.growth",
+                       "is not moved by the engine stiff; choose the engine explicit");
 }
 
 /// A function of the state whose change of sign is an event, unless it was noise since the last

@@ -40,6 +40,13 @@ void each_number(Checkpoint& at, const Number& number, const Size& size, const P
       number(m.slip->twist);
       list(m.slip->torque);
     }
+    present(m.loops);
+    if (m.loops) {
+      number(m.loops->torque);
+      number(m.loops->width);
+      number(m.loops->input_angle);
+      for (auto& value : m.loops->play) number(value);
+    }
     list(m.guards);
     list(m.fresh);
     for (auto& value : of.largest) number(value);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,6 +59,12 @@ std::vector<Joint> joints() {
   Joint growing = all;
   growing.cracks.front().growth = Profile{.time = {0.02, 0.07, 0.3}, .value = {1e-6, 3e-6, 9e-6}};
   made.push_back(growing);
+  Joint rubbing = all;
+  rubbing.hysteresis.reset();
+  rubbing.loops =
+      std::make_shared<const TwistLoops>(std::vector<double>{-90, -20, 0, 20, 90},
+                                         std::vector<double>{3e-4, 1e-4, 1e-5, 1e-4, 3e-4}, 3.0);
+  made.push_back(rubbing);
   return made;
 }
 

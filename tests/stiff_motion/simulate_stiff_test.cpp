@@ -351,6 +351,16 @@ TEST(SimulateStiff, InputRules) {
   EXPECT_EQ(test::broken_rule([&] { (void)simulate_stiff(joint, {}, options); }),
             "slip_elements: are not moved by the engine stiff; choose the engine explicit, or give "
             "hysteresis in their place");
+  joint.slip_elements.clear();
+  joint.loops = std::make_shared<const TwistLoops>(std::vector<double>{-2, -1, 1, 2},
+                                                   std::vector<double>{0, 0, 0, 0}, 0.0);
+  EXPECT_EQ(test::broken_rule([&] { (void)simulate_stiff(joint, {}, options); }),
+            "loops: are not moved by the engine stiff; choose the engine explicit, or give "
+            "hysteresis in their place");
+  joint.loops.reset();
+  joint.cracks = {{.growth = Profile{.time = {0, 1}, .value = {0, 1e-6}}}};
+  EXPECT_EQ(test::broken_rule([&] { (void)simulate_stiff(joint, {}, options); }),
+            "cracks.growth: is not moved by the engine stiff; choose the engine explicit");
   joint.ratio = 0;
   EXPECT_NE(test::broken_rule([&] { (void)simulate_stiff(joint, {}, options); }).find("ratio"),
             std::string::npos);

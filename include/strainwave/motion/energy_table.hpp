@@ -61,11 +61,12 @@ class EnergyTable {
 
   /// The state at a torque or at a twist.
   struct At {
-    double torque = 0.0;      ///< T [N*m]
-    double twist = 0.0;       ///< phi = dW/dT [rad]
-    double compliance = 0.0;  ///< d2W/dT2 [rad/(N*m)]
-    double energy = 0.0;      ///< W [J]
-    double by_input = 0.0;    ///< dW/d theta_m at constant torque [N*m]
+    double torque = 0.0;          ///< T [N*m]
+    double twist = 0.0;           ///< phi = dW/dT [rad]
+    double compliance = 0.0;      ///< d2W/dT2 [rad/(N*m)]
+    double energy = 0.0;          ///< W [J]
+    double by_input = 0.0;        ///< dW/d theta_m at constant torque [N*m]
+    double twist_by_input = 0.0;  ///< d phi/d theta_m at constant torque [-]
   };
 
   /// The energy at one angle of the input, for any torque.

@@ -14,6 +14,7 @@
 #include "strainwave/motion/profile.hpp"
 #include "strainwave/motion/servo.hpp"
 #include "strainwave/motion/spring.hpp"
+#include "strainwave/motion/twist_loops.hpp"
 
 /// @file
 /// Two inertias and the drive between them: what is needed to write the equations of motion.
@@ -49,6 +50,8 @@ struct Joint {
   double damping = 0.0;         ///< c, parallel to the spring [N*m*s/rad]; >= 0
   double input_damping = 0.0;   ///< B_m [N*m*s/rad]; >= 0
   double output_damping = 0.0;  ///< B_L [N*m*s/rad]; >= 0
+  /// friction in the contacts of the drive, in series with the spring (MO-52)
+  std::shared_ptr<const TwistLoops> loops = {};
   std::optional<BoucWen> hysteresis = {};
   std::vector<SlipElement> slip_elements = {};  ///< parallel to the spring
   std::optional<LuGre> input_friction = {};
@@ -72,6 +75,8 @@ struct JointState {
   double hysteresis = 0.0;    ///< z [N*m]
   /// of the slip elements; absent: they bear nothing at this twist
   std::optional<SlipState> slip = {};
+  /// of the friction in the contacts; absent: the twist is that without friction
+  std::optional<LoopMemory> loops = {};
   double bristle = 0.0;      ///< u of the input's friction [rad]
   double servo = 0.0;        ///< q, integral of the controller's error [rad]
   double held_torque = 0.0;  ///< of the motor since the last sample of its controller [N*m]
@@ -82,10 +87,15 @@ struct JointForces {
   double twist = 0.0;           ///< phi = theta_m/ratio + theta_k - theta_L [rad]
   double twist_rate = 0.0;      ///< [rad/s]
   double elastic_torque = 0.0;  ///< T_el of the spring or of the table [N*m]
-  double torque = 0.0;          ///< T_el + c phi' + z, on the output [N*m]
-  double output_torque = 0.0;   ///< T_ext on the output, given or needed [N*m]
-  double input_torque = 0.0;    ///< torque that drives the input [N*m]
-  double reaction = 0.0;        ///< torque of the drive on the input, with its cracks [N*m]
+  /// rate of T_el [N*m/s]; absent without loops of the contacts
+  std::optional<double> elastic_torque_rate = {};
+  /// largest |q_k| over its bound of the play elements that are between their bounds [rad];
+  /// likewise
+  std::optional<double> contact_margin = {};
+  double torque = 0.0;         ///< T_el + c phi' + z, on the output [N*m]
+  double output_torque = 0.0;  ///< T_ext on the output, given or needed [N*m]
+  double input_torque = 0.0;   ///< torque that drives the input [N*m]
+  double reaction = 0.0;       ///< torque of the drive on the input, with its cracks [N*m]
 };
 
 /// Rates of change of a state, with the torques and powers behind them.
@@ -97,8 +107,8 @@ struct JointRate {
   double bristle = 0.0;              ///< du/dt [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]
   double supplied = 0.0;             ///< power of the input and of T_ext [W]
-  /// power lost in damping, friction, slip and the growth of cracks, or stored in z and the
-  /// bristles [W]
+  /// power lost in damping, friction, slip and the growth of cracks, or stored in z, in the bristles
+  /// and in contacts that hold [W]
   double lost = 0.0;
   double released = 0.0;  ///< part of `lost` that the growing cracks release (MO-50) [W]
 };
@@ -117,6 +127,13 @@ struct ServoTorque {
                                        const JointState& state);
 /// The state behind a sample of the controller: its integral and its torque are new.
 [[nodiscard]] JointState after_sample(const ServoDrive& drive, double time, JointState state);
+
+/// What the contacts remember of a state: of the path on which its own memory was taken and from
+/// there on, or, without a memory, that there is no friction yet.
+/// @param joint  with loops
+/// @param time   of the cracks that grow [s]
+[[nodiscard]] LoopMemory loops_after(const Joint& joint, const JointState& state,
+                                     double time = 0.0);
 
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
 /// @param time  of the cracks that grow [s]

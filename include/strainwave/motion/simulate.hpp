@@ -34,19 +34,21 @@ struct MotionSample {
 
 /// What a time step ended at before its time.
 enum class MotionEvent {
-  spring_corner,   ///< the elastic torque passes a corner of the spring
-  torque_sense,    ///< the elastic torque changes its sign, which opens or closes cracks
-  twist_reversal,  ///< the twist begins to fall or to rise, which turns the hysteresis
-  speed_reversal,  ///< the input begins to turn backward or forward
-  torque_limit,    ///< the controller of the motor meets or leaves its limit
-  load_sense,      ///< the torque on the load changes its sign, on which the friction depends
-  element_slip,    ///< an element of the hysteresis begins to slip
+  spring_corner,    ///< the elastic torque passes a corner of the spring
+  torque_sense,     ///< the elastic torque changes its sign, which opens or closes cracks
+  twist_reversal,   ///< the twist begins to fall or to rise, which turns the hysteresis
+  speed_reversal,   ///< the input begins to turn backward or forward
+  torque_limit,     ///< the controller of the motor meets or leaves its limit
+  load_sense,       ///< the torque on the load changes its sign, on which the friction depends
+  element_slip,     ///< an element of the hysteresis begins to slip
+  torque_reversal,  ///< the elastic torque begins to fall or to rise, which turns the contacts
+  contact_slip,     ///< a play element of the contacts meets its bound
 };
 template <>
 struct EnumNames<MotionEvent> {
-  static constexpr std::array<std::string_view, 7> names = {
-      "spring_corner", "torque_sense", "twist_reversal", "speed_reversal",
-      "torque_limit",  "load_sense",   "element_slip"};
+  static constexpr std::array<std::string_view, 9> names = {
+      "spring_corner", "torque_sense", "twist_reversal",  "speed_reversal", "torque_limit",
+      "load_sense",    "element_slip", "torque_reversal", "contact_slip"};
 };
 
 /// Time of an event.
@@ -108,9 +110,10 @@ struct MotionCheckpoint {
   std::uint64_t steps = 0;            ///< accepted [-]
   std::uint64_t rejected = 0;         ///< [-]
   std::uint64_t event_count = 0;
-  std::optional<SlipState> slip = {};  ///< of the slip elements; absent: the joint has none
-  std::vector<double> guards = {};     ///< functions whose change of sign is an event
-  std::vector<bool> fresh = {};        ///< whether the step begins at an event of this function
+  std::optional<SlipState> slip = {};    ///< of the slip elements; absent: the joint has none
+  std::optional<LoopMemory> loops = {};  ///< of the contacts; absent: the joint has no loops
+  std::vector<double> guards = {};       ///< functions whose change of sign is an event
+  std::vector<bool> fresh = {};          ///< whether the step begins at an event of this function
 
   friend bool operator==(const MotionCheckpoint&, const MotionCheckpoint&) = default;
 };

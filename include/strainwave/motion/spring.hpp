@@ -25,6 +25,7 @@ struct LinearSpring {
   double stiffness = 0.0;  ///< K [N*m/rad]; > 0
 
   [[nodiscard]] SpringState in_series(double twist, double compliance) const;
+  [[nodiscard]] double twist(double torque) const;      ///< psi [rad]
   [[nodiscard]] double energy(double twist) const;      ///< integral of the torque [J]
   [[nodiscard]] double tangent(double twist) const;     ///< dT/dpsi [N*m/rad]
   [[nodiscard]] std::array<double, 0> corners() const;  ///< torques at which the tangent jumps
@@ -36,6 +37,7 @@ struct CatalogueSpring {
   std::array<double, 2> torque{};     ///< T1, T2 [N*m]; 0 < T1 < T2
 
   [[nodiscard]] SpringState in_series(double twist, double compliance) const;
+  [[nodiscard]] double twist(double torque) const;
   [[nodiscard]] double energy(double twist) const;
   [[nodiscard]] double tangent(double twist) const;
   [[nodiscard]] const std::array<double, 2>& corners() const { return torque; }
@@ -47,6 +49,7 @@ struct CubicSpring {
   double cubic = 0.0;      ///< K_3 [N*m/rad^3]; >= 0
 
   [[nodiscard]] SpringState in_series(double twist, double compliance) const;
+  [[nodiscard]] double twist(double torque) const;
   [[nodiscard]] double energy(double twist) const;
   [[nodiscard]] double tangent(double twist) const;
   [[nodiscard]] std::array<double, 0> corners() const;
@@ -58,6 +61,8 @@ using Spring = std::variant<LinearSpring, CatalogueSpring, CubicSpring>;
 /// @param twist       phi [rad]
 /// @param compliance  Lambda of the open cracks in series [rad/(N*m)]; >= 0
 [[nodiscard]] SpringState in_series(const Spring& spring, double twist, double compliance);
+/// Twist psi of the spring alone at a torque [rad].
+[[nodiscard]] double spring_twist(const Spring& spring, double torque);
 /// Elastic energy of the spring alone [J]; `twist` is psi.
 [[nodiscard]] double elastic_energy(const Spring& spring, double twist);
 /// dT/dpsi of the spring alone [N*m/rad].

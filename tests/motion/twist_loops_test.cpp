@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+// Friction in the contacts of a drive, in series with its spring (MO-52 to MO-54).
+#include "strainwave/motion/twist_loops.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "strainwave/motion/simulate.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kStiffness = 4e4;  // [N*m/rad]
+constexpr double kWidth = 2e-4;     // [rad]
+constexpr auto kElements = static_cast<double>(LoopMemory::kElements);
+
+const std::vector<double> kTorques = {-100, -40, -10, 0, 10, 40, 100};
+
+std::shared_ptr<const TwistLoops> even_loops(double fading = 0.0) {
+  return std::make_shared<const TwistLoops>(kTorques, std::vector<double>(kTorques.size(), kWidth),
+                                            fading);
+}
+/// Loops whose width grows with the torque, as that of contacts under load.
+std::shared_ptr<const TwistLoops> growing_loops(double fading = 0.0) {
+  std::vector<double> widths;
+  for (const double torque : kTorques) widths.push_back(1e-5 + 4e-6 * std::abs(torque));
+  return std::make_shared<const TwistLoops>(kTorques, widths, fading);
+}
+
+/// Both ends move as given, so that the twist is the integral of a speed.
+Joint twisted(std::shared_ptr<const TwistLoops> loops, const Profile& twist_rate,
+              double input_speed = 0.0) {
+  Joint joint{.ratio = 100,
+              .input_inertia = 1e-4,
+              .output_inertia = 1,
+              .spring = LinearSpring{kStiffness},
+              .loops = std::move(loops),
+              .input = GivenSpeed{{.value = {input_speed}}}};
+  joint.output_speed = twist_rate;
+  for (double& value : joint.output_speed->value) value = input_speed / joint.ratio - value;
+  return joint;
+}
+
+/// Twist after each torque of a path of a linear spring with the elements of (MO-52), each moved by
+/// hand.
+class ByHand {
+ public:
+  explicit ByHand(const TwistLoops& loops) : loops_(loops) {}
+  double to(double torque) {
+    const double middle = torque / kStiffness;
+    double sum = 0.0;
+    for (std::size_t k = 0; k <= LoopMemory::kElements; ++k) {
+      const double half = static_cast<double>(k) / kElements * loops_.width(torque);
+      place_[k] = std::clamp(place_[k], middle - half, middle + half);
+      const bool end = k == 0 || k == LoopMemory::kElements;
+      sum += place_[k] / kElements * (end ? 0.5 : 1.0);
+    }
+    return sum;
+  }
+
+ private:
+  const TwistLoops& loops_;
+  std::array<double, LoopMemory::kElements + 1> place_{};
+};
+
+TEST(TwistLoops, ReferenceFirstLoadingAndBranch) {
+  // (TC-17) with an even width: psi^2/(2w) from rest, and psi^2/(4w) back from a reversal.  The
+  // trapezoidal rule over the thresholds adds at most an eighth of its step squared times the slope
+  // w/2, halved by the density 1/2: w/(8 N^2).  Behind a reversal it is twice as much.
+  const auto loops = even_loops();
+  LoopMemory memory;
+  for (const double share : {0.1, 0.37, 0.72, 0.99}) {
+    const double psi = share * kWidth;
+    const TwistLoops::At at =
+        loops->at(memory, {.torque = psi * kStiffness, .slide = psi, .compliance = 1 / kStiffness});
+    EXPECT_NEAR(psi + at.twist, psi * psi / (2 * kWidth), kWidth / (8 * kElements * kElements));
+  }
+  const double top = 1.5 * kWidth;
+  const TwistLoops::Change up{.torque = top * kStiffness, .slide = top};
+  EXPECT_NEAR(loops->at(memory, up).twist, -kWidth / 2, 1e-15);
+  memory = loops->after(memory, up, 0.0);
+  for (const double share : {0.3, 1.1, 1.9}) {
+    const double back = share * kWidth;
+    const TwistLoops::At at =
+        loops->at(memory, {.torque = (top - back) * kStiffness, .slide = -back});
+    EXPECT_NEAR(kWidth / 2 + back - (at.twist + kWidth), back * back / (4 * kWidth) + 0.0,
+                kWidth / (4 * kElements * kElements));
+  }
+}
+
+TEST(TwistLoops, CrosscheckDerivatives) {
+  // Central differences of a step of 1e-6 and their own error.
+  const auto loops = growing_loops(3.0);
+  LoopMemory memory{.torque = 5.0};
+  for (std::size_t k = 0; k < memory.play.size(); ++k)
+    memory.play[k] = 4e-6 * std::sin(static_cast<double>(k));
+  const TwistLoops::Change change{
+      .torque = 23.0, .slide = 2.1e-5, .compliance = 1.3e-6, .turn = 0.07};
+  const TwistLoops::At at = loops->at(memory, change);
+  const auto difference = [&](auto move) {
+    constexpr double kStep = 1e-6;
+    TwistLoops::Change more = change;
+    TwistLoops::Change less = change;
+    move(more, kStep);
+    move(less, -kStep);
+    return (loops->at(memory, more).twist - loops->at(memory, less).twist) / (2 * kStep);
+  };
+  test::expect_relative(at.by_turn, difference([](auto& c, double s) { c.turn += s; }), 1e-6);
+  test::expect_relative(at.by_slide,
+                        difference([](auto& c, double s) { c.slide += 1e-3 * s; }) * 1e3, 1e-6);
+  test::expect_relative(at.compliance, difference([](auto& c, double s) {
+                          c.torque += s;
+                          c.slide += s * c.compliance;
+                        }),
+                        1e-6);
+  // The series of a short turn joins the exponential.
+  const auto near = [&](double turn) {
+    TwistLoops::Change c = change;
+    c.turn = turn;
+    return loops->at(memory, c);
+  };
+  const double join = 1e-4 / 3.0;
+  test::expect_relative(near(join * (1 - 1e-9)).twist, near(join * (1 + 1e-9)).twist, 1e-12);
+  test::expect_relative(near(join * (1 - 1e-9)).by_turn, near(join * (1 + 1e-9)).by_turn, 1e-6);
+}
+
+TEST(TwistLoops, IdentityAnEvenSlideOverATurnMayBeDivided) {
+  // (MO-53) is exact for elements between their bounds: q = q_0 e^-x - s (1 - e^-x)/x.
+  const double rate = 3.5;
+  const TwistLoops loops(kTorques, std::vector<double>(kTorques.size(), 1.0), rate);
+  LoopMemory memory;
+  for (std::size_t k = 0; k < memory.play.size(); ++k)
+    memory.play[k] = 1e-3 * std::cos(static_cast<double>(k));
+  const LoopMemory start = memory;
+  constexpr int kParts = 7;
+  for (int n = 0; n < kParts; ++n)
+    memory = loops.after(memory, {.slide = 2e-3 / kParts, .turn = 0.6 / kParts}, 0.0);
+  const double x = rate * 0.6;
+  const auto once = loops.after(start, {.slide = 2e-3, .turn = 0.6}, 0.0).play;
+  for (std::size_t k = 0; k < once.size(); ++k) {
+    EXPECT_NEAR(memory.play[k], once[k], 1e-16);
+    EXPECT_NEAR(once[k], start.play[k] * std::exp(-x) - 2e-3 * (1 - std::exp(-x)) / x, 1e-16);
+  }
+}
+
+TEST(TwistLoops, CrosscheckPathWithStandingInput) {
+  // (MO-52): the torque of a given twist, up, down, up and through a minor loop, against elements
+  // that are moved by hand along the torques of the motion.  The balance of energy closes.
+  for (const auto& loops : {even_loops(), growing_loops()}) {
+    const Joint joint = twisted(
+        loops, {.time = {0, .1, .3, .4, .5, .9, 1}, .value = {0, .02, -.02, .02, -.02, .02, 0}});
+    ByHand by_hand(*loops);  // the torque turns at times of the samples
+    double largest = 0.0;
+    const Motion motion =
+        simulate(joint, {}, {.duration = 1, .output_step = 1e-3, .tolerance = 1e-12},
+                 [&](const MotionSample& at) {
+                   EXPECT_NEAR(by_hand.to(at.forces.elastic_torque), at.forces.twist, 2e-10);
+                   largest = std::max(largest, std::abs(at.forces.elastic_torque));
+                 });
+    ASSERT_TRUE(motion.converged) << motion.reason;
+    EXPECT_GT(largest, 30.0);
+    EXPECT_LT(motion.energy.imbalance, 1e-7);
+    EXPECT_GT(motion.energy.lost, 0.0);
+    EXPECT_GT(std::ranges::count_if(
+                  motion.events,
+                  [](const EventTime& at) { return at.event == MotionEvent::torque_reversal; }),
+              2);
+  }
+}
+
+TEST(TwistLoops, ReferenceWorkOfALoop) {
+  // (MO-54): between the envelopes of an even width a closed loop that reaches both of them loses
+  // w (2T) less the corners: w dT over the whole loop, less 2 corners of the area between the
+  // branch psi^2/(4w) and the envelope.  Each corner is int_0^2w [w - d + d^2/(4w)] dd = 2w^2/3.
+  const auto loops = even_loops();
+  const double psi = 5 * kWidth;
+  // The twist reaches +-(psi - w/2) at the torques +-K psi.
+  const double top = psi - kWidth / 2;
+  Joint joint = twisted(loops, {.time = {}, .value = {top}});
+  joint.output_speed = Profile{.time = {0, 1, 1 + 1e-9, 3, 3 + 1e-9, 5},
+                               .value = {-top, -top, top, top, -top, -top}};
+  std::vector<double> lost;
+  const auto run = [&](double duration) {
+    return simulate(joint, {}, {.duration = duration, .output_step = duration, .tolerance = 1e-12})
+        .energy.lost;
+  };
+  const double loop = run(5) - run(1);
+  const double area = kStiffness * (2 * psi * kWidth - 2 * (2.0 / 3) * kWidth * kWidth);
+  // The trapezoidal rule over the thresholds changes the corners by less than 1/(2 N^2) of w^2.
+  EXPECT_NEAR(loop, area, 4 * kStiffness * kWidth * kWidth / (2 * kElements * kElements));
+}
+
+TEST(TwistLoops, IdentityEveryClosedPathLosesEnergy) {
+  // Work of the torque along random closed paths of the torque, from a state that returns.
+  const auto loops = growing_loops();
+  std::mt19937 random(47);
+  std::uniform_real_distribution<double> anywhere(-90, 90);
+  for (int n = 0; n < 20; ++n) {
+    std::vector<double> corners = {95, -95};
+    for (int i = 0; i < 4; ++i) corners.push_back(anywhere(random));
+    corners.push_back(95);
+    ByHand path(*loops);
+    path.to(95);
+    path.to(-95);
+    double torque = 95;
+    double twist = path.to(torque);
+    double work = 0.0;
+    for (const double corner : corners) {
+      constexpr int kSteps = 400;
+      const double from = torque;
+      for (int i = 1; i <= kSteps; ++i) {
+        const double next = from + (corner - from) * i / kSteps;
+        const double there = path.to(next);
+        work += (torque + next) / 2 * (there - twist);
+        torque = next;
+        twist = there;
+      }
+    }
+    EXPECT_GT(work, 0.0);
+  }
+}
+
+TEST(TwistLoops, LimitOfATurningInput) {
+  // (MO-53): at a constant rate v of the twist the elements stand at -v/(f w_m), or at their bound;
+  // what they lose is -h dT/dt.  The rest of the start has faded by e^-30.
+  const double speed = 150.0;
+  const double fading = 4.0;
+  const double rate = 0.003;
+  Joint joint = twisted(even_loops(fading), {.time = {}, .value = {rate}}, speed);
+  const double end = 30 / (fading * speed);
+  double h = 0.0;
+  const Motion motion = simulate(
+      joint, {}, {.duration = end, .output_step = end, .tolerance = 1e-13},
+      [&](const MotionSample& at) { h = at.forces.twist - at.forces.elastic_torque / kStiffness; });
+  double expected = 0.0;
+  const double free = rate / (fading * speed);
+  for (std::size_t k = 1; k <= LoopMemory::kElements; ++k)
+    expected -= std::min(free, static_cast<double>(k) / kElements * kWidth) / kElements *
+                (k == LoopMemory::kElements ? 0.5 : 1.0);
+  EXPECT_LT(free, kWidth / kElements);
+  test::expect_relative(h, expected, 1e-9);
+  EXPECT_LT(motion.energy.imbalance, 1e-7);
+  // The faster the input, the less is left of the loop.
+  test::expect_relative(h, -rate / (fading * speed), 1 / kElements);
+}
+
+TEST(TwistLoops, LimitOfAStandingInputHasNoFading) {
+  const Profile rate{.time = {0, .1, .3, .5}, .value = {0, .02, -.02, .01}};
+  const SimulationOptions options{.duration = 0.5, .output_step = 0.5, .tolerance = 1e-12};
+  const Motion fading = simulate(twisted(even_loops(5.0), rate), {}, options);
+  const Motion standing = simulate(twisted(even_loops(), rate), {}, options);
+  EXPECT_NEAR(fading.energy.lost, standing.energy.lost, 1e-12 * std::abs(standing.energy.lost));
+}
+
+TEST(TwistLoops, IdentityFreeVibrationBalances) {
+  // (MO-54): a free load on a standing input, with cracks that open with the sense of the torque.
+  Joint joint = twisted(growing_loops(), {.time = {}, .value = {0.0}});
+  joint.output_speed.reset();
+  joint.spring = CatalogueSpring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
+  joint.cracks = {{.compliance = 2e-6, .sense = OpeningSense::positive}};
+  double first = 0.0;
+  double last = 0.0;
+  const Motion motion = simulate(
+      joint, {.output_angle = -1e-3}, {.duration = 0.3, .output_step = 1e-3, .tolerance = 1e-12},
+      [&](const MotionSample& at) {
+        double& largest = at.time < 0.1 ? first : last;
+        if (at.time < 0.1 || at.time > 0.2)
+          largest = std::max(largest, std::abs(at.forces.elastic_torque));
+      });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  EXPECT_LT(motion.energy.imbalance, 1e-7);
+  EXPECT_LT(last, 0.9 * first);
+}
+
+TEST(TwistLoops, CrosscheckTableAgainstTheSpring) {
+  // (MO-25, MO-52): a table of a linear spring with a turning input against the spring.
+  const Profile rate{.time = {0, .1, .3, .5}, .value = {0, .02, -.02, .01}};
+  const Joint spring = twisted(growing_loops(2.0), rate, 20.0);
+  Joint tabled = spring;
+  EnergySamples samples{.rate = 1.0, .period = 2 * pi, .energy = {}, .twist = {}, .compliance = {}};
+  for (const double torque : kTorques) samples.twist.push_back(torque / kStiffness / 2);
+  samples.compliance.assign(kTorques.size(), 1 / kStiffness / 2);
+  samples.energy = {10.0 * 10 / (4 * kStiffness)};
+  tabled.table =
+      std::make_shared<const EnergyTable>(kTorques, std::vector{samples}, 1 / kStiffness / 2);
+  const SimulationOptions options{.duration = 0.5, .output_step = 0.01, .tolerance = 1e-11};
+  std::vector<double> torques;
+  (void)simulate(spring, {}, options,
+                 [&](const MotionSample& at) { torques.push_back(at.forces.torque); });
+  std::size_t n = 0;
+  (void)simulate(tabled, {}, options, [&](const MotionSample& at) {
+    EXPECT_NEAR(at.forces.torque, torques[n++], 1e-7);
+  });
+  EXPECT_EQ(n, torques.size());
+}
+
+TEST(TwistLoops, ConvergenceWithTheShortestFading) {
+  // (MO-53) is of the second order in the part of the memory that fades in a step.
+  std::vector<double> lost;
+  for (const double tolerance : {1e-11, 1e-13}) {
+    const Joint joint =
+        twisted(growing_loops(2.0), {.time = {0, .1, .3, .5}, .value = {0, .02, -.02, .01}}, 20.0);
+    const Motion motion =
+        simulate(joint, {}, {.duration = 0.5, .output_step = 0.5, .tolerance = tolerance});
+    EXPECT_LT(motion.energy.imbalance, 1e-6);
+    lost.push_back(motion.energy.lost);
+  }
+  test::expect_relative(lost[0], lost[1], 1e-3);
+}
+
+TEST(TwistLoops, InputEachRuleBrokenOnce) {
+  const auto broken = [](const std::vector<double>& torques, const std::vector<double>& widths,
+                         double fading = 0.0) {
+    return test::broken_rule([&] { (void)TwistLoops(torques, widths, fading); });
+  };
+  const std::vector<double> even(7, 1e-4);
+  EXPECT_EQ(broken(kTorques, even), "no error");
+  EXPECT_NE(broken(kTorques, even, -1).find("loops.fading"), std::string::npos);
+  EXPECT_NE(broken(kTorques, {1e-4}).find("as many widths"), std::string::npos);
+  EXPECT_NE(broken({-1, 0, 1}, {0, 0, 0}).find("at least 4 torques"), std::string::npos);
+  EXPECT_NE(broken({-2, -1, -1, 2}, {0, 0, 0, 0}).find("larger than the torque before"),
+            std::string::npos);
+  EXPECT_NE(broken({-2, -1, 1, 2}, {0, 0, -1, 0}).find("loops.width[2]"), std::string::npos);
+  EXPECT_NE(broken({1, 2, 3, 4}, {0, 0, 0, 0}).find("< 0 at the first"), std::string::npos);
+  EXPECT_NE(broken({-4, -3, -2, -1}, {0, 0, 0, 0}).find("> 0 at the last"), std::string::npos);
+  const Joint joint = twisted(even_loops(), {.time = {}, .value = {0.0}});
+  const SimulationOptions options{.duration = 0.1, .output_step = 0.1};
+  JointState start{.loops = LoopMemory{}};
+  start.loops->play[3] = kWidth;
+  EXPECT_NE(test::broken_rule([&] {
+              (void)simulate(joint, start, options);
+            }).find("loops.play[3] = 0.0002 rad violates: within the bounds"),
+            std::string::npos);
+  start.loops = LoopMemory{.torque = std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_NE(test::broken_rule([&] { (void)simulate(joint, start, options); }).find("loops.torque"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
