@@ -164,6 +164,22 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
                       ? "the maker's three lines of the torsion curve"
                       : "the sum of the members")};
   if (report.table) sentences.push_back(curve_table_words(*report.table));
+  if (report.contacts) {
+    const ContactLosses& contacts = *report.contacts;
+    std::string words = fmt::format(
+        "Friction in the contacts holds the twist in loops of {} at the rated torque, which fade "
+        "over {} of the input.",
+        number_and_unit(contacts.width_at_rated, angle),
+        number_and_unit(contacts.memory_angle, display_unit({}, "rad")));
+    if (contacts.coulomb)
+      words += fmt::format(
+          " The turning input loses {} without load, and {} % of the load's torque over the ratio; "
+          "this straight line is off by up to {} %.",
+          number_and_unit(*contacts.coulomb, display_unit({}, "N*m")),
+          shown_number(100 * *contacts.load_coulomb, 3),
+          shown_number(100 * *contacts.worst_deviation, 2));
+    sentences.push_back(std::move(words));
+  }
   if (report.growth) {
     const DisplayUnit hours = display_unit("time", "s", {"h", 3600.0});
     sentences.push_back(

@@ -9,6 +9,8 @@
 namespace strainwave {
 namespace {
 
+constexpr double kMostWarming = 200.0;  // [K]
+
 /// Torque of an element after a monotonic change of the twist.
 double torque_after(const SlipElement& element, double torque, double change) {
   return std::clamp(torque + element.stiffness * change, -element.limit, element.limit);  // (MO-44)
@@ -85,12 +87,13 @@ LuGre::At LuGre::at(double deflection, double speed, double load) const {
   const double g = sliding(speed, load);
   const double rate = speed - bristle_stiffness * std::abs(speed) * deflection / g;  // (MO-10)
   return {.rate = rate,
-          .torque = bristle_stiffness * deflection + bristle_damping * rate + viscous * speed};
+          .torque = bristle_stiffness * deflection + bristle_damping * rate +
+                    viscous_when_warm() * speed};
 }
 
 double LuGre::steady(double speed, double load) const {
   if (speed == 0) return 0.0;
-  return std::copysign(sliding(speed, load), speed) + viscous * speed;  // (MO-10)
+  return std::copysign(sliding(speed, load), speed) + viscous_when_warm() * speed;  // (MO-10)
 }
 
 void require_constants(const BoucWen& model) {
@@ -130,6 +133,9 @@ void require_constants(const LuGre& model) {
   rule(model.breakaway >= model.coulomb, "friction.breakaway", model.breakaway, "N*m",
        "at least friction.coulomb");
   rule(model.stribeck_speed > 0, "friction.stribeck_speed", model.stribeck_speed, "rad/s", "> 0");
+  rule(model.thinning >= 0, "friction.thinning", model.thinning, "1/K", ">= 0");
+  rule(std::abs(model.warming) <= kMostWarming, "friction.warming", model.warming, "K",
+       "at most 200 K, up or down");
   rule(model.load_coulomb >= 0, "friction.load_coulomb", model.load_coulomb, "1", ">= 0");
   rule(model.load_breakaway.value_or(0) >= 0, "friction.load_breakaway",
        model.load_breakaway.value_or(0), "1", ">= 0");

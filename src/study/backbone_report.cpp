@@ -141,6 +141,9 @@ void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
                      .severity = Severity::information,
                      .next_step = "Run strainwave simulate, which contains it."});
   };
+  if (gear.drivetrain->contact_friction == ContactFriction::computed)
+    left_out("the loops of the contacts, which hold a vibration with a standing input back",
+             "drivetrain.contact_friction");
   if (!gear.kinematic_error.empty())
     left_out("the kinematic error, because the drive does not turn on average", "kinematic_error");
   if (gear.drivetrain->friction)

@@ -441,18 +441,22 @@ ComputedCurve read_curve(std::string_view text) {
   return made;
 }
 
+double largest_curve_torque(const GearSet& gear) {
+  const MakersTorques makers = makers_torques(gear);
+  const auto peak = gear.rating ? gear.rating->momentary_peak : std::nullopt;
+  return gear.drivetrain->curve_torque.value_or(
+      peak.value_or(kOfLargest * std::max(makers.T3, makers.rated)));
+}
+
 ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
     throw InputError(
         "drivetrain.spring",
         fmt::format("is \"computed\", but the torsion curve lacks fields: {}", missing));
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
-  const MakersTorques makers = makers_torques(gear);
-  const auto peak = gear.rating ? gear.rating->momentary_peak : std::nullopt;
   ComputedCurve made;
   CurveTable& result = made.table;
-  result.most_torque = gear.drivetrain->curve_torque.value_or(
-      peak.value_or(kOfLargest * std::max(makers.T3, makers.rated)));
+  result.most_torque = largest_curve_torque(gear);
   const AtOutput output(table_torques(result.most_torque), step);
   const GearSet sound = without_cracks(gear);
   const FamilyRates rates = rates_of(gear);

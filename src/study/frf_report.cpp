@@ -189,7 +189,8 @@ void note_losses(const GearSet& gear, FrfReport& report) {
          .equation = "DY-13",
          .severity = Severity::information,
          .next_step = "Give drivetrain.gear_damping."});
-  if (gear.drivetrain->hysteresis || !gear.drivetrain->slip_element.empty() ||
+  const bool contacts = gear.drivetrain->contact_friction == ContactFriction::computed;
+  if (gear.drivetrain->hysteresis || !gear.drivetrain->slip_element.empty() || contacts ||
       gear.drivetrain->friction)
     report.notes.push_back(
         {.code = "frf.linear",
@@ -197,6 +198,7 @@ void note_losses(const GearSet& gear, FrfReport& report) {
                  "small vibrations are stiffer and more damped than here",
          .path = gear.drivetrain->hysteresis              ? "drivetrain.hysteresis"
                  : !gear.drivetrain->slip_element.empty() ? "drivetrain.slip_element"
+                 : contacts                               ? "drivetrain.contact_friction"
                                                           : "drivetrain.friction",
          .equation = "DY-6",
          .severity = Severity::information,

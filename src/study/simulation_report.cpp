@@ -354,6 +354,43 @@ SimulationRow row_of(const MovedJoint& sound, const MovedJoint* cracked) {
 
 }  // namespace
 
+namespace {
+
+Note contacts_note(const ContactLosses& of) {
+  const std::string assumed =
+      of.coulomb
+          ? " The turning input loses the torque of the contacts, without grease and seals, as "
+            "a straight line over the load; it sticks over 0.02 rad, which is assumed."
+          : "";
+  return {.code = "motion.contact_friction",
+          .text = fmt::format("while the input stands, the twist follows the loops of the coupled "
+                              "drive; while it turns, they fade over {} of the input, which is "
+                              "derived from the teeth in contact and not measured.{}",
+                              shown_quantity(of.memory_angle, "rad", 3), assumed),
+          .path = "drivetrain.contact_friction",
+          .equation = "MO-53",
+          .severity = Severity::information,
+          .next_step = of.coulomb
+                           ? "Give drivetrain.friction with the grease's part, for example by "
+                             "strainwave calibrate --friction."
+                           : ""};
+}
+
+Note output_friction_note() {
+  return {.code = "motion.output_friction",
+          .text =
+              "the friction torque of the output is a part of the torque of the turning input "
+              "only; while the input stands, the loops do not contain it",
+          .path = "rating.friction_torque",
+          .equation = "MO-54",
+          .severity = Severity::care,
+          .next_step =
+              "Give a [[drivetrain.slip_element]] with this limit, and with the stiffness "
+              "over which the output sticks."};
+}
+
+}  // namespace
+
 SimulationReport simulation_report(const GearSet& gear, const SimulationSettings& settings,
                                    const Progress& progress, const SimulationRecord* record) {
   if (gear.manoeuvre.empty())
@@ -374,9 +411,18 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   DriveJoint made =
       drive_joint(gear, progress.part(0.0, joint_share - growth_share), {}, settings.curve);
   Joint& joint = made.joint;
+  SimulationReport report;
+  if (gear.drivetrain->contact_friction == ContactFriction::computed) {
+    DriveContacts contacts = drive_contacts(gear, progress.part(joint_share, joint_share));
+    joint.loops = std::move(contacts.loops);
+    if (contacts.friction) joint.input_friction = contacts.friction;
+    made.notes.push_back(contacts_note(contacts.losses));
+    if (gear.rating && gear.rating->friction_torque > 0)
+      made.notes.push_back(output_friction_note());
+    report.contacts = contacts.losses;
+  }
   apply(gear, joint);
   check_wind_up(gear, joint);
-  SimulationReport report;
   report.springs = made.springs;
   report.table = made.table;
   report.signed_ratio = joint.ratio;
@@ -551,6 +597,10 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   if (gear.drivetrain->servo) report.equations.emplace_back("MO-21");
   if (record != nullptr) report.equations.emplace_back("MO-22");
   if (gear.drivetrain->hysteresis) report.equations.emplace_back("MO-8");
+  if (report.contacts)
+    for (const char* const tag : {"MO-52", "MO-53", "MO-54"}) report.equations.emplace_back(tag);
+  if (gear.drivetrain->friction && gear.drivetrain->friction->warming != 0)
+    report.equations.emplace_back("MO-55");
   if (gear.drivetrain->friction) report.equations.emplace_back("MO-10");
   if (gear.drivetrain->friction && gear.drivetrain->friction->by_load())
     report.equations.emplace_back("MO-40");

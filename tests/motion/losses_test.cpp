@@ -128,6 +128,20 @@ TEST(Friction, LimitSteadySpeed) {
   test::expect_relative(model.at(0.0, 1.5).torque, (0.4 + 0.002) * 1.5, 1e-14);
 }
 
+TEST(Friction, ReferenceWarmGrease) {
+  // (MO-55): the viscous part falls by e^-0.6 over 20 K at 0.03 per kelvin, the rest stays.
+  LuGre model{.bristle_stiffness = 300,
+              .viscous = 0.002,
+              .coulomb = 0.03,
+              .breakaway = 0.03,
+              .thinning = 0.03,
+              .warming = 20};
+  test::expect_relative(model.steady(100), 0.03 + 0.2 * std::exp(-0.6), 1e-14);
+  test::expect_relative(model.at(0.03 / 300, 100).torque, 0.03 + 0.2 * std::exp(-0.6), 1e-13);
+  model.warming = -20;
+  test::expect_relative(model.steady(-100), -0.03 - 0.2 * std::exp(0.6), 1e-14);
+}
+
 /// Uniform numbers that are the same on every machine.
 class Uniform {
  public:
@@ -345,6 +359,8 @@ TEST(Losses, InputEachRuleBrokenOnce) {
   EXPECT_NE(friction(&LuGre::coulomb, 0).find("coulomb"), std::string::npos);
   EXPECT_NE(friction(&LuGre::breakaway, 0.9).find("breakaway"), std::string::npos);
   EXPECT_NE(friction(&LuGre::stribeck_speed, 0).find("stribeck_speed"), std::string::npos);
+  EXPECT_NE(friction(&LuGre::thinning, -0.1).find("friction.thinning"), std::string::npos);
+  EXPECT_NE(friction(&LuGre::warming, 201).find("friction.warming"), std::string::npos);
   EXPECT_NE(friction(&LuGre::load_coulomb, -0.1).find("friction.load_coulomb"), std::string::npos);
   LuGre negative = steel;
   negative.load_breakaway = -0.1;

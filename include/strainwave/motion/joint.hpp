@@ -107,8 +107,8 @@ struct JointRate {
   double bristle = 0.0;              ///< du/dt [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]
   double supplied = 0.0;             ///< power of the input and of T_ext [W]
-  /// power lost in damping, friction, slip and the growth of cracks, or stored in z, in the bristles
-  /// and in contacts that hold [W]
+  /// power lost in damping, friction, slip and the growth of cracks, or stored in z, in the
+  /// bristles and in contacts that hold [W]
   double lost = 0.0;
   double released = 0.0;  ///< part of `lost` that the growing cracks release (MO-50) [W]
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -128,7 +129,13 @@ struct LuGre {
   double stribeck_speed = 1.0;                ///< w_s [rad/s]; > 0
   double load_coulomb = 0.0;                  ///< kappa_c [-]; >= 0
   std::optional<double> load_breakaway = {};  ///< kappa_s [-]; >= 0; absent: as load_coulomb
+  double thinning = 0.0;  ///< beta, share of sigma_2 lost per kelvin of warming [1/K]; >= 0
+  double warming = 0.0;   ///< temperature above that at which sigma_2 was measured [K]
 
+  /// sigma_2 at the temperature of the motion (MO-55) [N*m*s/rad].
+  [[nodiscard]] double viscous_when_warm() const {
+    return warming == 0 ? viscous : viscous * std::exp(-thinning * warming);  // (MO-55)
+  }
   /// Whether the friction depends on the load.
   [[nodiscard]] bool by_load() const { return load_coulomb > 0 || load_breakaway.value_or(0) > 0; }
   /// g, the torque of the bristles at constant speed (MO-40) [N*m].
@@ -177,6 +184,21 @@ struct LuGre {
                 .fallback = "0",
                 .in_template = InTemplate::commented},
           &LuGre::load_coulomb);
+    field(Field{.name = "thinning",
+                .unit = "1/K",
+                .doc = "share of viscous that is lost per kelvin of warming, as the grease thins",
+                .range = kNonNegative,
+                .example = R"("0.03 1/K")",
+                .fallback = R"("0 1/K")",
+                .in_template = InTemplate::commented},
+          &LuGre::thinning);
+    field(Field{.name = "warming",
+                .unit = "K",
+                .doc = "temperature of the grease above that at which viscous was measured",
+                .example = R"("20 K")",
+                .fallback = R"("0 K")",
+                .in_template = InTemplate::commented},
+          &LuGre::warming);
     field(Field{.name = "load_breakaway",
                 .unit = "1",
                 .doc = "share of the torque on the load, over the ratio, that adds to breakaway; "

@@ -86,6 +86,10 @@ struct ComputedCurve {
 /// Most random angles at which the table is checked.
 inline constexpr int kCheckedTriples = 100;
 
+/// Largest torque of the curve of a drive, at the output: `drivetrain.curve_torque`, or else the
+/// maker's momentary peak, or else twice the larger of T3 and the rated torque [N*m].
+[[nodiscard]] double largest_curve_torque(const GearSet& gear);
+
 /// Implements theory manual eqs. (MO-25) to (MO-27).
 ///
 /// The families are the cage with cracks of the inner ring, the flexspline with its teeth and the

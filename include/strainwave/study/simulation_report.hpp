@@ -15,6 +15,7 @@
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/motion/simulate.hpp"
 #include "strainwave/study/computed_curve.hpp"
+#include "strainwave/study/contact_losses.hpp"
 #include "strainwave/study/modes_report.hpp"
 
 /// @file
@@ -277,7 +278,8 @@ struct SimulationReport {
   double duration = 0.0;  ///< [s]
   double signed_ratio = 0.0;
   SpringModel springs = SpringModel::members;
-  std::optional<CurveTable> table = {};  ///< absent: the spring is not the computed curve
+  std::optional<CurveTable> table = {};        ///< absent: the spring is not the computed curve
+  std::optional<ContactLosses> contacts = {};  ///< absent: the file does not ask for them
   MotionSummary intact;
   std::optional<MotionSummary> cracked = {};  ///< absent: no crack that a motion contains
   /// largest difference of the output's angle between both motions, among the samples [rad]
@@ -298,6 +300,8 @@ struct SimulationReport {
     field({"springs", "", "origin of the spring: coupled_drive, members or computed_curve"},
           &SimulationReport::springs);
     field({"table", "", "the table of the computed curve and its error"}, &SimulationReport::table);
+    field({"contacts", "", "friction in the contacts, by the coupled drive"},
+          &SimulationReport::contacts);
     field({"intact", "", "the sound drive"}, &SimulationReport::intact);
     field({"cracked", "", "the drive with its cracks"}, &SimulationReport::cracked);
     field({.name = "largest_difference",

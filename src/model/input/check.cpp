@@ -108,10 +108,12 @@ void check_drivetrain(const GearSet& gear) {
         "drivetrain.coupling_stiffness",
         "needs drivetrain.wave_generator_inertia, the inertia behind the coupling; give "
         "it, or leave out the coupling");
-  if (of.curve_torque && of.spring != RestoringTorque::computed)
-    throw InputError("drivetrain.curve_torque",
-                     "needs drivetrain.spring = \"computed\", whose table it bounds; give it, or "
-                     "leave out the torque");
+  if (of.curve_torque && of.spring != RestoringTorque::computed &&
+      of.contact_friction != ContactFriction::computed)
+    throw InputError(
+        "drivetrain.curve_torque",
+        "needs drivetrain.spring = \"computed\", whose table it bounds, or "
+        "drivetrain.contact_friction = \"computed\"; give one, or leave out the torque");
   if (gear.duty && gear.duty->fixed != of.fixed)
     throw InputError("drivetrain.fixed",
                      fmt::format("contradicts duty.fixed; write \"{}\" here, or change duty.fixed",
@@ -119,6 +121,11 @@ void check_drivetrain(const GearSet& gear) {
   if (of.hysteresis && !of.slip_element.empty())
     throw InputError("drivetrain.slip_element",
                      "is read in place of drivetrain.hysteresis; give one of the two");
+  if (of.contact_friction == ContactFriction::computed && of.hysteresis)
+    throw InputError(
+        "drivetrain.hysteresis",
+        "is part of the loops that drivetrain.contact_friction = \"computed\" asks for; "
+        "give one of the two");
   if (of.friction)
     require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
             of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");

@@ -34,6 +34,16 @@ struct EnumNames<RestoringTorque> {
   static constexpr std::array<std::string_view, 2> names = {"lines", "computed"};
 };
 
+/// Where the friction in the contacts of a motion comes from.
+enum class ContactFriction {
+  none,      ///< as far as hysteresis, slip elements and friction of the file contain it
+  computed,  ///< by the coupled drive: loops of the twist, and torque of the turning input
+};
+template <>
+struct EnumNames<ContactFriction> {
+  static constexpr std::array<std::string_view, 2> names = {"none", "computed"};
+};
+
 /// What turns the wave generator, and what the output turns: for the vibration of the drive.
 struct Drivetrain {
   FixedMember fixed = FixedMember::circular_spline;
@@ -54,8 +64,9 @@ struct Drivetrain {
   std::optional<Servo> servo = {};             ///< controller of the motor; absent: given speed
   CrackBreathing breathing = CrackBreathing::torque;
   RestoringTorque spring = RestoringTorque::lines;
-  /// largest torque of the computed curve, at the output [N*m]; > 0; absent: the maker's momentary
-  /// peak, or twice the larger of T3 and the rated torque
+  ContactFriction contact_friction = ContactFriction::none;
+  /// largest torque of the computed curve and of the loops, at the output [N*m]; > 0; absent: the
+  /// maker's momentary peak, or twice the larger of T3 and the rated torque
   std::optional<double> curve_torque = {};
 
   template <class Visitor>
@@ -169,9 +180,20 @@ struct Drivetrain {
               .fallback = R"("lines")",
               .in_template = InTemplate::commented},
         &Drivetrain::spring);
+    field(
+        Field{.name = "contact_friction",
+              .unit = "",
+              .doc = "friction of flanks and bearing in a motion: \"none\", what hysteresis and "
+                     "friction contain; or \"computed\", the loops of the torsion curve while the "
+                     "input stands and, without friction, the torque that the turning input loses",
+              .example = R"("computed")",
+              .fallback = R"("none")",
+              .in_template = InTemplate::commented},
+        &Drivetrain::contact_friction);
     field(Field{.name = "curve_torque",
                 .unit = "N*m",
-                .doc = "largest torque of the computed curve, at the output; the maker's momentary "
+                .doc = "largest torque of the computed curve, and of the loops of "
+                       "contact_friction, at the output; the maker's momentary "
                        "peak if left out, or else twice the larger of T3 and the rated torque",
                 .range = kPositive,
                 .example = R"("170 N*m")",
