@@ -209,6 +209,7 @@ std::map<std::string_view, std::string> unit_patterns() {
       {"m", length},
       {"s", time},
       {"K", words_like("K")},
+      {"1/K", fmt::format("1/{}", words_like("K"))},
       {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, time)})},
       {"N", force},
       {"rad", angle},

@@ -15,15 +15,15 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kLargestRule = 48;           // points of one Gauss rule
-constexpr double kPointsPerWave = 0.6;     // of a piece, per harmonic and radian
-constexpr double kLeastPoints = 10;        // of a piece
-constexpr double kBendPerStep = 1.0 / 32;  // n A |change|/F_c of one step of (MO-8)
-constexpr double kNearZero = 0.1;          // z/F_c
-constexpr double kStands = 1e-14;          // slope of the saturated hysteresis, over A
-constexpr int kMostSteps = 60;             // of Newton's method in a piece of a table
-constexpr double kExactTwist = 4e-16;      // of the twist from the end of the piece
-constexpr double kSaturated = 60.0;        // A |change|/F_c behind which z does not change
+constexpr int kLargestRule = 48;            // points of one Gauss rule
+constexpr double kPointsPerWave = 0.6;      // of a piece, per harmonic and radian
+constexpr double kLeastPoints = 10;         // of a piece
+constexpr double kBendPerStep = 1.0 / 32;   // n A |change|/F_c of one step of (MO-8)
+constexpr double kNearZero = 0.1;           // z/F_c
+constexpr double kStands = 1e-14;           // slope of the saturated hysteresis, over A
+constexpr int kMostTwistSteps = 60;         // of Newton's method in a piece of a table
+constexpr double kExactCycleTwist = 4e-16;  // of the twist from the end of the piece
+constexpr double kSaturated = 60.0;         // A |change|/F_c behind which z does not change
 /// The hysteresis is saturated behind these changes of the twist, over F_c/A.
 constexpr std::array<double, 2> kSaturation = {8.0, 32.0};
 
@@ -160,10 +160,10 @@ ElasticCurve::At ElasticCurve::on_nodes(double twist) const {
   double high = h;
   double t = asked / chord;
   double slope = chord;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostTwistSteps; ++step) {
     const double missing = asked - t * (from.above + t * (second + t * third));  // (MO-28)
     slope = from.above + t * (2 * second + t * 3 * third);
-    if (std::abs(missing) <= kExactTwist * std::abs(asked)) break;
+    if (std::abs(missing) <= kExactCycleTwist * std::abs(asked)) break;
     (missing > 0 ? low : high) = t;
     double better = t + missing / slope;
     if (!(better >= low && better <= high)) better = low + (high - low) / 2;

@@ -15,9 +15,9 @@
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kLeastPoints = 4;  // of the interpolation
-constexpr double kEdge = 1e-9;           // of the bound [-]
-constexpr double kShortTurn = 1e-4;      // share of Theta below which series replace differences
+constexpr std::size_t kLeastTorques = 4;  // of the interpolation
+constexpr double kEdge = 1e-9;            // of the bound [-]
+constexpr double kShortTurn = 1e-4;       // share of Theta below which series replace differences
 
 /// Threshold over half of the width, of the element k from 0 on.  The element with threshold 0
 /// always follows the spring, and bears no twist of its own.
@@ -75,7 +75,7 @@ TwistLoops::TwistLoops(const std::vector<double>& torques, const std::vector<dou
                        double fading)
     : fading_(fading) {
   require(fading >= 0 && std::isfinite(fading), "loops.fading", fading, "1/rad", ">= 0");
-  if (torques.size() < kLeastPoints || torques.size() != widths.size())
+  if (torques.size() < kLeastTorques || torques.size() != widths.size())
     throw InputError("loops", "must have at least 4 torques, and as many widths");
   const FieldPath at("loops");
   for (std::size_t n = 0; n < torques.size(); ++n) {

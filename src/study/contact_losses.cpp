@@ -21,7 +21,7 @@
 namespace strainwave {
 namespace {
 
-constexpr int kTorquesPerSense = 24;
+constexpr int kWidthsPerSense = 24;
 constexpr double kSlipAngle = 0.02;  // of the input, before the contacts slip the other way [rad]
 constexpr double kStribeckSpeed = 1.0;  // without effect, because breakaway is coulomb [rad/s]
 
@@ -35,8 +35,8 @@ struct Widths {
 Widths widths_of(const AssembledDrive& drive, double most, double step, const Progress& progress) {
   const auto of_sense = [&](double sense, const Progress& part) {
     std::vector<double> torques;
-    for (int n = 0; n <= kTorquesPerSense; ++n) {
-      const double share = static_cast<double>(n) / kTorquesPerSense;
+    for (int n = 0; n <= kWidthsPerSense; ++n) {
+      const double share = static_cast<double>(n) / kWidthsPerSense;
       // The torque of the drive on its load is minus that on the output (MO-14).
       torques.push_back(-step * sense * most * share * share);
     }
@@ -81,13 +81,20 @@ LuGre turning_friction(const GearSet& gear, const AssembledDrive& drive, double 
   };
   const double idle = turn * no_load_torque(drive).total();
   const double rated = makers.rated / std::abs(step);
-  const double slope = std::max(0.0, (lost(rated) - idle) * ratio / rated);  // (MO-54)
-  double worst = 0.0;
+  // Least squares of the relative deviations.
+  std::vector<std::pair<double, double>> points;  // load over the ratio, and torque
+  double over = 0.0;
+  double under = 0.0;
   for (const double torque : {makers.T1, makers.T2, makers.T3, makers.rated}) {
     const double at_output = torque / std::abs(step);
-    const double is = lost(at_output);
-    worst = std::max(worst, std::abs(idle + slope * at_output / ratio - is) / is);
+    const auto& [load, is] = points.emplace_back(at_output / ratio, lost(at_output));
+    over += load * (is - idle) / (is * is);
+    under += load * load / (is * is);
   }
+  const double slope = std::max(0.0, over / under);  // (MO-54)
+  double worst = 0.0;
+  for (const auto& [load, is] : points)
+    worst = std::max(worst, std::abs(idle + slope * load - is) / is);
   losses.coulomb = idle;
   losses.load_coulomb = slope;
   losses.worst_deviation = worst;

@@ -22,21 +22,21 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kStiffness = 4e4;  // [N*m/rad]
-constexpr double kWidth = 2e-4;     // [rad]
-constexpr auto kElements = static_cast<double>(LoopMemory::kElements);
+constexpr double kLoopStiffness = 4e4;  // [N*m/rad]
+constexpr double kLoopWidth = 2e-4;     // [rad]
+constexpr auto kPlays = static_cast<double>(LoopMemory::kElements);
 
-const std::vector<double> kTorques = {-100, -40, -10, 0, 10, 40, 100};
+const std::vector<double> kLoopTorques = {-100, -40, -10, 0, 10, 40, 100};
 
 std::shared_ptr<const TwistLoops> even_loops(double fading = 0.0) {
-  return std::make_shared<const TwistLoops>(kTorques, std::vector<double>(kTorques.size(), kWidth),
-                                            fading);
+  return std::make_shared<const TwistLoops>(
+      kLoopTorques, std::vector<double>(kLoopTorques.size(), kLoopWidth), fading);
 }
 /// Loops whose width grows with the torque, as that of contacts under load.
 std::shared_ptr<const TwistLoops> growing_loops(double fading = 0.0) {
   std::vector<double> widths;
-  for (const double torque : kTorques) widths.push_back(1e-5 + 4e-6 * std::abs(torque));
-  return std::make_shared<const TwistLoops>(kTorques, widths, fading);
+  for (const double torque : kLoopTorques) widths.push_back(1e-5 + 4e-6 * std::abs(torque));
+  return std::make_shared<const TwistLoops>(kLoopTorques, widths, fading);
 }
 
 /// Both ends move as given, so that the twist is the integral of a speed.
@@ -45,7 +45,7 @@ Joint twisted(std::shared_ptr<const TwistLoops> loops, const Profile& twist_rate
   Joint joint{.ratio = 100,
               .input_inertia = 1e-4,
               .output_inertia = 1,
-              .spring = LinearSpring{kStiffness},
+              .spring = LinearSpring{kLoopStiffness},
               .loops = std::move(loops),
               .input = GivenSpeed{{.value = {input_speed}}}};
   joint.output_speed = twist_rate;
@@ -59,13 +59,13 @@ class ByHand {
  public:
   explicit ByHand(const TwistLoops& loops) : loops_(loops) {}
   double to(double torque) {
-    const double middle = torque / kStiffness;
+    const double middle = torque / kLoopStiffness;
     double sum = 0.0;
     for (std::size_t k = 0; k <= LoopMemory::kElements; ++k) {
-      const double half = static_cast<double>(k) / kElements * loops_.width(torque);
+      const double half = static_cast<double>(k) / kPlays * loops_.width(torque);
       place_[k] = std::clamp(place_[k], middle - half, middle + half);
       const bool end = k == 0 || k == LoopMemory::kElements;
-      sum += place_[k] / kElements * (end ? 0.5 : 1.0);
+      sum += place_[k] / kPlays * (end ? 0.5 : 1.0);
     }
     return sum;
   }
@@ -82,21 +82,21 @@ TEST(TwistLoops, ReferenceFirstLoadingAndBranch) {
   const auto loops = even_loops();
   LoopMemory memory;
   for (const double share : {0.1, 0.37, 0.72, 0.99}) {
-    const double psi = share * kWidth;
-    const TwistLoops::At at =
-        loops->at(memory, {.torque = psi * kStiffness, .slide = psi, .compliance = 1 / kStiffness});
-    EXPECT_NEAR(psi + at.twist, psi * psi / (2 * kWidth), kWidth / (8 * kElements * kElements));
+    const double psi = share * kLoopWidth;
+    const TwistLoops::At at = loops->at(
+        memory, {.torque = psi * kLoopStiffness, .slide = psi, .compliance = 1 / kLoopStiffness});
+    EXPECT_NEAR(psi + at.twist, psi * psi / (2 * kLoopWidth), kLoopWidth / (8 * kPlays * kPlays));
   }
-  const double top = 1.5 * kWidth;
-  const TwistLoops::Change up{.torque = top * kStiffness, .slide = top};
-  EXPECT_NEAR(loops->at(memory, up).twist, -kWidth / 2, 1e-15);
+  const double top = 1.5 * kLoopWidth;
+  const TwistLoops::Change up{.torque = top * kLoopStiffness, .slide = top};
+  EXPECT_NEAR(loops->at(memory, up).twist, -kLoopWidth / 2, 1e-15);
   memory = loops->after(memory, up, 0.0);
   for (const double share : {0.3, 1.1, 1.9}) {
-    const double back = share * kWidth;
+    const double back = share * kLoopWidth;
     const TwistLoops::At at =
-        loops->at(memory, {.torque = (top - back) * kStiffness, .slide = -back});
-    EXPECT_NEAR(kWidth / 2 + back - (at.twist + kWidth), back * back / (4 * kWidth) + 0.0,
-                kWidth / (4 * kElements * kElements));
+        loops->at(memory, {.torque = (top - back) * kLoopStiffness, .slide = -back});
+    EXPECT_NEAR(kLoopWidth / 2 + back - (at.twist + kLoopWidth),
+                back * back / (4 * kLoopWidth) + 0.0, kLoopWidth / (4 * kPlays * kPlays));
   }
 }
 
@@ -139,7 +139,7 @@ TEST(TwistLoops, CrosscheckDerivatives) {
 TEST(TwistLoops, IdentityAnEvenSlideOverATurnMayBeDivided) {
   // (MO-53) is exact for elements between their bounds: q = q_0 e^-x - s (1 - e^-x)/x.
   const double rate = 3.5;
-  const TwistLoops loops(kTorques, std::vector<double>(kTorques.size(), 1.0), rate);
+  const TwistLoops loops(kLoopTorques, std::vector<double>(kLoopTorques.size(), 1.0), rate);
   LoopMemory memory;
   for (std::size_t k = 0; k < memory.play.size(); ++k)
     memory.play[k] = 1e-3 * std::cos(static_cast<double>(k));
@@ -185,9 +185,9 @@ TEST(TwistLoops, ReferenceWorkOfALoop) {
   // w (2T) less the corners: w dT over the whole loop, less 2 corners of the area between the
   // branch psi^2/(4w) and the envelope.  Each corner is int_0^2w [w - d + d^2/(4w)] dd = 2w^2/3.
   const auto loops = even_loops();
-  const double psi = 5 * kWidth;
+  const double psi = 5 * kLoopWidth;
   // The twist reaches +-(psi - w/2) at the torques +-K psi.
-  const double top = psi - kWidth / 2;
+  const double top = psi - kLoopWidth / 2;
   Joint joint = twisted(loops, {.time = {}, .value = {top}});
   joint.output_speed = Profile{.time = {0, 1, 1 + 1e-9, 3, 3 + 1e-9, 5},
                                .value = {-top, -top, top, top, -top, -top}};
@@ -197,9 +197,10 @@ TEST(TwistLoops, ReferenceWorkOfALoop) {
         .energy.lost;
   };
   const double loop = run(5) - run(1);
-  const double area = kStiffness * (2 * psi * kWidth - 2 * (2.0 / 3) * kWidth * kWidth);
+  const double area =
+      kLoopStiffness * (2 * psi * kLoopWidth - 2 * (2.0 / 3) * kLoopWidth * kLoopWidth);
   // The trapezoidal rule over the thresholds changes the corners by less than 1/(2 N^2) of w^2.
-  EXPECT_NEAR(loop, area, 4 * kStiffness * kWidth * kWidth / (2 * kElements * kElements));
+  EXPECT_NEAR(loop, area, 4 * kLoopStiffness * kLoopWidth * kLoopWidth / (2 * kPlays * kPlays));
 }
 
 TEST(TwistLoops, IdentityEveryClosedPathLosesEnergy) {
@@ -241,19 +242,21 @@ TEST(TwistLoops, LimitOfATurningInput) {
   Joint joint = twisted(even_loops(fading), {.time = {}, .value = {rate}}, speed);
   const double end = 30 / (fading * speed);
   double h = 0.0;
-  const Motion motion = simulate(
-      joint, {}, {.duration = end, .output_step = end, .tolerance = 1e-13},
-      [&](const MotionSample& at) { h = at.forces.twist - at.forces.elastic_torque / kStiffness; });
+  const Motion motion =
+      simulate(joint, {}, {.duration = end, .output_step = end, .tolerance = 1e-13},
+               [&](const MotionSample& at) {
+                 h = at.forces.twist - at.forces.elastic_torque / kLoopStiffness;
+               });
   double expected = 0.0;
   const double free = rate / (fading * speed);
   for (std::size_t k = 1; k <= LoopMemory::kElements; ++k)
-    expected -= std::min(free, static_cast<double>(k) / kElements * kWidth) / kElements *
+    expected -= std::min(free, static_cast<double>(k) / kPlays * kLoopWidth) / kPlays *
                 (k == LoopMemory::kElements ? 0.5 : 1.0);
-  EXPECT_LT(free, kWidth / kElements);
+  EXPECT_LT(free, kLoopWidth / kPlays);
   test::expect_relative(h, expected, 1e-9);
   EXPECT_LT(motion.energy.imbalance, 1e-7);
   // The faster the input, the less is left of the loop.
-  test::expect_relative(h, -rate / (fading * speed), 1 / kElements);
+  test::expect_relative(h, -rate / (fading * speed), 1 / kPlays);
 }
 
 TEST(TwistLoops, LimitOfAStandingInputHasNoFading) {
@@ -290,11 +293,11 @@ TEST(TwistLoops, CrosscheckTableAgainstTheSpring) {
   const Joint spring = twisted(growing_loops(2.0), rate, 20.0);
   Joint tabled = spring;
   EnergySamples samples{.rate = 1.0, .period = 2 * pi, .energy = {}, .twist = {}, .compliance = {}};
-  for (const double torque : kTorques) samples.twist.push_back(torque / kStiffness / 2);
-  samples.compliance.assign(kTorques.size(), 1 / kStiffness / 2);
-  samples.energy = {10.0 * 10 / (4 * kStiffness)};
-  tabled.table =
-      std::make_shared<const EnergyTable>(kTorques, std::vector{samples}, 1 / kStiffness / 2);
+  for (const double torque : kLoopTorques) samples.twist.push_back(torque / kLoopStiffness / 2);
+  samples.compliance.assign(kLoopTorques.size(), 1 / kLoopStiffness / 2);
+  samples.energy = {10.0 * 10 / (4 * kLoopStiffness)};
+  tabled.table = std::make_shared<const EnergyTable>(kLoopTorques, std::vector{samples},
+                                                     1 / kLoopStiffness / 2);
   const SimulationOptions options{.duration = 0.5, .output_step = 0.01, .tolerance = 1e-11};
   std::vector<double> torques;
   (void)simulate(spring, {}, options,
@@ -326,9 +329,9 @@ TEST(TwistLoops, InputEachRuleBrokenOnce) {
     return test::broken_rule([&] { (void)TwistLoops(torques, widths, fading); });
   };
   const std::vector<double> even(7, 1e-4);
-  EXPECT_EQ(broken(kTorques, even), "no error");
-  EXPECT_NE(broken(kTorques, even, -1).find("loops.fading"), std::string::npos);
-  EXPECT_NE(broken(kTorques, {1e-4}).find("as many widths"), std::string::npos);
+  EXPECT_EQ(broken(kLoopTorques, even), "no error");
+  EXPECT_NE(broken(kLoopTorques, even, -1).find("loops.fading"), std::string::npos);
+  EXPECT_NE(broken(kLoopTorques, {1e-4}).find("as many widths"), std::string::npos);
   EXPECT_NE(broken({-1, 0, 1}, {0, 0, 0}).find("at least 4 torques"), std::string::npos);
   EXPECT_NE(broken({-2, -1, -1, 2}, {0, 0, 0, 0}).find("larger than the torque before"),
             std::string::npos);
@@ -338,7 +341,7 @@ TEST(TwistLoops, InputEachRuleBrokenOnce) {
   const Joint joint = twisted(even_loops(), {.time = {}, .value = {0.0}});
   const SimulationOptions options{.duration = 0.1, .output_step = 0.1};
   JointState start{.loops = LoopMemory{}};
-  start.loops->play[3] = kWidth;
+  start.loops->play[3] = kLoopWidth;
   EXPECT_NE(test::broken_rule([&] {
               (void)simulate(joint, start, options);
             }).find("loops.play[3] = 0.0002 rad violates: within the bounds"),
