@@ -321,7 +321,7 @@ std::shared_ptr<const EnergyTable> table_of(const CurveSamples& of,
   return std::make_shared<const EnergyTable>(of.torques, families, of.compliance);
 }
 
-[[noreturn]] void refuse_text() {
+[[noreturn]] void refuse_curve_text() {
   throw InputError("curve table", "cannot be read; compute it again");
 }
 
@@ -330,7 +330,8 @@ std::shared_ptr<const EnergyTable> table_of(const CurveSamples& of,
 /// @param size     takes a list, and gives it its size
 /// @param present  takes an optional value, and makes it present or absent
 template <class Samples, class Number, class Size, class Present>
-void each_number(Samples& of, const Number& number, const Size& size, const Present& present) {
+void each_curve_number(Samples& of, const Number& number, const Size& size,
+                       const Present& present) {
   const auto list = [&](auto& values) {
     size(values);
     for (auto& value : values) number(value);
@@ -401,7 +402,7 @@ std::string curve_text(const CurveSamples& samples) {
     if (!text.empty()) text += ' ';
     text.append(digits.data(), written.ptr);
   };
-  each_number(
+  each_curve_number(
       samples, word, [&](const auto& list) { word(list.size()); },
       [&](const auto& value) { word(value ? 1 : 0); });
   return text;
@@ -416,24 +417,24 @@ ComputedCurve read_curve(std::string_view text) {
       read = std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::hex);
     else
       read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (read.ec != std::errc{} || read.ptr != word.data() + word.size()) refuse_text();
+    if (read.ec != std::errc{} || read.ptr != word.data() + word.size()) refuse_curve_text();
     text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
   };
   const auto size = [&](auto& list) {
     std::size_t count = 0;
     take(count);
-    if (count > text.size()) refuse_text();  // each number has a digit
+    if (count > text.size()) refuse_curve_text();  // each number has a digit
     list.resize(count);
   };
   const auto present = [&](auto& value) {
     int flag = 0;
     take(flag);
-    if (flag != 0 && flag != 1) refuse_text();
+    if (flag != 0 && flag != 1) refuse_curve_text();
     if (flag == 1) value.emplace();
   };
   ComputedCurve made;
-  each_number(made.samples, take, size, present);
-  if (!text.empty()) refuse_text();
+  each_curve_number(made.samples, take, size, present);
+  if (!text.empty()) refuse_curve_text();
   made.table = made.samples.table;
   made.sound = table_of(made.samples, made.samples.sound);
   made.cracked =

@@ -15,10 +15,10 @@
 namespace strainwave {
 namespace {
 
-constexpr int kRows = 200;         // of the growth
-constexpr double kNearest = 1e-9;  // distance of two rows, of the motion [-]
-constexpr double kHour = 3600.0;   // [s]
-constexpr double kLongestDuty = 1e6 * 365.25 * 24 * kHour;  // that `grow` computes [s]
+constexpr int kRows = 200;           // of the growth
+constexpr double kNearest = 1e-9;    // distance of two rows, of the motion [-]
+constexpr double kOneHour = 3600.0;  // [s]
+constexpr double kLongestDuty = 1e6 * 365.25 * 24 * kOneHour;  // that `grow` computes [s]
 
 bool ends_life(DriveEnd end) {
   return end == DriveEnd::breaks || end == DriveEnd::assessment || end == DriveEnd::severed ||
@@ -169,7 +169,7 @@ std::vector<Note> GrowingJoint::notes() const {
         {.code = "motion.growth_ends",
          .text = fmt::format("the motion ends at {}, after {} h of duty, where the growth of the "
                              "cracks ends: {}",
-                             shown_quantity(end_, "s", 4), shown_number(growth_.time / kHour, 4),
+                             shown_quantity(end_, "s", 4), shown_number(growth_.time / kOneHour, 4),
                              ending(growth_)),
          .path = growth_.governing,
          .equation = "MO-50",
@@ -179,7 +179,7 @@ std::vector<Note> GrowingJoint::notes() const {
   else if (growth_.end == DriveEnd::arrested || growth_.end == DriveEnd::not_known)
     made.push_back({.code = "motion.growth_stands",
                     .text = fmt::format("the cracks keep their sizes from {} h of duty on: {}",
-                                        shown_number(growth_.time / kHour, 4), ending(growth_)),
+                                        shown_number(growth_.time / kOneHour, 4), ending(growth_)),
                     .path = "duty",
                     .equation = "MO-50",
                     .severity = Severity::information});

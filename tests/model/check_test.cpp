@@ -1485,6 +1485,7 @@ TEST(CheckRange, ReferenceRanges) {
   const std::set<std::string> any = {"load.torque",
                                      "drivetrain.gravity_torque",
                                      "drivetrain.gravity_angle",
+                                     "drivetrain.friction.warming",
                                      "kinematic_error[0].phase",
                                      "manoeuvre[0].input_speed",
                                      "manoeuvre[0].input_torque",
@@ -1534,6 +1535,7 @@ TEST(CheckRange, ReferenceRanges) {
                                              "drivetrain.load_damping",
                                              "drivetrain.friction.bristle_damping",
                                              "drivetrain.friction.viscous",
+                                             "drivetrain.friction.thinning",
                                              "drivetrain.friction.load_coulomb",
                                              "drivetrain.friction.load_breakaway",
                                              "duty.resonance.frequency_ratio"};

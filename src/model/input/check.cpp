@@ -121,11 +121,6 @@ void check_drivetrain(const GearSet& gear) {
   if (of.hysteresis && !of.slip_element.empty())
     throw InputError("drivetrain.slip_element",
                      "is read in place of drivetrain.hysteresis; give one of the two");
-  if (of.contact_friction == ContactFriction::computed && of.hysteresis)
-    throw InputError(
-        "drivetrain.hysteresis",
-        "is part of the loops that drivetrain.contact_friction = \"computed\" asks for; "
-        "give one of the two");
   if (of.friction)
     require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
             of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");
