@@ -93,6 +93,7 @@ class WithLoops {
       (missing > 0 ? below : above) = torque;
       double next = torque + missing / (of_.compliance + at.loops.compliance);
       if (!(next > below && next < above)) next = below + (above - below) / 2;
+      if (!std::isfinite(next)) of_.torque = next;  // no state of equilibrium
       if (next == torque || !std::isfinite(next)) break;
       torque = next;
     }

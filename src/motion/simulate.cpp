@@ -47,8 +47,10 @@ constexpr double kPointsPerOrder = 10;   // points of a table in a period of its
 constexpr double kSmallShare = 1e-9;     // of the stored energy, which a balance neglects [-]
 constexpr double kUsualTwist = 1e-3;     // [rad]
 constexpr double kMostFading = 0.1;      // share of the memory that fades in a step [-]
+constexpr double kLongerStep = 1.01;     // of the step to an event that is refined [-]
 constexpr int kMostRefinements = 6;
 constexpr double kExactMargin = 1e-9;  // of the margin at the beginning of a step [-]
+constexpr double kTooFar = 10.0;       // error of a step that turns too far [-]
 constexpr double kJustBehind = 1e-3;   // share of a step behind an event [-]
 
 JointState joint_state(const Joint& joint, const State& x, const std::optional<SlipState>& slip,
@@ -498,6 +500,11 @@ class MotionRun::Steps {
     trial.forces = last_forces_;  // the last stage is the end of the step
     for (std::size_t n = 0; n < kEntries; ++n)
       trial.error = std::max(trial.error, std::abs(error[n]) * to_angle_[n] / options_.tolerance);
+    // A step that begins slowly may turn too far.
+    if (joint_.loops &&
+        std::abs(trial.state[kInputAngle] - x[kInputAngle]) * joint_.loops->fading() >
+            2 * kMostFading)
+      trial.error = std::max(trial.error, kTooFar);
     for (const double value : trial.state)
       if (!std::isfinite(value)) trial.error = std::numeric_limits<double>::infinity();
     return trial;
@@ -566,6 +573,7 @@ class MotionRun::Steps {
   /// enough.
   [[nodiscard]] double refined(double t, const State& x, const State& slope, Trial& trial,
                                double margin_at_begin) {
+    const double longest = std::min(trial.length * kLongerStep, at_.segment_end - t);
     double length = 0.0;
     double margin = margin_at_begin;
     for (int n = 0; n < kMostRefinements; ++n) {
@@ -573,7 +581,7 @@ class MotionRun::Steps {
       if (std::abs(here) <= kExactMargin * std::abs(margin_at_begin) || here == margin) break;
       const double next =
           trial.length - here * (trial.length - length) / (here - margin);  // a secant
-      if (!(next > 0 && next < 2 * trial.length)) break;
+      if (!(next > 0 && next <= longest)) break;
       length = trial.length;
       margin = here;
       trial = try_step(t, x, slope, next);

@@ -72,14 +72,15 @@ LuGre turning_friction(const GearSet& gear, const AssembledDrive& drive, double 
   const double ratio =
       std::abs(signed_ratio(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio));
   const MakersTorques makers = makers_torques(gear);
+  const RunningTorque without_load = no_load_torque(drive);
   const auto lost = [&](double output_torque) {
     const double of_flexspline = std::abs(step) * output_torque;
-    return turn *
-           (running_torque(drive, of_flexspline).total() +
-            running_torque(drive, -of_flexspline).total()) /
-           2;
+    return turn * without_load.output + turn *
+                                            (running_torque(drive, of_flexspline).total() +
+                                             running_torque(drive, -of_flexspline).total()) /
+                                            2;
   };
-  const double idle = turn * no_load_torque(drive).total();
+  const double idle = turn * without_load.total();
   const double rated = makers.rated / std::abs(step);
   // Least squares of the relative deviations.
   std::vector<std::pair<double, double>> points;  // load over the ratio, and torque
@@ -116,7 +117,18 @@ DriveContacts drive_contacts(const GearSet& gear, const Progress& progress) {
   const AssembledDrive drive(without_cracks(gear));
   const double most = largest_curve_torque(gear);
   DriveContacts made;
-  const Widths widths = widths_of(drive, most, step, progress.part(0.0, 0.6));
+  const auto within_reach = [&](const auto& solve) {
+    try {
+      return solve();
+    } catch (const SolverError& error) {
+      throw SolverError(
+          fmt::format("the loops of the contacts up to {:.4g} N*m are not known: {}; lower "
+                      "drivetrain.curve_torque, or give drivetrain.contact_friction = \"none\"",
+                      most, error.what()));
+    }
+  };
+  const Widths widths =
+      within_reach([&] { return widths_of(drive, most, step, progress.part(0.0, 0.6)); });
   const double rated = makers_torques(gear).rated;
   const TorsionCurve curve =
       torsion_curve(drive, std::array{rated, -rated}, progress.part(0.6, 0.8));

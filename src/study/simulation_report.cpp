@@ -360,20 +360,48 @@ Note contacts_note(const ContactLosses& of) {
   const std::string assumed =
       of.coulomb
           ? " The turning input loses the torque of the contacts, without grease and seals, as "
-            "a straight line over the load; it sticks over 0.02 rad, which is assumed."
+            "a straight line over the load; its bristles bend by 0.02 rad at the rated torque, "
+            "which "
+            "is assumed."
           : "";
-  return {.code = "motion.contact_friction",
-          .text = fmt::format("while the input stands, the twist follows the loops of the coupled "
-                              "drive; while it turns, they fade over {} of the input, which is "
-                              "derived from the teeth in contact and not measured.{}",
-                              shown_quantity(of.memory_angle, "rad", 3), assumed),
+  return {
+      .code = "motion.contact_friction",
+      .text =
+          fmt::format("while the input stands, the twist follows the loops of the coupled "
+                      "drive; while it turns, they fade over {} of the input, which is "
+                      "derived from the teeth in contact and not measured. That the sense of the "
+                      "turn shifts the output, by up to half of the width of a loop, is "
+                      "left out.{}",
+                      shown_quantity(of.memory_angle, "rad", 3), assumed),
+      .path = "drivetrain.contact_friction",
+      .equation = "MO-53",
+      .severity = Severity::information,
+      .next_step = of.coulomb ? "Give drivetrain.friction with the grease's part, for example by "
+                                "strainwave calibrate --friction."
+                              : ""};
+}
+
+/// Refuses what the stiff engine does not move, before anything is computed.
+void refuse_for_stiff_engine(const GearSet& gear, const SimulationSettings& settings) {
+  const auto refuse = [](const char* path) {
+    throw InputError(path, "does not go with --engine stiff; leave out one of the two");
+  };
+  if (settings.growth) refuse("--growth");
+  if (!gear.drivetrain) return;
+  if (!gear.drivetrain->slip_element.empty()) refuse("drivetrain.slip_element");
+  if (gear.drivetrain->contact_friction == ContactFriction::computed)
+    refuse("drivetrain.contact_friction");
+}
+
+Note beyond_loops_note(double most) {
+  return {.code = "motion.beyond_loops",
+          .text = fmt::format("the torque leaves the range of the loops, which ends at {}; beyond "
+                              "it their width is constant",
+                              shown_quantity(most, "N*m", 4)),
           .path = "drivetrain.contact_friction",
-          .equation = "MO-53",
-          .severity = Severity::information,
-          .next_step = of.coulomb
-                           ? "Give drivetrain.friction with the grease's part, for example by "
-                             "strainwave calibrate --friction."
-                           : ""};
+          .equation = "MO-52",
+          .severity = Severity::care,
+          .next_step = "Raise drivetrain.curve_torque."};
 }
 
 Note output_friction_note() {
@@ -403,17 +431,24 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
                        "stiff has no checkpoints, which --record and --resume need; leave out "
                        "--engine, or the record");
     require_stiff_motion("--engine");
+    refuse_for_stiff_engine(gear, settings);
   }
   // A recorded motion is long against the making of its joint, and a computed curve takes long.
   const bool computed = gear.drivetrain && gear.drivetrain->spring == RestoringTorque::computed;
   const double growth_share = settings.growth ? 0.1 : 0.0;
-  const double joint_share = (record != nullptr ? 0.01 : (computed ? 0.5 : 0.1)) + growth_share;
-  DriveJoint made =
-      drive_joint(gear, progress.part(0.0, joint_share - growth_share), {}, settings.curve);
+  const bool rubbing =
+      gear.drivetrain && gear.drivetrain->contact_friction == ContactFriction::computed;
+  const double contact_share = rubbing && record == nullptr ? 0.1 : 0.0;
+  const double joint_share =
+      (record != nullptr ? 0.01 : (computed ? 0.5 : 0.1)) + growth_share + contact_share;
+  DriveJoint made = drive_joint(
+      gear, progress.part(0.0, joint_share - growth_share - contact_share), {}, settings.curve);
   Joint& joint = made.joint;
   SimulationReport report;
-  if (gear.drivetrain->contact_friction == ContactFriction::computed) {
-    DriveContacts contacts = drive_contacts(gear, progress.part(joint_share, joint_share));
+  if (rubbing) {
+    DriveContacts contacts = drive_contacts(
+        gear,
+        progress.part(joint_share - growth_share - contact_share, joint_share - growth_share));
     joint.loops = std::move(contacts.loops);
     if (contacts.friction) joint.input_friction = contacts.friction;
     made.notes.push_back(contacts_note(contacts.losses));
@@ -588,6 +623,10 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
          .path = "manoeuvre",
          .equation = "MO-22",
          .severity = Severity::information});
+  if (report.contacts &&
+      std::max(report.intact.largest_torque,
+               report.cracked ? report.cracked->largest_torque : 0.0) > largest_curve_torque(gear))
+    report.notes.push_back(beyond_loops_note(largest_curve_torque(gear)));
   demand_end(report.intact, "sound");
   if (report.cracked) demand_end(*report.cracked, "cracked");
   report.equations = {"MO-1", "MO-4", "MO-5", "MO-11", "MO-12", "MO-13", "MO-14"};
@@ -601,10 +640,11 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     for (const char* const tag : {"MO-52", "MO-53", "MO-54"}) report.equations.emplace_back(tag);
   if (gear.drivetrain->friction && gear.drivetrain->friction->warming != 0)
     report.equations.emplace_back("MO-55");
-  if (gear.drivetrain->friction) report.equations.emplace_back("MO-10");
-  if (gear.drivetrain->friction && gear.drivetrain->friction->by_load())
+  if (joint.input_friction) report.equations.emplace_back("MO-10");
+  if (joint.input_friction && joint.input_friction->by_load())
     report.equations.emplace_back("MO-40");
-  if (!gear.drivetrain->slip_element.empty()) report.equations.emplace_back("MO-44");
+  if (!gear.drivetrain->slip_element.empty())
+    for (const char* const tag : {"MO-44", "MO-45"}) report.equations.emplace_back(tag);
   if (joint.output_speed) report.equations.emplace_back("MO-46");
   if (growing) {
     report.equations.emplace_back("MO-50");

@@ -106,28 +106,32 @@ TEST(ContactLosses, CrosscheckFreeDecay) {
 TEST(ContactLosses, LimitTurningInput) {
   // (TC-34, MO-54): at a constant speed under a constant load the motor bears T/i and the running
   // torque of the contacts, within the stated deviation of the straight line; no loop is left.
-  GearSet gear = rubbing_joint();
-  gear.drivetrain->gear_damping = 200;
-  const MakersTorques makers = makers_torques(gear);
-  const AssembledDrive drive(gear);
-  gear.manoeuvre = {{.duration = 0.3, .input_speed = 100.0, .output_torque = makers.T2},
-                    {.duration = 0.9, .input_speed = 100.0}};
-  const SimulationReport report = simulation_report(gear);
-  ASSERT_TRUE(report.intact.converged) << report.intact.reason;
-  const double lost =
-      (running_torque(drive, makers.T2).total() + running_torque(drive, -makers.T2).total()) / 2;
-  const double load = makers.T2 / std::abs(report.signed_ratio);
-  ASSERT_TRUE(report.contacts->coulomb.has_value());
-  const double motor = std::abs(report.rows.back().input_torque);
-  EXPECT_NEAR(std::abs(motor - load), lost, lost * (*report.contacts->worst_deviation + 1e-3));
-  test::expect_relative(*report.contacts->coulomb, no_load_torque(drive).total(), 1e-12);
-  EXPECT_LT(*report.contacts->worst_deviation, 0.4);
-  // Without friction in the contacts the output stands at the same place.
-  gear.drivetrain->contact_friction = ContactFriction::none;
-  gear.drivetrain->curve_torque.reset();
-  const SimulationReport smooth = simulation_report(gear);
-  EXPECT_NEAR(report.rows.back().output_error, smooth.rows.back().output_error,
-              1e-3 * report.contacts->width_at_rated);
+  for (const double output_friction : {0.0, 2.0}) {
+    GearSet gear = rubbing_joint();
+    gear.rating->friction_torque = output_friction;
+    gear.drivetrain->gear_damping = 200;
+    const MakersTorques makers = makers_torques(gear);
+    const AssembledDrive drive(gear);
+    gear.manoeuvre = {{.duration = 0.3, .input_speed = 100.0, .output_torque = makers.T2},
+                      {.duration = 0.9, .input_speed = 100.0}};
+    const SimulationReport report = simulation_report(gear);
+    ASSERT_TRUE(report.intact.converged) << report.intact.reason;
+    const double lost =
+        output_friction / gear.drive.ratio +
+        (running_torque(drive, makers.T2).total() + running_torque(drive, -makers.T2).total()) / 2;
+    const double load = makers.T2 / std::abs(report.signed_ratio);
+    ASSERT_TRUE(report.contacts->coulomb.has_value());
+    const double motor = std::abs(report.rows.back().input_torque);
+    EXPECT_NEAR(std::abs(motor - load), lost, lost * (*report.contacts->worst_deviation + 1e-3));
+    test::expect_relative(*report.contacts->coulomb, no_load_torque(drive).total(), 1e-12);
+    EXPECT_LT(*report.contacts->worst_deviation, 0.4);
+    // Without friction in the contacts the output stands at the same place.
+    gear.drivetrain->contact_friction = ContactFriction::none;
+    gear.drivetrain->curve_torque.reset();
+    const SimulationReport smooth = simulation_report(gear);
+    EXPECT_NEAR(report.rows.back().output_error, smooth.rows.back().output_error,
+                1e-3 * report.contacts->width_at_rated);
+  }
 }
 
 TEST(ContactLosses, IdentityOfTheMemoryAngle) {
@@ -157,6 +161,12 @@ TEST(ContactLosses, BehaviourNotesAndEquations) {
   const SimulationReport report = simulation_report(gear);
   EXPECT_TRUE(noted(report, "motion.contact_friction"));
   EXPECT_FALSE(noted(report, "motion.output_friction"));
+  EXPECT_FALSE(noted(report, "motion.beyond_loops"));
+  GearSet far = gear;
+  far.drivetrain->curve_torque = 10;
+  far.manoeuvre[0].output_torque = 20.0;
+  EXPECT_TRUE(noted(simulation_report(far), "motion.beyond_loops"));
+  EXPECT_NE(std::ranges::find(report.equations, "MO-40"), report.equations.end());
   EXPECT_NE(std::ranges::find(report.equations, "MO-53"), report.equations.end());
   gear.rating->friction_torque = 0.5;
   gear.drivetrain->friction = LuGre{.bristle_stiffness = 50,

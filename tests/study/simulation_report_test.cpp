@@ -519,6 +519,21 @@ TEST(SimulationReport, CrosscheckStiffEngine) {
               "with cmake -D STRAINWAVE_SUNDIALS=ON");
     return;
   }
+  // What it does not move is refused before anything is computed.
+  const auto refused = [](const GearSet& of, SimulationSettings with) {
+    return test::broken_rule([&] { (void)simulation_report(of, with); });
+  };
+  GearSet asking = gear;
+  asking.drivetrain->contact_friction = ContactFriction::computed;
+  EXPECT_EQ(
+      refused(asking, settings),
+      "drivetrain.contact_friction: does not go with --engine stiff; leave out one of the two");
+  asking = gear;
+  asking.drivetrain->slip_element = {{.stiffness = 1e4, .limit = 1}};
+  EXPECT_NE(refused(asking, settings).find("drivetrain.slip_element"), std::string::npos);
+  SimulationSettings growing = settings;
+  growing.growth = 3600;
+  EXPECT_NE(refused(gear, growing).find("--growth"), std::string::npos);
   const SimulationReport stiff = simulation_report(gear, settings);
   const SimulationReport other = simulation_report(gear, {.output_step = 5e-3, .tolerance = 1e-12});
   ASSERT_EQ(stiff.rows.size(), other.rows.size());

@@ -122,6 +122,9 @@ void check_drivetrain(const GearSet& gear) {
     throw InputError("drivetrain.slip_element",
                      "is read in place of drivetrain.hysteresis; give one of the two");
   if (of.friction)
+    require(std::abs(of.friction->warming) <= 200, "drivetrain.friction.warming",
+            of.friction->warming, "K", "at most 200 K, up or down");
+  if (of.friction)
     require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
             of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");
   if (of.servo)
