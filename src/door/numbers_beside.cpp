@@ -24,6 +24,10 @@ std::string numbers_beside(const GearSet& gear) {
       for (const double node : *axis) beside += fmt::format(" {:a}", node);
     for (const auto& K : table->K) beside += fmt::format(" {:a} {:a} {:a}", K[0], K[1], K[2]);
   }
+  if (const auto& table = gear.error_table) {
+    beside += fmt::format("{:a}", table->turns);
+    for (const double value : table->values) beside += fmt::format(" {:a}", value);
+  }
   if (const auto& record = gear.duty_record)
     for (const DutyRow& row : record->rows)
       beside += fmt::format("{:a} {:a} {:a}\n", row.time, row.torque, row.speed);

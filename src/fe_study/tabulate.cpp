@@ -220,6 +220,8 @@ GearSet plain(GearSet gear) {
   gear.scatter.clear();
   gear.compliance_tables.clear();
   gear.turn_tables.clear();
+  gear.error_table.reset();
+  if (gear.drivetrain) gear.drivetrain->error_table.reset();
   const auto forget = [](auto& cracks) {
     for (auto& any : cracks)
       std::visit(

@@ -10,6 +10,7 @@
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/toml_reader.hpp"
 #include "strainwave/io/compliance_table_file.hpp"
+#include "strainwave/io/error_table_file.hpp"
 #include "strainwave/io/history_file.hpp"
 #include "strainwave/io/turn_table_file.hpp"
 #include "strainwave/materials/material_library.hpp"
@@ -95,6 +96,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
     add_from_library(gear, gear.circular_spline, "circular_spline");
     read_compliance_tables(gear, attachments);
     read_turn_tables(gear, attachments);
+    read_error_table(gear, attachments);
     check(gear);
     read_duty_record(gear, attachments);
   } catch (const InputError& error) {

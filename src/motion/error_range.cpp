@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kPointsPerPeriod = 64;
 constexpr double kMostPeriods = 1e6;
+constexpr std::size_t kPhasorSteps = 256;
 
 /// The largest value of sign*error, with the extrema between the points.
 double largest_value(const KinematicError& error, double sign, double step,
@@ -41,21 +43,27 @@ double largest_value(const KinematicError& error, double sign, double step,
 AngleRange error_range(const KinematicError& error, double turns) {
   require_constants(error);
   require(turns > 0 && std::isfinite(turns), "turns", turns, "1", "> 0");
-  double highest = 0.0;
-  bool whole = true;
-  for (const ErrorOrder& of : error.orders) {
-    highest = std::max(highest, of.order);
-    whole = whole && of.order == std::round(of.order);
-  }
   if (error.orders.empty()) return {};
+  const double highest = error.highest_order();
+  const bool whole = std::ranges::all_of(
+      error.orders, [](const ErrorOrder& of) { return of.order == std::round(of.order); });
   if (whole) turns = std::min(turns, 1.0);
   const double periods = std::max(1.0, highest * turns);
   require(periods <= kMostPeriods, "order", highest, "1", "at most a million periods in the range");
   const auto points = static_cast<std::size_t>(std::ceil(periods * kPointsPerPeriod)) + 1;
   const double step = 2 * std::numbers::pi * turns / static_cast<double>(points - 1);
   std::vector<double> values(points);
-  for (std::size_t n = 0; n < points; ++n)
-    values[n] = error.at(step * static_cast<double>(n)).value;  // (DY-14)
+  for (const ErrorOrder& of : error.orders) {
+    // Each step turns a phasor by the same angle; it begins anew before its rounding adds up.
+    const std::complex<double> next = std::polar(1.0, of.order * step);
+    std::complex<double> phasor;
+    for (std::size_t n = 0; n < points; ++n) {
+      phasor = n % kPhasorSteps == 0
+                   ? std::polar(of.amplitude, of.order * step * static_cast<double>(n) + of.phase)
+                   : phasor * next;
+      values[n] += phasor.imag();  // (DY-14)
+    }
+  }
   return {.least = -largest_value(error, -1.0, step, values),
           .largest = largest_value(error, +1.0, step, values)};
 }

@@ -11,6 +11,8 @@
 namespace strainwave {
 namespace {
 
+constexpr double kPointsPerOrder = 10;  // points of a table in a period of its fastest order [-]
+
 /// Spring, loops and open cracks at one state.
 struct ElasticState {
   double input_arm = 0.0;  ///< d phi/d theta_m = 1/ratio + theta_k' [-]
@@ -285,6 +287,19 @@ double stored_energy(const Joint& joint, const JointState& x, double time) {
   return joint.input_inertia * x.input_speed * x.input_speed / 2 +
          joint.output_inertia * x.output_speed * x.output_speed / 2 + at.energy +
          (x.slip ? slip_energy(joint.slip_elements, *x.slip, at.twist) : 0.0) + height;  // (MO-12)
+}
+
+double fastest_order(const Joint& joint) {
+  double most = joint.table ? joint.table->points_per_turn() / kPointsPerOrder : 0.0;
+  most = std::max(most, joint.kinematic_error.highest_order());
+  for (const BreathingCrack& crack : joint.cracks) {
+    if (!crack.opening) continue;
+    const double turns =
+        crack.opening->shaft == BreathingShaft::output ? 1 / std::abs(joint.ratio) : 1.0;
+    const auto highest = static_cast<double>(crack.opening->coefficients.size() - 1);
+    most = std::max(most, turns * crack.opening->order * highest);
+  }
+  return most;
 }
 
 void require_constants(const Joint& joint) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/motion/kinematic_error.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
@@ -16,6 +20,51 @@ KinematicError::At KinematicError::at(double input_angle) const {
     result.slope += amplitude * order * std::cos(argument);  // (MO-4)
   }
   return result;
+}
+
+double KinematicError::highest_order() const {
+  double highest = 0.0;
+  for (const ErrorOrder& line : orders) highest = std::max(highest, line.order);
+  return highest;
+}
+
+ErrorLines error_lines(const std::vector<double>& values, double turns) {
+  using std::numbers::pi;
+  require(values.size() >= 3, "error table", static_cast<double>(values.size()), "1",
+          "3 values or more");
+  require(turns > 0 && std::isfinite(turns), "turns", turns, "1", "> 0");
+  ErrorLines made;
+  const auto [least, largest] = std::ranges::minmax(values);
+  made.range = largest - least;
+  if (!(made.range > 0)) return made;
+  const std::size_t n = values.size();
+  std::vector<std::complex<double>> turn(n);
+  for (std::size_t j = 0; j < n; ++j)
+    turn[j] = std::polar(1.0, -2 * pi * static_cast<double>(j) / static_cast<double>(n));
+  for (std::size_t k = 1; 2 * k <= n; ++k) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t j = 0; j < n; ++j) sum += values[j] * turn[k * j % n];
+    const double share = (2 * k == n ? 1.0 : 2.0) / static_cast<double>(n);
+    const ErrorOrder line{.order = static_cast<double>(k) / turns,
+                          .amplitude = share * std::abs(sum),
+                          .phase = std::remainder(std::arg(sum) + pi / 2, 2 * pi)};  // (MO-56)
+    if (line.order <= kLargestOrder) made.orders.push_back(line);
+  }
+  std::ranges::stable_sort(made.orders, std::greater<>(), &ErrorOrder::amplitude);
+  double rest = 0.0;
+  std::size_t kept = made.orders.size();
+  while (kept > 0 && (kept > kMostErrorLines ||
+                      rest + made.orders[kept - 1].amplitude <= kErrorLeftOut * made.range))
+    rest += made.orders[--kept].amplitude;
+  made.orders.resize(kept);
+  const KinematicError lines{made.orders};
+  double mean = 0.0;
+  for (const double value : values) mean += value / static_cast<double>(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const double angle = 2 * pi * turns * static_cast<double>(j) / static_cast<double>(n);
+    made.left_out = std::max(made.left_out, std::abs(values[j] - mean - lines.at(angle).value));
+  }
+  return made;
 }
 
 void require_constants(const KinematicError& error) {

@@ -43,7 +43,6 @@ constexpr double kLargestFactor = 5.0;
 constexpr double kOrder = 5.0;
 constexpr double kShortestStep = 1e-15;  // of the duration [-]
 constexpr double kStepsPerPeriod = 5;    // of the fastest excitation [-]
-constexpr double kPointsPerOrder = 10;   // points of a table in a period of its fastest order [-]
 constexpr double kSmallShare = 1e-9;     // of the stored energy, which a balance neglects [-]
 constexpr double kUsualTwist = 1e-3;     // [rad]
 constexpr double kMostFading = 0.1;      // share of the memory that fades in a step [-]
@@ -143,15 +142,7 @@ class MotionRun::Steps {
       to_angle_[kSupplied] = to_angle_[kLost] = 1 / (K * kUsualTwist);
     if (joint_.input_friction)
       to_angle_[kBristle] = std::max(1 / i, joint_.input_friction->bristle_stiffness * i / K);
-    if (joint_.table) fastest_order_ = joint_.table->points_per_turn() / kPointsPerOrder;
-    for (const ErrorOrder& line : joint_.kinematic_error.orders)
-      fastest_order_ = std::max(fastest_order_, line.order);
-    for (const BreathingCrack& crack : joint_.cracks)
-      if (crack.opening)
-        fastest_order_ = std::max(fastest_order_,
-                                  crack.opening->order *
-                                      static_cast<double>(crack.opening->coefficients.size() - 1) /
-                                      (crack.opening->shaft == BreathingShaft::output ? i : 1.0));
+    fastest_order_ = fastest_order(joint_);
     at_.guards.assign(guards_.events().size(), 0.0);
     at_.fresh.assign(at_.guards.size(), true);
     guards_at_end_ = at_.guards;

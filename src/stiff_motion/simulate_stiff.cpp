@@ -38,7 +38,6 @@ constexpr double kSmallTwist = 1e-5;    // twist whose energy sets the tolerance
 constexpr double kRoundedShare = 1e-9;  // of the stored energy, which a balance neglects [-]
 constexpr double kNoise = 10;           // of the tolerance: values that may be zero [-]
 constexpr double kStepsPerPeriod = 5;   // of the fastest excitation [-]
-constexpr double kPointsPerOrder = 10;  // points of a table in a period of its fastest order [-]
 constexpr double kOneTime = 4 * std::numeric_limits<double>::epsilon();  // times that are one [-]
 
 /// Memories of the path that this engine does not move.
@@ -111,20 +110,6 @@ std::vector<Guard> guards_of(const Joint& joint, const std::vector<double>& tole
   add(joint.input_friction && joint.input_friction->by_load(), MotionEvent::load_sense,
       torque_error);
   return made;
-}
-
-/// Periods of the fastest excitation in a turn of the input.
-double fastest_order(const Joint& joint) {
-  double most = joint.table ? joint.table->points_per_turn() / kPointsPerOrder : 0.0;
-  for (const ErrorOrder& line : joint.kinematic_error.orders) most = std::max(most, line.order);
-  for (const BreathingCrack& crack : joint.cracks) {
-    if (!crack.opening) continue;
-    const double turns =
-        crack.opening->shaft == BreathingShaft::output ? 1 / std::abs(joint.ratio) : 1.0;
-    const auto highest = static_cast<double>(crack.opening->coefficients.size() - 1);
-    most = std::max(most, turns * crack.opening->order * highest);
-  }
-  return most;
 }
 
 /// Times at which a given profile has a corner, and the end.

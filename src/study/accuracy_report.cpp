@@ -19,6 +19,7 @@
 #include "strainwave/dynamics/frequency_response.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/drive_joint.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "vibrating_drive.hpp"
@@ -143,10 +144,11 @@ struct GainsAt {
 };
 
 std::vector<GainsAt> gains_of(const GearSet& gear, const BudgetAt& at) {
-  const std::vector<std::complex<double>> rigid(gear.kinematic_error.size(), 1.0);
+  const KinematicError error = kinematic_error_of(gear);
+  const std::vector<std::complex<double>> rigid(error.orders.size(), 1.0);
   if (at.speed == 0 || rigid.empty()) return {{.gains = rigid}};
   std::vector<double> frequencies;
-  for (const ErrorOrder& of : gear.kinematic_error)
+  for (const ErrorOrder& of : error.orders)
     frequencies.push_back(of.order * std::abs(at.speed) / (2 * pi));
   std::vector<GainsAt> made;
   for (const double torque : linear_about(gear, at.torque)) {
@@ -174,7 +176,7 @@ double judged_turns(const GearSet& gear) {
 
 /// The kinematic error as the load shows it (DY-14).
 AngleRange error_at_load(const GearSet& gear, const std::vector<std::complex<double>>& gains) {
-  KinematicError error{gear.kinematic_error};
+  KinematicError error = kinematic_error_of(gear);
   for (std::size_t n = 0; n < gains.size(); ++n) {
     error.orders[n].amplitude *= std::abs(gains[n]);
     error.orders[n].phase += std::arg(gains[n]);
@@ -196,7 +198,7 @@ DriveBudget budget_of(const GearSet& gear, const BudgetAt& at) {
   const TorqueRange torques = torques_over_turn(gear, at.torque);
   budget.wind_up = {output_twist(gear, assembled, torques.least),
                     output_twist(gear, assembled, torques.largest)};
-  budget.gains.assign(gear.kinematic_error.size(), 0.0);
+  budget.gains.assign(kinematic_error_of(gear).orders.size(), 0.0);
   bool first = true;
   for (const GainsAt& here : gains_of(gear, at)) {
     for (std::size_t n = 0; n < here.gains.size(); ++n)
@@ -313,13 +315,15 @@ std::optional<AccuracyBands> bands_of(const GearSet& gear, const AccuracyOptions
 }
 
 void note_budget(const GearSet& gear, AccuracyReport& report) {
-  if (gear.kinematic_error.empty())
+  if (kinematic_error_of(gear).orders.empty())
     report.notes.push_back(
         {"accuracy.no_kinematic_error",
          "the file gives no kinematic error, so the budget has none; makers state about 1 arcmin "
          "from peak to valley",
          "kinematic_error", "DY-14", Severity::care,
          "Give [[kinematic_error]] with order and amplitude."});
+  if (std::optional<Note> left_out = error_table_note(gear))
+    report.notes.push_back(*std::move(left_out));
   if (!report.intact_hysteresis)
     report.notes.push_back(
         {"accuracy.no_hysteresis",
@@ -397,7 +401,7 @@ AccuracyReport accuracy_report(const GearSet& gear, const AccuracyOptions& optio
     const bool positive = (at.torque >= 0) == (train.gravity_torque > 0);
     report.worst_angle = train.gravity_angle + (positive ? -pi / 2 : pi / 2);  // (DY-15)
   }
-  const KinematicError error{gear.kinematic_error};
+  const KinematicError error = kinematic_error_of(gear);
   report.kinematic_range = error_range(error, judged_turns(gear)).peak_to_valley();
   report.kinematic_sum = sum_of_ranges(error);
 
@@ -420,8 +424,8 @@ AccuracyReport accuracy_report(const GearSet& gear, const AccuracyOptions& optio
                              .cracked = cracked ? std::optional(cracked->of(item)) : std::nullopt,
                              .tool_radius = options.tool_radius});
   }
-  for (std::size_t n = 0; n < gear.kinematic_error.size(); ++n) {
-    const ErrorOrder& of = gear.kinematic_error[n];
+  for (std::size_t n = 0; n < error.orders.size(); ++n) {
+    const ErrorOrder& of = error.orders[n];
     report.orders.push_back(
         {.order = of.order,
          .amplitude = of.amplitude,

@@ -173,12 +173,13 @@ struct FamilyAngles {
 };
 
 /// @param pitches  teeth or spaces on the part
-FamilyAngles family_angles(const GearSet& gear, int pitches) {
+/// @param each     whether each of them differs from all others
+FamilyAngles family_angles(const GearSet& gear, int pitches, bool each) {
   const int teeth = flexspline_teeth(gear.drive);
   // With an even number of teeth, the drive looks the same from its other lobe (MO-27).
-  const bool even = teeth % 2 == 0;
+  const bool even = teeth % 2 == 0 && !each;
   const int whole = even ? pitches / 2 : pitches;
-  const int count = std::min(whole, kMostAngles);
+  const int count = each ? whole : std::min(whole, kMostAngles);
   FamilyAngles made{.period = even ? pi : 2 * pi, .places = {}};
   for (int q = 0; q < count; ++q)
     made.places.push_back(2 * pi / pitches * std::round(static_cast<double>(q) * whole / count));
@@ -197,22 +198,64 @@ std::vector<AssembledDrive> at_phases(const GearSet& gear) {
   return made;
 }
 
-/// What the cracks of one family add, over their angle and as a mean over the cage (MO-27).
-EnergySamples crack_samples(const GearSet& gear, CrackFamily family, int pitches, double rate,
-                            const AtOutput& output, const Progress& progress) {
-  const FamilyAngles angles = family_angles(gear, pitches);
+/// Deviations of the teeth of a drive, after both parts have moved against the wave (MO-58).
+class DeviatingTeeth {
+ public:
+  /// @param teeth  null: none deviates
+  DeviatingTeeth(const Deviations* teeth, const GearSet& gear) {
+    if (teeth == nullptr) return;
+    teeth_ = *teeth;
+    teeth_.balls.clear();  // a deviating ball turns with the cage
+    turn_of_tooth_ = 2 * pi / flexspline_teeth(gear.drive);
+    turn_of_space_ = 2 * pi / (flexspline_teeth(gear.drive) + gear.drive.wave_number);
+  }
+
+  [[nodiscard]] bool any() const { return !teeth_.empty(); }
+  /// The drive with the gap of the pair and the eccentricity of its cam, and with the teeth of the
+  /// parts whose moves are given [rad].
+  [[nodiscard]] AssembledDrive of(const AssembledDrive& drive, std::optional<double> flexspline,
+                                  std::optional<double> spline) const {
+    if (!any()) return drive;
+    Deviations moved = teeth_;
+    const auto place = [](std::vector<ToothDeviation>& teeth, const auto& rotated,
+                          std::optional<double> move) {
+      if (move)
+        teeth = rotated;
+      else
+        std::ranges::fill(teeth, ToothDeviation{});
+    };
+    const auto teeth_of = [](std::optional<double> move, double turn) {
+      return static_cast<int>(std::lround(move.value_or(0.0) / turn));
+    };
+    place(moved.flexspline, moved_on(teeth_, teeth_of(flexspline, turn_of_tooth_)).flexspline,
+          flexspline);
+    place(moved.spline, moved_on(teeth_, teeth_of(spline, turn_of_space_)).spline, spline);
+    return drive.with_deviations(moved);
+  }
+
+ private:
+  Deviations teeth_ = {};
+  double turn_of_tooth_ = 0.0;
+  double turn_of_space_ = 0.0;
+};
+
+/// What cracks and teeth of one family add, over their angle and as a mean over the cage (MO-27).
+EnergySamples added_samples(const GearSet& gear, CrackFamily family, int pitches, double rate,
+                            const DeviatingTeeth& teeth, const AtOutput& output,
+                            const Progress& progress) {
+  const FamilyAngles angles = family_angles(gear, pitches, teeth.any());
   const std::vector<AssembledDrive> drives = at_phases(with_families(gear, {family}));
   std::vector<EnergySamples> sound;
   for (const AssembledDrive& drive : drives)
-    sound.push_back(output.samples(drive.without_cracks()));
+    sound.push_back(output.samples(teeth.of(drive.without_cracks(), {}, {})));
   std::vector<EnergySamples> added(angles.places.size());
   for_each_index(added.size(), {}, progress, [&] {
     return [&](std::size_t q) {
       const double place = angles.places[q];
       for (std::size_t p = 0; p < drives.size(); ++p) {
         const AssembledDrive moved = family == CrackFamily::flexspline
-                                         ? drives[p].moved(place, 0.0)
-                                         : drives[p].moved(0.0, place);
+                                         ? teeth.of(drives[p].moved(place, 0.0), place, {})
+                                         : teeth.of(drives[p].moved(0.0, place), {}, place);
         const double share = 1.0 / static_cast<double>(drives.size());
         add_samples(added[q], output.samples(moved), share);
         add_samples(added[q], sound[p], -share);
@@ -223,29 +266,33 @@ EnergySamples crack_samples(const GearSet& gear, CrackFamily family, int pitches
 }
 
 /// The whole energy over the angle of the cage.
-EnergySamples cage_samples(const GearSet& gear, double rate, const AtOutput& output,
-                           const Progress& progress) {
+EnergySamples cage_samples(const GearSet& gear, double rate, const DeviatingTeeth& teeth,
+                           const AtOutput& output, const Progress& progress) {
   const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
   std::vector<EnergySamples> made(kCagePoints);
   for_each_index(made.size(), {}, progress, [&] {
     return [&](std::size_t q) {
       CoupledOptions options;
       options.cage_phase = pitch * static_cast<double>(q) / static_cast<double>(kCagePoints);
-      made[q] = output.samples(AssembledDrive(gear, options));
+      made[q] = output.samples(teeth.of(AssembledDrive(gear, options), {}, {}));
     };
   });
   return joined(made, rate, pitch);
 }
 
 /// Compares the table with the coupled drive at random angles of all parts.
-void check_table(const GearSet& gear, const ComputedCurve& curve, const std::vector<int>& place_of,
-                 bool with_cracks, const AtOutput& output, CurveTable& result,
+/// @param angles_of  for each family of the cracked and of the sound table, the number of its
+/// angle:
+///                   cage, flexspline, circular spline
+void check_table(const GearSet& gear, const ComputedCurve& curve,
+                 const std::array<std::vector<int>, 2>& angles_of, bool with_cracks,
+                 const DeviatingTeeth& deviating, const AtOutput& output, CurveTable& result,
                  const Progress& progress) {
   const GearSet contacts =
       with_families(gear, {CrackFamily::cage, CrackFamily::flexspline, CrackFamily::spline});
   const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
   const int teeth = flexspline_teeth(gear.drive);
-  const bool whole_teeth = has_tooth_crack(gear);
+  const bool whole_teeth = has_tooth_crack(gear) || deviating.any();
   const MakersTorques makers = makers_torques(gear);
   std::vector<double> torques;
   for (const double torque : {makers.T1, makers.T2, makers.T3})
@@ -266,18 +313,24 @@ void check_table(const GearSet& gear, const ComputedCurve& curve, const std::vec
       double flexspline = 2 * pi * uniform(0);
       // The model has no place between two teeth (TC-21).
       if (whole_teeth) flexspline = 2 * pi / teeth * std::floor(teeth * uniform(0));
-      const double spline = 2 * pi * uniform(1);
+      double spline = 2 * pi * uniform(1);
+      const int spaces = teeth + gear.drive.wave_number;
+      if (deviating.any()) spline = 2 * pi / spaces * std::floor(spaces * uniform(1));
       CoupledOptions options;
       options.cage_phase = pitch * uniform(2);
-      const AssembledDrive full = AssembledDrive(contacts, options).moved(flexspline, spline);
+      const AssembledDrive full = deviating.of(
+          AssembledDrive(contacts, options).moved(flexspline, spline), flexspline, spline);
       const std::vector<RingEnergy> is = output.energies(full, torques);
       const std::vector<RingEnergy> sound = output.energies(full.without_cracks(), torques);
       const std::array<double, 3> angles = {options.cage_phase, flexspline, spline};
-      std::array<double, EnergyTable::kMostFamilies> of_table{};
-      for (std::size_t k = 0; k < place_of.size(); ++k)
-        of_table[k] = angles[static_cast<std::size_t>(place_of[k])];
-      const EnergyTable::Slice slice = curve.cracked->at_angles(of_table);
-      const EnergyTable::Slice sound_slice = curve.sound->at_angles({angles[0]});
+      const auto slice_of = [&](const EnergyTable& table, const std::vector<int>& families) {
+        std::array<double, EnergyTable::kMostFamilies> of_table{};
+        for (std::size_t k = 0; k < families.size(); ++k)
+          of_table[k] = angles[static_cast<std::size_t>(families[k])];
+        return table.at_angles(of_table);
+      };
+      const EnergyTable::Slice slice = slice_of(*curve.cracked, angles_of[0]);
+      const EnergyTable::Slice sound_slice = slice_of(*curve.sound, angles_of[1]);
       for (std::size_t i = 0; i < torques.size(); ++i) {
         // The compliance in series is the same in both.
         const double more = curve.sound->compliance() * torques[i];
@@ -319,6 +372,97 @@ void check_table(const GearSet& gear, const ComputedCurve& curve, const std::vec
 std::shared_ptr<const EnergyTable> table_of(const CurveSamples& of,
                                             const std::vector<EnergySamples>& families) {
   return std::make_shared<const EnergyTable>(of.torques, families, of.compliance);
+}
+
+/// Kinematic error of the teeth at a torque, from peak to valley over a turn of the output, where
+/// nearly all positions of one part meet all of the other (DY-17) [rad].
+double range_of_teeth(const ComputedCurve& curve, double torque) {
+  double range = 0.0;
+  for (std::size_t k = 1; k < curve.samples.sound.size(); ++k) {
+    const EnergySamples& family = curve.samples.sound[k];
+    const std::size_t count = family.angles();
+    std::vector<double> twist;
+    for (std::size_t q = 0; q < count; ++q) {
+      std::array<double, EnergyTable::kMostFamilies> angles{};
+      angles[k] = family.period * static_cast<double>(q) / static_cast<double>(count);
+      twist.push_back(curve.sound->at_angles(angles).at_torque(torque).twist);
+    }
+    const auto [least, largest] = std::ranges::minmax(twist);
+    range += largest - least;
+  }
+  return range;
+}
+
+/// @param teeth  null: no tooth deviates
+ComputedCurve curve_of_teeth(const GearSet& gear, const Deviations* teeth,
+                             const Progress& progress) {
+  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
+    throw InputError(
+        "drivetrain.spring",
+        fmt::format("is \"computed\", but the torsion curve lacks fields: {}", missing));
+  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
+  ComputedCurve made;
+  CurveTable& result = made.table;
+  result.most_torque = largest_curve_torque(gear);
+  const AtOutput output(table_torques(result.most_torque), step);
+  const GearSet sound = without_cracks(gear);
+  const FamilyRates rates = rates_of(gear);
+  const DeviatingTeeth deviating(teeth, gear);
+  const double shaft = gear.output_shaft ? output_shaft_compliance(sound).intact : 0.0;
+  CurveSamples& samples = made.samples;
+  samples.torques = output.torques();
+  samples.compliance =
+      step * step * (sound_series_compliance(AssembledDrive(sound)) - shaft) + shaft;  // (MO-14)
+  try {
+    samples.sound = {cage_samples(sound, rates.cage, deviating, output, progress.part(0.0, 0.05))};
+    result.torques = static_cast<int>(output.torques().size());
+    result.cage_angles = static_cast<int>(samples.sound.front().angles());
+    samples.cracked = samples.sound;
+    std::array<std::vector<int>, 2> angles_of = {std::vector<int>{0}, std::vector<int>{0}};
+    bool with_cracks = false;
+    const GearSet inner = with_families(gear, {CrackFamily::cage});
+    if (has_cracks(inner)) {
+      samples.cracked[0] =
+          cage_samples(inner, rates.cage, deviating, output, progress.part(0.05, 0.1));
+      with_cracks = true;
+    }
+    const auto take = [&](CrackFamily family, int angle, int pitches, double rate,
+                          std::optional<int>& angles, const Progress& part) {
+      const bool cracked = has_cracks(with_families(gear, {family}));
+      if (!cracked && !deviating.any()) return;
+      const auto added = [&](const GearSet& of, const Progress& its_part) {
+        return added_samples(of, family, pitches, rate, deviating, output, its_part);
+      };
+      if (deviating.any()) {
+        samples.sound.push_back(added(sound, part.part(0.0, 0.5)));
+        angles_of[1].push_back(angle);
+      }
+      samples.cracked.push_back(cracked ? added(gear, part.part(0.5, 1.0)) : samples.sound.back());
+      angles_of[0].push_back(angle);
+      angles = static_cast<int>(samples.cracked.back().angles());
+      with_cracks = with_cracks || cracked;
+    };
+    const int pitches = flexspline_teeth(gear.drive);
+    take(CrackFamily::flexspline, 1, pitches, rates.flexspline, result.flexspline_angles,
+         progress.part(0.1, 0.45));
+    take(CrackFamily::spline, 2, pitches + gear.drive.wave_number, rates.spline,
+         result.spline_angles, progress.part(0.45, 0.8));
+    if (!with_cracks) samples.cracked.clear();
+    made.sound = table_of(samples, samples.sound);
+    made.cracked = with_cracks ? table_of(samples, samples.cracked) : made.sound;
+    if (deviating.any())
+      result.teeth_range = range_of_teeth(
+          made, -std::min(makers_torques(gear).rated, result.most_torque));  // on the output
+    check_table(gear, made, angles_of, with_cracks, deviating, output, result,
+                progress.part(0.8, 1.0));
+  } catch (const SolverError& error) {
+    throw SolverError(fmt::format(
+        "the computed curve up to {:.4g} N*m has no table: {}; lower drivetrain.curve_torque, or "
+        "give drivetrain.spring = \"lines\"",
+        result.most_torque, error.what()));
+  }
+  samples.table = result;
+  return made;
 }
 
 [[noreturn]] void refuse_curve_text() {
@@ -366,6 +510,7 @@ void each_curve_number(Samples& of, const Number& number, const Size& size,
   optional(table.cracks_twist);
   optional(table.worst_share);
   optional(table.rms_share);
+  optional(table.teeth_range);
 }
 
 }  // namespace
@@ -376,6 +521,7 @@ GearSet what_the_curve_depends_on(const GearSet& gear) {
   kept.duty.reset();
   kept.duty_record.reset();
   kept.kinematic_error.clear();
+  kept.error_table.reset();
   kept.manoeuvre.clear();
   kept.range.clear();
   kept.scatter.clear();
@@ -450,61 +596,12 @@ double largest_curve_torque(const GearSet& gear) {
 }
 
 ComputedCurve computed_curve(const GearSet& gear, const Progress& progress) {
-  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
-    throw InputError(
-        "drivetrain.spring",
-        fmt::format("is \"computed\", but the torsion curve lacks fields: {}", missing));
-  const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
-  ComputedCurve made;
-  CurveTable& result = made.table;
-  result.most_torque = largest_curve_torque(gear);
-  const AtOutput output(table_torques(result.most_torque), step);
-  const GearSet sound = without_cracks(gear);
-  const FamilyRates rates = rates_of(gear);
-  const AssembledDrive assembled(sound);
-  const double shaft = gear.output_shaft ? output_shaft_compliance(sound).intact : 0.0;
-  const double compliance =
-      step * step * (sound_series_compliance(assembled) - shaft) + shaft;  // (MO-14)
-  made.samples.torques = output.torques();
-  made.samples.compliance = compliance;
-  try {
-    const EnergySamples of_cage = cage_samples(sound, rates.cage, output, progress.part(0.0, 0.05));
-    result.torques = static_cast<int>(output.torques().size());
-    result.cage_angles = static_cast<int>(of_cage.angles());
-    made.samples.sound = {of_cage};
-    made.sound = table_of(made.samples, made.samples.sound);
-    std::vector<EnergySamples> families = {of_cage};
-    std::vector<int> place_of = {0};
-    bool with_cracks = false;
-    const GearSet inner = with_families(gear, {CrackFamily::cage});
-    if (has_cracks(inner)) {
-      families[0] = cage_samples(inner, rates.cage, output, progress.part(0.05, 0.1));
-      with_cracks = true;
-    }
-    const int teeth = flexspline_teeth(gear.drive);
-    const auto take = [&](CrackFamily family, int place, int pitches, double rate,
-                          std::optional<int>& angles, const Progress& part) {
-      if (!has_cracks(with_families(gear, {family}))) return;
-      families.push_back(crack_samples(gear, family, pitches, rate, output, part));
-      place_of.push_back(place);
-      angles = static_cast<int>(families.back().angles());
-      with_cracks = true;
-    };
-    take(CrackFamily::flexspline, 1, teeth, rates.flexspline, result.flexspline_angles,
-         progress.part(0.1, 0.45));
-    take(CrackFamily::spline, 2, teeth + gear.drive.wave_number, rates.spline, result.spline_angles,
-         progress.part(0.45, 0.8));
-    if (with_cracks) made.samples.cracked = std::move(families);
-    made.cracked = with_cracks ? table_of(made.samples, made.samples.cracked) : made.sound;
-    check_table(gear, made, place_of, with_cracks, output, result, progress.part(0.8, 1.0));
-  } catch (const SolverError& error) {
-    throw SolverError(fmt::format(
-        "the computed curve up to {:.4g} N*m has no table: {}; lower drivetrain.curve_torque, or "
-        "give drivetrain.spring = \"lines\"",
-        result.most_torque, error.what()));
-  }
-  made.samples.table = made.table;
-  return made;
+  return curve_of_teeth(gear, nullptr, progress);
+}
+
+ComputedCurve computed_curve_of_teeth(const GearSet& gear, const Deviations& teeth,
+                                      const Progress& progress) {
+  return curve_of_teeth(gear, &teeth, progress);
 }
 
 }  // namespace strainwave

@@ -156,6 +156,18 @@ Note cage_note() {
           .severity = Severity::information};
 }
 
+Note teeth_note(double range) {
+  return {.code = "motion.teeth",
+          .text = fmt::format(
+              "the deviations of the teeth turn the output by {} from peak to valley at the rated "
+              "torque; what passes within one tooth and deviating balls are left out",
+              shown_quantity(range, "rad", 3)),
+          .path = "drivetrain.spring",
+          .equation = "MO-58",
+          .severity = Severity::information,
+          .next_step = "Leave lines of the teeth out of kinematic_error, which adds to them."};
+}
+
 Note table_note(const CurveTable& table) {
   return {
       .code = "motion.curve_error",
@@ -212,6 +224,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
     made.sound_table = std::move(curve.sound);
     made.table = curve.table;
     made.notes.push_back(cage_note());
+    if (curve.table.teeth_range) made.notes.push_back(teeth_note(*curve.table.teeth_range));
     if (curve.table.rms_share.value_or(0.0) > kLargestShare)
       made.notes.push_back(table_note(curve.table));
   } else if (coupled) {
@@ -234,7 +247,9 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
   joint.input_friction = train.friction;
   joint.gravity_torque = train.gravity_torque;
   joint.gravity_angle = train.gravity_angle;
-  joint.kinematic_error.orders = gear.kinematic_error;
+  joint.kinematic_error = kinematic_error_of(gear);
+  if (std::optional<Note> left_out = error_table_note(gear))
+    made.notes.push_back(*std::move(left_out));
   if (train.coupling_stiffness)
     made.notes.push_back(
         {.code = "motion.rigid_coupling",
@@ -250,6 +265,21 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
   });
   if (!joint.cracks.empty()) made.notes.push_back(breathing_note(train.breathing));
   return made;
+}
+
+std::optional<Note> error_table_note(const GearSet& gear) {
+  constexpr double kLargestLeftOut = 0.01;  // over the range [-]
+  if (!gear.error_table) return std::nullopt;
+  const ErrorLines& lines = gear.error_table->lines;
+  if (!(lines.left_out > kLargestLeftOut * lines.range)) return std::nullopt;
+  return Note{.code = "motion.error_table",
+              .text = fmt::format("the {} lines of the table differ from its rows by up to {} of "
+                                  "its range from peak to valley",
+                                  lines.orders.size(), percent(lines.left_out / lines.range)),
+              .path = "drivetrain.error_table",
+              .equation = "MO-56",
+              .severity = Severity::care,
+              .next_step = "Smooth the table, or give fewer turns."};
 }
 
 std::vector<BreathingCrack> joint_cracks(const GearSet& gear) {

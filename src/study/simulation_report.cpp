@@ -154,6 +154,17 @@ std::optional<SteadyPart> steady_part(const std::vector<Manoeuvre>& manoeuvres, 
   return turns >= kLeastTurns ? longest : std::nullopt;
 }
 
+/// The largest lines of a table, whose lines are sorted.
+std::vector<ErrorOrder> main_lines(const ErrorLines& of) {
+  constexpr std::size_t kMostNamed = 12;
+  constexpr double kSmallest = 0.01;  // of the largest line [-]
+  std::vector<ErrorOrder> lines;
+  for (const ErrorOrder& line : of.orders)
+    if (lines.size() < kMostNamed && line.amplitude >= kSmallest * of.orders.front().amplitude)
+      lines.push_back(line);
+  return lines;
+}
+
 /// Orders of the file, of the drive, and of a crack together with the kinematic error, each once.
 std::vector<DriveOrder> named_orders(const GearSet& gear) {
   std::vector<DriveOrder> named;
@@ -166,7 +177,12 @@ std::vector<DriveOrder> named_orders(const GearSet& gear) {
     named.push_back({words, order});
   };
   for (const DriveOrder& of : drive_orders(gear)) add(of.words, of.order);
-  for (const ErrorOrder& line : gear.kinematic_error) {
+  std::vector<ErrorOrder> of_file = gear.kinematic_error;
+  if (gear.error_table) {
+    const std::vector<ErrorOrder> of_table = main_lines(gear.error_table->lines);
+    of_file.insert(of_file.end(), of_table.begin(), of_table.end());
+  }
+  for (const ErrorOrder& line : of_file) {
     const bool known = std::ranges::any_of(named, [&](const DriveOrder& of) {
       return std::abs(of.order - line.order) <= kSameOrder * line.order;
     });
@@ -632,6 +648,8 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   report.equations = {"MO-1", "MO-4", "MO-5", "MO-11", "MO-12", "MO-13", "MO-14"};
   if (report.table)
     for (const char* const tag : {"MO-25", "MO-26", "MO-27"}) report.equations.emplace_back(tag);
+  if (gear.error_table) report.equations.emplace_back("MO-56");
+  if (report.table && report.table->teeth_range) report.equations.emplace_back("MO-58");
   if (report.orders) report.equations.emplace_back("MO-20");
   if (gear.drivetrain->servo) report.equations.emplace_back("MO-21");
   if (record != nullptr) report.equations.emplace_back("MO-22");

@@ -220,13 +220,8 @@ TransmissionReport transmission_report(const GearSet& gear, const TransmissionOp
   Deviations deviations;
   FamilyErrors intact;
   if (options.measured) {
-    deviations = *options.measured;
+    deviations = paired(*options.measured, gear);
     report.source = DeviationSource::measured;
-    if (deviations.flexspline.empty())
-      deviations.flexspline.resize(static_cast<std::size_t>(teeth));
-    if (deviations.spline.empty()) deviations.spline.resize(static_cast<std::size_t>(spaces));
-    check_deviations(deviations, gear);
-    deviations.pairing_gap = pairing_gap(deviations, gear);
     intact = sound_errors(deviations, progress.part(0.0, 0.6));
   } else if (options.draws > 0) {
     report.source = DeviationSource::drawn;

@@ -111,6 +111,15 @@ double pairing_gap(const Deviations& deviations, const GearSet& gear) {
   return closest * std::cos(flank_angle);  // (TC-36)
 }
 
+Deviations paired(Deviations measured, const GearSet& gear) {
+  const auto teeth = static_cast<std::size_t>(flexspline_teeth(gear.drive));
+  if (measured.flexspline.empty()) measured.flexspline.resize(teeth);
+  if (measured.spline.empty()) measured.spline.resize(teeth + 2);
+  check_deviations(measured, gear);
+  measured.pairing_gap = pairing_gap(measured, gear);
+  return measured;
+}
+
 Deviations moved_on(const Deviations& deviations, int teeth) {
   Deviations moved = deviations;
   const auto move = [&](std::vector<ToothDeviation>& of) {

@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
@@ -16,7 +20,9 @@
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/study/drive_joint.hpp"
 #include "strainwave/study/simulation_report.hpp"
+#include "strainwave/study/transmission_report.hpp"
 #include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/deviations.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
@@ -241,6 +247,94 @@ TEST(ComputedCurve, InputRules) {
   gear = short_motion();
   gear.mesh.reset();
   EXPECT_THROW((void)computed_curve(gear), InputError);
+}
+
+/// A drive without cracks whose teeth deviate at random, as its tolerances allow.
+Deviations random_teeth(const GearSet& gear) { return draw_deviations(gear, 58, 0); }
+
+TEST(ComputedCurve, CrosscheckTeethAgainstTheTransmission) {
+  // (MO-58), (DY-17): the table of deviating teeth turns the output as the coupled drive does tooth
+  // by tooth.  The torque of the drive on its load is minus that on the output.  6 % of the range
+  // is the mean over two phases of the cage, where the transmission has one.
+  const GearSet gear = without_cracks(short_motion());
+  Deviations teeth = random_teeth(gear);
+  teeth.balls.clear();
+  teeth.eccentricity = 0.0;
+  teeth = paired(std::move(teeth), gear);
+  const ComputedCurve curve = computed_curve_of_teeth(gear, teeth);
+  constexpr double kTorque = 87.0;  // the rated torque
+  const TransmissionReport report =
+      transmission_report(gear, {.torque = kTorque, .measured = teeth});
+  ASSERT_TRUE(curve.table.teeth_range);
+  EXPECT_NEAR(*curve.table.teeth_range, report.range, 0.06 * report.range);
+  EXPECT_EQ(curve.table.flexspline_angles, 200);
+  EXPECT_EQ(curve.table.spline_angles, 202);
+  EXPECT_FALSE(curve.table.rms_share);
+  EXPECT_EQ(curve.cracked, curve.sound);
+  for (const ErrorFamily family : {ErrorFamily::flexspline, ErrorFamily::circular_spline}) {
+    std::vector<double> is;
+    std::vector<double> expected;
+    for (const TransmissionRow& row : report.rows) {
+      if (row.family != family) continue;
+      std::array<double, EnergyTable::kMostFamilies> angles{};
+      const bool first = family == ErrorFamily::flexspline;
+      angles[first ? 1 : 2] =
+          2 * std::numbers::pi / (first ? 200 : 202) * static_cast<double>(is.size());
+      is.push_back(-curve.sound->at_angles(angles).at_torque(-kTorque).twist);
+      expected.push_back(row.error);
+    }
+    const double mean = std::accumulate(is.begin(), is.end(), 0.0) / static_cast<double>(is.size());
+    double worst = 0.0;
+    double size = 0.0;
+    for (std::size_t n = 0; n < is.size(); ++n) {
+      worst = std::max(worst, std::abs(is[n] - mean - expected[n]));
+      size = std::max(size, std::abs(expected[n]));
+    }
+    EXPECT_GT(size, 1e-6);
+    EXPECT_LT(worst, 0.06 * report.range);
+  }
+  // The sum of both families misses the complete drive by little, as that of the transmission.
+  EXPECT_LT(curve.table.rms_difference, 0.1 * report.range);
+  // The text keeps all of it.
+  const ComputedCurve read = read_curve(curve_text(curve.samples));
+  EXPECT_EQ(read.table.teeth_range, curve.table.teeth_range);
+  EXPECT_EQ(read.sound->at(0.7).at_torque(20.0).twist, curve.sound->at(0.7).at_torque(20.0).twist);
+
+  // A motion with this table shows the error at a slow turn, keeps its energy, and says so.
+  GearSet moved = gear;
+  moved.kinematic_error.clear();
+  moved.drivetrain->gear_damping = 10;
+  moved.manoeuvre = {{.duration = 0.2, .input_speed = 20.0, .output_torque = -kTorque},
+                     {.duration = 2.0, .input_speed = 20.0}};
+  const SimulationReport motion =
+      simulation_report(moved, {.output_step = 5e-3,
+                                .tolerance = 1e-12,
+                                .curve = [&](const GearSet&, const Progress&) { return read; }});
+  ASSERT_TRUE(motion.intact.converged) << motion.intact.reason;
+  EXPECT_TRUE(noted(motion.notes, "motion.teeth"));
+  EXPECT_NE(std::ranges::find(motion.equations, "MO-58"), motion.equations.end());
+  EXPECT_LT(motion.intact.imbalance, 1e-6);
+  double worst = 0.0;
+  for (const SimulationRow& row : motion.rows) {
+    if (row.time < 1.2) continue;
+    const double twist = curve.sound->at(row.input_angle).at_torque(row.torque).twist;
+    worst = std::max(worst, std::abs(row.output_error + twist));
+  }
+  // The damper bears a little of the torque.
+  EXPECT_LT(worst, 0.02 * report.range);
+}
+
+TEST(ComputedCurve, LimitOfTeethThatDoNotDeviate) {
+  // (MO-58): teeth without deviations leave the curve of the drive: rounding of the solves.
+  const GearSet gear = short_motion();
+  const Deviations none = paired({}, gear);
+  const ComputedCurve curve = computed_curve_of_teeth(gear, none);
+  const ComputedCurve plain = computed_curve(gear);
+  for (const double angle : {0.0, 0.4, 2.0}) {
+    const double twist = plain.sound->at(angle).at_torque(40.0).twist;
+    EXPECT_NEAR(curve.sound->at(angle).at_torque(40.0).twist, twist, 1e-9 * twist);
+  }
+  EXPECT_LT(*curve.table.teeth_range, 1e-12);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -173,6 +174,35 @@ TEST(SimulationReport, BehaviourOfTheExample) {
   EXPECT_TRUE(has_note(report.notes, "motion.breathing"));
   const std::string csv = simulation_csv(report);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1002);
+}
+
+TEST(SimulationReport, IdentityATableOfTheError) {
+  // (MO-56): a table of an order moves the drive as the order itself, but for the rounding of its
+  // lines.
+  GearSet gear = summed_joint();
+  gear.kinematic_error = {{.order = 2, .amplitude = 1e-4, .phase = 0.3}};
+  gear.manoeuvre = {{.duration = 0.2, .input_speed = 100.0, .output_torque = 10.0}};
+  const SimulationReport by_order = simulation_report(gear, {.output_step = 2e-3});
+  std::vector<double> values;
+  for (int j = 0; j < 90; ++j)
+    values.push_back(KinematicError{gear.kinematic_error}.at(2 * pi * 3 * j / 90).value);
+  GearSet tabled = gear;
+  tabled.kinematic_error.clear();
+  tabled.drivetrain->error_table = "error.csv";
+  tabled.error_table = std::make_shared<const ErrorTable>(
+      ErrorTable{.values = values, .turns = 3, .lines = error_lines(values, 3)});
+  const SimulationReport by_table = simulation_report(tabled, {.output_step = 2e-3});
+  ASSERT_EQ(by_table.rows.size(), by_order.rows.size());
+  for (std::size_t n = 0; n < by_table.rows.size(); ++n)
+    EXPECT_NEAR(by_table.rows[n].output_angle, by_order.rows[n].output_angle, 1e-10);
+  EXPECT_NE(std::ranges::find(by_table.equations, "MO-56"), by_table.equations.end());
+  EXPECT_FALSE(has_note(by_table.notes, "motion.error_table"));
+  // A jump has more lines than a table keeps.
+  for (int j = 0; j < 2000; ++j) values.push_back(j % 2000 < 1000 ? 1e-4 : -1e-4);
+  tabled.error_table = std::make_shared<const ErrorTable>(
+      ErrorTable{.values = values, .turns = 3, .lines = error_lines(values, 3)});
+  ASSERT_TRUE(error_table_note(tabled));
+  EXPECT_EQ(error_table_note(tabled)->code, "motion.error_table");
 }
 
 TEST(SimulationReport, BehaviourNotesSayWhatAMotionLeavesOut) {

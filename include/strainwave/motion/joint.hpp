@@ -139,6 +139,9 @@ struct ServoTorque {
 /// @param time  of the cracks that grow [s]
 [[nodiscard]] double stored_energy(const Joint& joint, const JointState& state, double time = 0.0);
 
+/// Periods of the fastest excitation of a joint in a turn of its input [-].
+[[nodiscard]] double fastest_order(const Joint& joint);
+
 /// Throws InputError, which names the number, unless each number of the joint is in its range.
 void require_constants(const Joint& joint);
 

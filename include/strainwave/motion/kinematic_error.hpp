@@ -55,6 +55,37 @@ struct KinematicError {
   };
   /// @param input_angle  theta_m [rad]
   [[nodiscard]] At at(double input_angle) const;
+  /// The highest order; 0: no order [-].
+  [[nodiscard]] double highest_order() const;
+};
+
+/// The lines of a kinematic error that is given at even angles (MO-56).
+struct ErrorLines {
+  std::vector<ErrorOrder> orders = {};  ///< by falling amplitude
+  double range = 0.0;                   ///< of the given values, from peak to valley [rad]
+  double left_out = 0.0;                ///< largest difference to the given values [rad]
+};
+
+/// Number of lines that a table keeps at most.
+inline constexpr std::size_t kMostErrorLines = 100;
+/// Sum of the amplitudes of the lines that a table may leave out, over its range [-].
+inline constexpr double kErrorLeftOut = 1e-3;
+
+/// Implements theory manual eq. (MO-56).
+///
+/// The mean is left out, because it only turns the output.  The smallest lines are left out as long
+/// as the sum of their amplitudes is at most kErrorLeftOut of the range, and so are all lines
+/// beyond kMostErrorLines or kLargestOrder.
+/// @param values  of the error at n even angles of the input, from 0 to before the period [rad];
+///                3 or more
+/// @param turns   of the input in the period [-]; > 0
+[[nodiscard]] ErrorLines error_lines(const std::vector<double>& values, double turns);
+
+/// A kinematic error as read from its file.
+struct ErrorTable {
+  std::vector<double> values = {};  ///< at even angles of the input [rad]
+  double turns = 0.0;               ///< of the input in the period [-]
+  ErrorLines lines = {};            ///< of the values
 };
 
 /// Throws InputError, which names the number, unless each number is in its range.  Amplitudes are

@@ -11,6 +11,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/motion/energy_table.hpp"
+#include "strainwave/torsion/deviations.hpp"
 
 /// @file
 /// The computed torsion curve as the restoring torque of a motion.
@@ -34,6 +35,9 @@ struct CurveTable {
   std::optional<double> worst_share = {};
   /// the same as root mean squares [-]
   std::optional<double> rms_share = {};
+  /// range of the place of the output that the deviations of the teeth make at the rated torque on
+  /// the load, sound, over a turn of the output [rad]; absent: no tooth deviates
+  std::optional<double> teeth_range = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -41,12 +45,13 @@ struct CurveTable {
           &CurveTable::most_torque);
     field({"torques", "", "points of the torque"}, &CurveTable::torques);
     field({"cage_angles", "", "points of the angle of the cage"}, &CurveTable::cage_angles);
-    field(
-        {"flexspline_angles", "",
-         "points of the angle of the flexspline against the wave; absent: no crack moves with it"},
-        &CurveTable::flexspline_angles);
+    field({"flexspline_angles", "",
+           "points of the angle of the flexspline against the wave; absent: no crack or deviation "
+           "moves with it"},
+          &CurveTable::flexspline_angles);
     field({"spline_angles", "",
-           "points of the angle of the circular spline against the wave; absent: no crack in it"},
+           "points of the angle of the circular spline against the wave; absent: no crack or "
+           "deviation in it"},
           &CurveTable::spline_angles);
     field({"triples", "", "random angles of flexspline, spline and cage of the check"},
           &CurveTable::triples);
@@ -62,6 +67,10 @@ struct CurveTable {
            "largest error of the twist that the cracks add, over the largest such twist"},
           &CurveTable::worst_share);
     field({"rms_share", "1", "the same as root mean squares"}, &CurveTable::rms_share);
+    field({"teeth_range", "rad",
+           "kinematic error of the teeth at the rated torque from peak to valley, over a turn of "
+           "the output, sound; absent: no tooth deviates"},
+          &CurveTable::teeth_range);
   }
 };
 
@@ -99,6 +108,15 @@ inline constexpr int kCheckedTriples = 100;
 /// @throws SolverError  if the coupled drive does not bear the largest torque of the table
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] ComputedCurve computed_curve(const GearSet& gear, const Progress& progress = {});
+
+/// The computed curve of a drive whose teeth deviate, with the kinematic error that they make under
+/// the torque of each time.
+///
+/// Implements theory manual eqs. (MO-27) and (MO-58).  Balls do not deviate.
+/// @param teeth  of both parts, with their gap, as of `paired` or `draw_deviations`
+/// @throws  as `computed_curve`
+[[nodiscard]] ComputedCurve computed_curve_of_teeth(const GearSet& gear, const Deviations& teeth,
+                                                    const Progress& progress = {});
 
 /// Makes the computed curve of a drive, or takes it from where it was kept.
 using CurveSource = std::function<ComputedCurve(const GearSet& gear, const Progress& progress)>;

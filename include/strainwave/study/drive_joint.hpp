@@ -47,6 +47,10 @@ struct DriveJoint {
                                      std::optional<RestoringTorque> spring = {},
                                      const CurveSource& curve = computed_curve);
 
+/// What the lines of a kinematic error from a file leave out, if it is more than 1 % of its range
+/// (MO-56).
+[[nodiscard]] std::optional<Note> error_table_note(const GearSet& gear);
+
 /// The cracks that act in the joint of a drive, without the joint itself (MO-14).
 /// @param gear  has passed `check`, with a drivetrain
 /// @throws SolverError  if a compliance is not usable

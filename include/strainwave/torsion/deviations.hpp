@@ -85,6 +85,12 @@ struct DeviationLimits {
 /// @param gear        has a mesh
 [[nodiscard]] double pairing_gap(const Deviations& deviations, const GearSet& gear);
 
+/// The parts of a drive of which some teeth were measured: teeth that were not measured do not
+/// deviate, and all flanks get the further gap of (TC-36).
+/// @param measured  its `pairing_gap` is ignored
+/// @throws InputError  as `check_deviations`
+[[nodiscard]] Deviations paired(Deviations measured, const GearSet& gear);
+
 /// The parts after the wave generator has moved on by a number of teeth: teeth of both parts move
 /// by one place for each tooth.  Balls and cam keep their places.
 [[nodiscard]] Deviations moved_on(const Deviations& deviations, int teeth);

@@ -85,7 +85,8 @@ struct Side {
 
 /// Whether a field names a table beside the file.
 bool names_table(std::string_view path) {
-  return path.ends_with(".compliance_table") || path.ends_with(".turn_table");
+  return path.ends_with(".compliance_table") || path.ends_with(".turn_table") ||
+         path.ends_with(".error_table");
 }
 
 void read_inputs(const Json& value, const std::string& path, Inputs& to) {

@@ -17,15 +17,18 @@
 #include "strainwave/layouts/simulation.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/study/computed_curve.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+#include "tooth_file.hpp"
 
 namespace strainwave {
 namespace {
 
-struct SimulateOptions {
+struct SimulateOptions : ToothFiles {
   std::optional<std::string> step;
   std::string tolerance = "1e-9 rad";
   MotionEngine engine = MotionEngine::explicit_steps;
   std::optional<std::string> growth;
+  std::optional<std::uint64_t> drawn_teeth;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -48,6 +51,11 @@ struct SimulateOptions {
            "grow as strainwave grow computes them, a number with its unit such as '100 h'; a time "
            "lapse unless the motion takes as long"},
           &SimulateOptions::growth);
+    ToothFiles::describe<SimulateOptions>(field);
+    field({"drawn_teeth", "",
+           "draw the deviations of the teeth from the tolerances of the file by this seed, in "
+           "place of measured teeth; both need the computed curve"},
+          &SimulateOptions::drawn_teeth);
   }
 };
 
@@ -61,17 +69,50 @@ RecordForm form_of(const std::string& name) {
                                             shown(name)));
 }
 
+/// The teeth of a motion; absent: none deviates.
+std::optional<Deviations> teeth_of_motion(const Request& request, const SimulateOptions& options) {
+  const GearSet& gear = request.drive.gear;
+  if (!options.drawn_teeth && !options.flexspline_teeth && !options.spline_teeth)
+    return std::nullopt;
+  if (!gear.drivetrain || gear.drivetrain->spring != RestoringTorque::computed)
+    throw OptionError(options.drawn_teeth        ? "--drawn-teeth"
+                      : options.flexspline_teeth ? "--flexspline-teeth"
+                                                 : "--spline-teeth",
+                      "needs the computed curve; leave it out, or give drivetrain.spring = "
+                      "\"computed\"");
+  // What the coupled drive lacks is refused with the curve.
+  if (!missing_for_torsion_curve(gear).empty()) return std::nullopt;
+  if (std::optional<Deviations> measured = measured_teeth(request, options)) {
+    if (options.drawn_teeth)
+      throw OptionError("--drawn-teeth", "stands in place of measured teeth; give one of the two");
+    return paired(*std::move(measured), gear);
+  }
+  return draw_deviations(gear, *options.drawn_teeth, 0);
+}
+
+/// All numbers of the teeth as text.
+std::string teeth_text(const std::optional<Deviations>& teeth) {
+  if (!teeth) return {};
+  std::string text = fmt::format("\n{:a} {:a} {:a}", teeth->pairing_gap, teeth->eccentricity,
+                                 teeth->eccentricity_angle);
+  for (const auto* const part : {&teeth->flexspline, &teeth->spline})
+    for (const ToothDeviation& tooth : *part)
+      text += fmt::format(" {:a} {:a}", tooth.position, tooth.thickness);
+  return text;
+}
+
 /// The checkpoint of a record as text: the program and all that the rows depend on, the bytes of
 /// the record, the state of the motion, and a digest of these lines.
 class RecordCheckpoint {
  public:
-  RecordCheckpoint(const Request& request, const SimulateOptions& options, RecordForm form)
+  RecordCheckpoint(const Request& request, const SimulateOptions& options, const std::string& teeth,
+                   RecordForm form)
       : name_(request.recording->name()),
         head_(fmt::format("{} {} {} {}", kRunFormat, version(), git_revision(),
                           sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", enum_name(form),
                                                  options.step.value_or(""), options.tolerance,
                                                  options.growth.value_or(""), request.drive.text,
-                                                 numbers_beside(request.drive.gear))))) {}
+                                                 numbers_beside(request.drive.gear) + teeth)))) {}
 
   /// @param state  empty: the motion is to begin
   [[nodiscard]] std::string text(std::uint64_t size, const std::string& state) const {
@@ -118,10 +159,10 @@ class RecordCheckpoint {
 
 /// A motion whose rows go into a record.
 SimulationReport recorded(const Request& request, const SimulateOptions& options,
-                          const SimulationSettings& settings) {
+                          const std::string& teeth, const SimulationSettings& settings) {
   Recording& recording = *request.recording;
   const RecordForm form = form_of(recording.name());
-  const RecordCheckpoint checkpoint(request, options, form);
+  const RecordCheckpoint checkpoint(request, options, teeth, form);
   SimulationRecord record;
   std::uint64_t size = 0;
   if (const std::optional<std::string> found = recording.checkpoint()) {
@@ -143,6 +184,11 @@ SimulationReport recorded(const Request& request, const SimulateOptions& options
                         .options = {{"tolerance", options.tolerance}}};
     if (options.step) origin.options.emplace_back("step", *options.step);
     if (options.growth) origin.options.emplace_back("growth", *options.growth);
+    if (options.flexspline_teeth)
+      origin.options.emplace_back("flexspline-teeth", *options.flexspline_teeth);
+    if (options.spline_teeth) origin.options.emplace_back("spline-teeth", *options.spline_teeth);
+    if (options.drawn_teeth)
+      origin.options.emplace_back("drawn-teeth", fmt::format("{}", *options.drawn_teeth));
     recording.append(record_head(form, origin, columns));
   };
   std::string bytes;
@@ -164,16 +210,17 @@ constexpr std::string_view kCurveFormat = "strainwave-curve-table/1";
 /// lines (MO-27).
 class CurveKeeper {
  public:
-  explicit CurveKeeper(const Request& request)
+  CurveKeeper(const Request& request, const std::string& teeth)
       : kept_(*request.kept), program_(fmt::format("{} {}", version(), git_revision())) {
     const GearSet drive = what_the_curve_depends_on(request.drive.gear);
-    drive_ = sha256_hex(json_of(drive) + '\n' + numbers_beside(drive));
+    drive_ = sha256_hex(json_of(drive) + '\n' + numbers_beside(drive) + teeth);
   }
 
-  /// The curve of the text, or a new one, whose text is then kept.
-  [[nodiscard]] ComputedCurve curve(const GearSet& gear, const Progress& progress) const {
+  /// The curve of the text, or one that `made_anew` computes, whose text is then kept.
+  [[nodiscard]] ComputedCurve curve(const CurveSource& made_anew, const GearSet& gear,
+                                    const Progress& progress) const {
     if (const std::optional<std::string> found = kept_.text()) return read(*found);
-    ComputedCurve made = computed_curve(gear, progress);
+    ComputedCurve made = made_anew(gear, progress);
     const std::string lines =
         fmt::format("{}\n{}\n{}\n{}\n", kCurveFormat, program_, drive_, curve_text(made.samples));
     kept_.keep(lines + sha256_hex(lines) + '\n');
@@ -223,20 +270,28 @@ SimulationReport simulation_of(const Request& request, const SimulateOptions& op
     settings.output_step = parse_quantity("--step", *options.step, "s");
     require(settings.output_step > 0, "--step", settings.output_step, "s", "> 0");
   }
+  const auto& train = request.drive.gear.drivetrain;
+  const bool computed = train && train->spring == RestoringTorque::computed;
+  const std::optional<Deviations> teeth = teeth_of_motion(request, options);
+  if (teeth) {
+    settings.curve = [teeth](const GearSet& gear, const Progress& progress) {
+      return computed_curve_of_teeth(gear, *teeth, progress);
+    };
+  }
   if (request.kept != nullptr) {
-    const auto& train = request.drive.gear.drivetrain;
-    if (!train || train->spring != RestoringTorque::computed)
+    if (!computed)
       throw OptionError("--curve-table",
                         "keeps the table of a computed curve, and the spring of this drive has "
                         "none; leave it out, or give drivetrain.spring = \"computed\"");
-    const auto keeper = std::make_shared<const CurveKeeper>(request);
-    settings.curve = [keeper](const GearSet& gear, const Progress& progress) {
-      return keeper->curve(gear, progress);
+    const auto keeper = std::make_shared<const CurveKeeper>(request, teeth_text(teeth));
+    settings.curve = [keeper, anew = settings.curve](const GearSet& gear,
+                                                     const Progress& progress) {
+      return keeper->curve(anew, gear, progress);
     };
   }
   if (options.growth) settings.growth = parse_quantity("--growth", *options.growth, "s");
   return request.recording != nullptr
-             ? recorded(request, options, settings)
+             ? recorded(request, options, teeth_text(teeth), settings)
              : simulation_report(request.drive.gear, settings, request.progress);
 }
 

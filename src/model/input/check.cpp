@@ -121,6 +121,9 @@ void check_drivetrain(const GearSet& gear) {
   if (of.hysteresis && !of.slip_element.empty())
     throw InputError("drivetrain.slip_element",
                      "is read in place of drivetrain.hysteresis; give one of the two");
+  if (of.error_table && !gear.error_table)
+    throw InputError("drivetrain.error_table",
+                     fmt::format("\"{}\" has not been read", shown(*of.error_table)));
   if (of.friction)
     require(std::abs(of.friction->warming) <= 200, "drivetrain.friction.warming",
             of.friction->warming, "K", "at most 200 K, up or down");

@@ -57,6 +57,14 @@ const Material& material_of(const GearSet& gear, std::string_view name, std::str
                                       shown(fmt::format("{}", fmt::join(known, ", ")))));
 }
 
+KinematicError kinematic_error_of(const GearSet& gear) {
+  KinematicError error{gear.kinematic_error};
+  if (gear.error_table)
+    error.orders.insert(error.orders.end(), gear.error_table->lines.orders.begin(),
+                        gear.error_table->lines.orders.end());
+  return error;
+}
+
 void drop_lost_paths(GearSet& gear, const GearSet& before) {
   const auto numbers_of = [](const GearSet& drive) {
     std::map<std::string, double, std::less<>> numbers;

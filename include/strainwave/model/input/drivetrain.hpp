@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -58,10 +59,11 @@ struct Drivetrain {
   double load_damping = 0.0;    ///< B_L against the housing [N*m*s/rad]; >= 0
   double gravity_torque = 0.0;  ///< m g l of an arm on the output [N*m]
   double gravity_angle = 0.0;   ///< angle of the output at which the arm hangs down [rad]
-  std::optional<BoucWen> hysteresis = {};      ///< at the output, parallel to the drive
-  std::vector<SlipElement> slip_element = {};  ///< in place of `hysteresis`
-  std::optional<LuGre> friction = {};          ///< at the input
-  std::optional<Servo> servo = {};             ///< controller of the motor; absent: given speed
+  std::optional<BoucWen> hysteresis = {};       ///< at the output, parallel to the drive
+  std::vector<SlipElement> slip_element = {};   ///< in place of `hysteresis`
+  std::optional<LuGre> friction = {};           ///< at the input
+  std::optional<Servo> servo = {};              ///< controller of the motor; absent: given speed
+  std::optional<std::string> error_table = {};  ///< file of a kinematic error over the angle
   CrackBreathing breathing = CrackBreathing::torque;
   RestoringTorque spring = RestoringTorque::lines;
   ContactFriction contact_friction = ContactFriction::none;
@@ -158,6 +160,13 @@ struct Drivetrain {
                        "out, the motor has this speed",
                 .in_template = InTemplate::commented},
           &Drivetrain::servo);
+    field(Field{.name = "error_table",
+                .unit = "",
+                .doc = "CSV file of a kinematic error over a period, with the columns input_angle "
+                       "and error and their units; adds to [[kinematic_error]]",
+                .example = R"("error.csv")",
+                .in_template = InTemplate::commented},
+          &Drivetrain::error_table);
     field(
         Field{.name = "breathing",
               .unit = "",

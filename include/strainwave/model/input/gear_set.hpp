@@ -155,6 +155,9 @@ struct GearSet {
   /// The tables of K over a turn that cracks name, by name; the reader of the file fills them
   /// (io/turn_table_file.hpp).  Copies of the drive share them.
   std::map<std::string, std::shared_ptr<const TurnTable>> turn_tables;
+  /// The kinematic error that `drivetrain` names; the reader of the file fills it
+  /// (io/error_table_file.hpp).  Copies of the drive share it.
+  std::shared_ptr<const ErrorTable> error_table;
   /// The history that `duty` names; the reader of the file fills it (io/history_file.hpp).  Copies
   /// of the drive share it.
   std::shared_ptr<const DutyRecord> duty_record;
@@ -290,6 +293,9 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 /// @throws InputError  if no material has that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           std::string_view field);
+
+/// The kinematic error of a drive: the orders of the file, and the lines of its table (MO-56).
+[[nodiscard]] KinematicError kinematic_error_of(const GearSet& gear);
 
 /// Throws InputError for the first number outside its range, or for the first broken rule between
 /// fields: inner diameter < outer, crack shallower than the wall, one source of the radial
