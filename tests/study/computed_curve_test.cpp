@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -249,26 +250,33 @@ TEST(ComputedCurve, InputRules) {
   EXPECT_THROW((void)computed_curve(gear), InputError);
 }
 
-/// A drive without cracks whose teeth deviate at random, as its tolerances allow.
+/// A sound drive with few teeth, which takes short.
+GearSet few_teeth() {
+  GearSet gear = typical_drive_of_size(25, 30);
+  gear.drivetrain = tooth_drive().drivetrain;
+  return gear;
+}
+
+/// Teeth that deviate at random, as the tolerances of a drive allow.
 Deviations random_teeth(const GearSet& gear) { return draw_deviations(gear, 58, 0); }
 
 TEST(ComputedCurve, CrosscheckTeethAgainstTheTransmission) {
   // (MO-58), (DY-17): the table of deviating teeth turns the output as the coupled drive does tooth
   // by tooth.  The torque of the drive on its load is minus that on the output.  6 % of the range
   // is the mean over two phases of the cage, where the transmission has one.
-  const GearSet gear = without_cracks(short_motion());
+  const GearSet gear = few_teeth();
   Deviations teeth = random_teeth(gear);
   teeth.balls.clear();
   teeth.eccentricity = 0.0;
   teeth = paired(std::move(teeth), gear);
   const ComputedCurve curve = computed_curve_of_teeth(gear, teeth);
-  constexpr double kTorque = 87.0;  // the rated torque
+  const double torque = makers_torques(gear).rated;
   const TransmissionReport report =
-      transmission_report(gear, {.torque = kTorque, .measured = teeth});
+      transmission_report(gear, {.torque = torque, .measured = teeth});
   ASSERT_TRUE(curve.table.teeth_range);
-  EXPECT_NEAR(*curve.table.teeth_range, report.range, 0.06 * report.range);
-  EXPECT_EQ(curve.table.flexspline_angles, 200);
-  EXPECT_EQ(curve.table.spline_angles, 202);
+  EXPECT_NEAR(*curve.table.teeth_range, report.range, 0.12 * report.range);
+  EXPECT_EQ(curve.table.flexspline_angles, 60);
+  EXPECT_EQ(curve.table.spline_angles, 62);
   EXPECT_FALSE(curve.table.rms_share);
   EXPECT_EQ(curve.cracked, curve.sound);
   for (const ErrorFamily family : {ErrorFamily::flexspline, ErrorFamily::circular_spline}) {
@@ -279,8 +287,8 @@ TEST(ComputedCurve, CrosscheckTeethAgainstTheTransmission) {
       std::array<double, EnergyTable::kMostFamilies> angles{};
       const bool first = family == ErrorFamily::flexspline;
       angles[first ? 1 : 2] =
-          2 * std::numbers::pi / (first ? 200 : 202) * static_cast<double>(is.size());
-      is.push_back(-curve.sound->at_angles(angles).at_torque(-kTorque).twist);
+          2 * std::numbers::pi / (first ? 60 : 62) * static_cast<double>(is.size());
+      is.push_back(-curve.sound->at_angles(angles).at_torque(-torque).twist);
       expected.push_back(row.error);
     }
     const double mean = std::accumulate(is.begin(), is.end(), 0.0) / static_cast<double>(is.size());
@@ -304,7 +312,7 @@ TEST(ComputedCurve, CrosscheckTeethAgainstTheTransmission) {
   GearSet moved = gear;
   moved.kinematic_error.clear();
   moved.drivetrain->gear_damping = 10;
-  moved.manoeuvre = {{.duration = 0.2, .input_speed = 20.0, .output_torque = -kTorque},
+  moved.manoeuvre = {{.duration = 0.2, .input_speed = 20.0, .output_torque = -torque},
                      {.duration = 2.0, .input_speed = 20.0}};
   const SimulationReport motion =
       simulation_report(moved, {.output_step = 5e-3,
@@ -321,12 +329,12 @@ TEST(ComputedCurve, CrosscheckTeethAgainstTheTransmission) {
     worst = std::max(worst, std::abs(row.output_error + twist));
   }
   // The damper bears a little of the torque.
-  EXPECT_LT(worst, 0.02 * report.range);
+  EXPECT_LT(worst, 0.06 * report.range);
 }
 
 TEST(ComputedCurve, LimitOfTeethThatDoNotDeviate) {
   // (MO-58): teeth without deviations leave the curve of the drive: rounding of the solves.
-  const GearSet gear = short_motion();
+  const GearSet gear = few_teeth();
   const Deviations none = paired({}, gear);
   const ComputedCurve curve = computed_curve_of_teeth(gear, none);
   const ComputedCurve plain = computed_curve(gear);
