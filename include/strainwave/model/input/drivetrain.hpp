@@ -61,7 +61,9 @@ struct Drivetrain {
   std::optional<BoucWen> hysteresis = {};      ///< at the output, parallel to the drive
   std::vector<SlipElement> slip_element = {};  ///< in place of `hysteresis`
   std::optional<LuGre> friction = {};          ///< at the input
-  std::optional<Servo> servo = {};             ///< controller of the motor; absent: given speed
+  /// of the load against the housing; without load_coulomb and load_breakaway
+  std::optional<LuGre> load_friction = {};
+  std::optional<Servo> servo = {};  ///< controller of the motor; absent: given speed
   CrackBreathing breathing = CrackBreathing::torque;
   RestoringTorque spring = RestoringTorque::lines;
   ContactFriction contact_friction = ContactFriction::none;
@@ -152,6 +154,11 @@ struct Drivetrain {
                 .doc = "friction of the input in a motion, with sticking",
                 .in_template = InTemplate::commented},
           &Drivetrain::friction);
+    field(Field{.name = "load_friction",
+                .unit = "",
+                .doc = "friction of the load against the housing in a motion, with sticking",
+                .in_template = InTemplate::commented},
+          &Drivetrain::load_friction);
     field(Field{.name = "servo",
                 .unit = "",
                 .doc = "controller of the motor, which follows input_speed in a motion; if left "
