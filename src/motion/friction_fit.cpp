@@ -36,6 +36,7 @@ Joint on_bench(const Joint& joint, const LuGre& friction) {
   bench.input_damping = 0.0;
   bench.output_damping = 0.0;
   bench.input_friction = friction;
+  bench.output_friction.reset();
   bench.output_speed.reset();
   bench.output_torque = {.value = {0.0}};
   return bench;

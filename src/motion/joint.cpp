@@ -180,6 +180,18 @@ double friction_torque(const Joint& joint, const JointState& x, double load, dou
   return torque;
 }
 
+/// Torque against the speed of the output.
+double output_friction_torque(const Joint& joint, const JointState& x, double& bristle_rate) {
+  double torque = joint.output_damping * x.output_speed;
+  if (joint.output_friction) {
+    const LuGre::At friction =
+        joint.output_friction->at(x.load_bristle, x.output_speed);  // (MO-10)
+    torque += friction.torque;
+    bristle_rate = friction.rate;
+  }
+  return torque;
+}
+
 double gravity(const Joint& joint, double output_angle) {
   if (joint.gravity_torque == 0) return 0.0;
   return -joint.gravity_torque * std::sin(output_angle - joint.gravity_angle);
@@ -200,7 +212,8 @@ InputAt input_at(const Joint& joint, double time, const JointState& x, double re
   if (const auto* const given = std::get_if<GivenTorque>(&joint.input))
     return driven(given->torque.at(time));
   if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) {
-    if (drive->servo.sample_time) return driven(x.held_torque);
+    if (drive->servo.sample_time)
+      return driven(drive->servo.limited(x.held_torque, x.input_speed));  // (MO-57)
     const ServoTorque of = servo_torque(*drive, time, x);
     return driven(of.torque, of.rate);
   }
@@ -214,15 +227,22 @@ ServoTorque servo_torque(const ServoDrive& drive, double time, const JointState&
   const Servo& servo = drive.servo;
   const Servo::At at =
       servo.at(drive.speed.integral(time) - x.input_angle, drive.speed.at(time) - x.input_speed,
-               x.servo, drive.holding_torque);
-  return {.torque = servo.limited(at.torque),
+               x.servo, drive.holding_torque, x.input_speed);
+  return {.torque = servo.limited(at.torque, x.input_speed),
+          .asked = servo.asked(at.torque),
           .excess = servo.torque_limit ? std::abs(at.torque) - *servo.torque_limit : 0.0,
           .rate = at.rate};
 }
 
+double voltage_excess(const ServoDrive& drive, double time, const JointState& x) {
+  const double asked = drive.servo.sample_time ? x.held_torque : servo_torque(drive, time, x).asked;
+  const Servo::Line of = drive.servo.line(x.input_speed);
+  return std::max(asked - of.most, of.least - asked);  // (MO-57)
+}
+
 JointState after_sample(const ServoDrive& drive, double time, JointState state) {
   const ServoTorque at = servo_torque(drive, time, state);
-  state.held_torque = at.torque;
+  state.held_torque = at.asked;
   state.servo += at.rate * *drive.servo.sample_time;
   return state;
 }
@@ -258,8 +278,8 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   rate.servo = input.servo;
   f.input_torque = input.torque;
   rate.input_acceleration = input.acceleration;
-  const double without = f.torque + at.on_output + gravity(joint, x.output_angle) -
-                         joint.output_damping * x.output_speed;
+  const double against = output_friction_torque(joint, x, rate.load_bristle);
+  const double without = f.torque + at.on_output + gravity(joint, x.output_angle) - against;
   if (joint.output_speed) {
     rate.output_acceleration = joint.output_speed->slope(time);
     f.output_torque = joint.output_inertia * rate.output_acceleration - without;  // (MO-46)
@@ -270,8 +290,7 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   rate.supplied = input.torque * x.input_speed + f.output_torque * x.output_speed;  // (MO-12)
   rate.released = at.released;
   rate.lost = (joint.damping * f.twist_rate + loop) * f.twist_rate + slip_lost + contacts_lost +
-              friction * x.input_speed + joint.output_damping * x.output_speed * x.output_speed +
-              rate.released;  // (MO-12)
+              friction * x.input_speed + against * x.output_speed + rate.released;  // (MO-12)
   return rate;
 }
 
@@ -323,6 +342,13 @@ void require_constants(const Joint& joint) {
   if (joint.hysteresis) require_constants(*joint.hysteresis);
   require_constants(joint.slip_elements);
   if (joint.input_friction) require_constants(*joint.input_friction);
+  if (joint.output_friction) {
+    const FieldPath at("output_friction");
+    require_constants(*joint.output_friction, at);
+    if (joint.output_friction->by_load())
+      throw InputError((at / "load_coulomb").text(),
+                       "and load_breakaway belong to input_friction; leave them out");
+  }
   require_constants(joint.kinematic_error);
   require_constants(joint.cracks);
   if (const auto* const given = std::get_if<GivenTorque>(&joint.input))

@@ -119,26 +119,24 @@ void require_constants(const std::vector<SlipElement>& elements) {
   }
 }
 
-void require_constants(const LuGre& model) {
-  const auto rule = [](bool ok, const char* field, double value, const char* unit,
-                       const char* text) {
-    require(ok && std::isfinite(value), field, value, unit, text);
+void require_constants(const LuGre& model, const FieldPath& at) {
+  const auto rule = [&](bool ok, const char* field, double value, const char* unit,
+                        std::string_view text) {
+    require(ok && std::isfinite(value), (at / field).text(), value, unit, text);
   };
-  rule(model.bristle_stiffness > 0, "friction.bristle_stiffness", model.bristle_stiffness,
-       "N*m/rad", "> 0");
-  rule(model.bristle_damping >= 0, "friction.bristle_damping", model.bristle_damping, "N*m*s/rad",
-       ">= 0");
-  rule(model.viscous >= 0, "friction.viscous", model.viscous, "N*m*s/rad", ">= 0");
-  rule(model.coulomb > 0, "friction.coulomb", model.coulomb, "N*m", "> 0");
-  rule(model.breakaway >= model.coulomb, "friction.breakaway", model.breakaway, "N*m",
-       "at least friction.coulomb");
-  rule(model.stribeck_speed > 0, "friction.stribeck_speed", model.stribeck_speed, "rad/s", "> 0");
-  rule(model.thinning >= 0, "friction.thinning", model.thinning, "1/K", ">= 0");
-  rule(std::abs(model.warming) <= kMostWarming, "friction.warming", model.warming, "K",
+  rule(model.bristle_stiffness > 0, "bristle_stiffness", model.bristle_stiffness, "N*m/rad", "> 0");
+  rule(model.bristle_damping >= 0, "bristle_damping", model.bristle_damping, "N*m*s/rad", ">= 0");
+  rule(model.viscous >= 0, "viscous", model.viscous, "N*m*s/rad", ">= 0");
+  rule(model.coulomb > 0, "coulomb", model.coulomb, "N*m", "> 0");
+  rule(model.breakaway >= model.coulomb, "breakaway", model.breakaway, "N*m",
+       "at least " + (at / "coulomb").text());
+  rule(model.stribeck_speed > 0, "stribeck_speed", model.stribeck_speed, "rad/s", "> 0");
+  rule(model.thinning >= 0, "thinning", model.thinning, "1/K", ">= 0");
+  rule(std::abs(model.warming) <= kMostWarming, "warming", model.warming, "K",
        "at most 200 K, up or down");
-  rule(model.load_coulomb >= 0, "friction.load_coulomb", model.load_coulomb, "1", ">= 0");
-  rule(model.load_breakaway.value_or(0) >= 0, "friction.load_breakaway",
-       model.load_breakaway.value_or(0), "1", ">= 0");
+  rule(model.load_coulomb >= 0, "load_coulomb", model.load_coulomb, "1", ">= 0");
+  rule(model.load_breakaway.value_or(0) >= 0, "load_breakaway", model.load_breakaway.value_or(0),
+       "1", ">= 0");
 }
 
 }  // namespace strainwave

@@ -3,22 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
 
-Servo::At Servo::at(double angle_error, double speed_error, double integral, double holding) const {
+Servo::At Servo::at(double angle_error, double speed_error, double integral, double holding,
+                    double speed) const {
   const double error = speed_error + (position_time ? angle_error / *position_time : 0.0);
   At made{.torque = holding + speed_gain * error};
   if (!integral_time) return made;
   made.torque += speed_gain * integral / *integral_time;
-  made.rate = error + (limited(made.torque) - made.torque) / speed_gain;  // (MO-21)
+  made.rate = error + (limited(made.torque, speed) - made.torque) / speed_gain;  // (MO-21)
   return made;
 }
 
-double Servo::limited(double torque) const {
-  return torque_limit ? std::clamp(torque, -*torque_limit, *torque_limit) : torque;
+double Servo::asked(double torque) const {
+  return torque_limit ? std::clamp(torque, -*torque_limit, *torque_limit) : torque;  // (MO-21)
+}
+
+Servo::Line Servo::line(double speed) const {
+  if (!stall_torque || !no_load_speed)
+    return {.least = -std::numeric_limits<double>::infinity(),
+            .most = std::numeric_limits<double>::infinity()};
+  const double of_no_load = speed / *no_load_speed;
+  return {.least = -*stall_torque * (1 + of_no_load),
+          .most = *stall_torque * (1 - of_no_load)};  // (MO-57)
+}
+
+double Servo::limited(double torque, double speed) const {
+  const Line of = line(speed);
+  return std::clamp(asked(torque), of.least, of.most);  // (MO-57)
 }
 
 void require_constants(const Servo& servo, double input_inertia, const FieldPath& at) {
@@ -31,6 +47,15 @@ void require_constants(const Servo& servo, double input_inertia, const FieldPath
   positive("position_time", servo.position_time, "s");
   positive("integral_time", servo.integral_time, "s");
   positive("torque_limit", servo.torque_limit, "N*m");
+  positive("stall_torque", servo.stall_torque, "N*m");
+  positive("no_load_speed", servo.no_load_speed, "rad/s");
+  if (servo.stall_torque.has_value() != servo.no_load_speed.has_value())
+    throw InputError((at / (servo.stall_torque ? "stall_torque" : "no_load_speed")).text(),
+                     servo.stall_torque
+                         ? "needs no_load_speed, the other end of the motor's line; give both, or "
+                           "leave out both"
+                         : "needs stall_torque, the other end of the motor's line; give both, or "
+                           "leave out both");
   positive("sample_time", servo.sample_time, "s");
   if (!servo.sample_time) return;
   const auto faster = [&](const std::optional<double>& time, const char* rule) {

@@ -26,6 +26,7 @@ enum Entry : std::size_t {
   kOutputSpeed,
   kHysteresis,
   kBristle,
+  kLoadBristle,
   kServo,
   kHeldTorque,
   kSupplied,
@@ -62,6 +63,7 @@ JointState joint_state(const Joint& joint, const State& x, const std::optional<S
           .slip = slip,
           .loops = loops,
           .bristle = x[kBristle],
+          .load_bristle = x[kLoadBristle],
           .servo = x[kServo],
           .held_torque = x[kHeldTorque]};
 }
@@ -74,6 +76,7 @@ State packed(const Joint& joint, const JointState& s) {
   x[kOutputSpeed] = s.output_speed;
   x[kHysteresis] = s.hysteresis;
   x[kBristle] = s.bristle;
+  x[kLoadBristle] = s.load_bristle;
   x[kServo] = s.servo;
   x[kHeldTorque] = s.held_torque;
   return x;
@@ -128,6 +131,7 @@ class MotionRun::Steps {
     to_angle_[kOutputSpeed] = 1 / omega_;
     to_angle_[kHysteresis] = 1 / K;
     to_angle_[kBristle] = 1 / i;
+    to_angle_[kLoadBristle] = 1.0;
     to_angle_[kServo] = 1 / i;
     if (const auto* const drive = std::get_if<ServoDrive>(&joint_.input)) {
       servo_ = drive->servo.sample_time ? drive : nullptr;
@@ -142,6 +146,8 @@ class MotionRun::Steps {
       to_angle_[kSupplied] = to_angle_[kLost] = 1 / (K * kUsualTwist);
     if (joint_.input_friction)
       to_angle_[kBristle] = std::max(1 / i, joint_.input_friction->bristle_stiffness * i / K);
+    if (joint_.output_friction)
+      to_angle_[kLoadBristle] = std::max(1.0, joint_.output_friction->bristle_stiffness / K);
     fastest_order_ = fastest_order(joint_);
     at_.guards.assign(guards_.events().size(), 0.0);
     at_.fresh.assign(at_.guards.size(), true);
@@ -252,9 +258,12 @@ class MotionRun::Steps {
       }
       if (joint.input_friction || (joint.loops && joint.loops->fading() > 0))
         events_.push_back(MotionEvent::speed_reversal);
+      if (joint.output_friction) events_.push_back(MotionEvent::output_reversal);
       servo_ = std::get_if<ServoDrive>(&joint.input);
       if (servo_ != nullptr && servo_->servo.torque_limit && !servo_->servo.sample_time)
         events_.push_back(MotionEvent::torque_limit);
+      if (servo_ != nullptr && servo_->servo.stall_torque)
+        events_.push_back(MotionEvent::voltage_limit);
       if (joint.input_friction && joint.input_friction->by_load())
         events_.push_back(MotionEvent::load_sense);
       elements_ = &joint.slip_elements;
@@ -274,8 +283,12 @@ class MotionRun::Steps {
           return forces.twist_rate;
         case MotionEvent::speed_reversal:
           return state.input_speed;
+        case MotionEvent::output_reversal:
+          return state.output_speed;
         case MotionEvent::torque_limit:
           return servo_torque(*servo_, time, state).excess;
+        case MotionEvent::voltage_limit:
+          return voltage_excess(*servo_, time, state);
         case MotionEvent::load_sense:
           return forces.torque;
         case MotionEvent::torque_reversal:
@@ -296,6 +309,15 @@ class MotionRun::Steps {
       if (event < first_element_) return;
       const std::size_t j = event - first_element_;
       slip.torque[j] = std::copysign((*elements_)[j].limit, slip.torque[j]);
+    }
+    /// A sample of the controller changes what it asks of the motor.
+    void restart(std::vector<double>& values, std::vector<bool>& fresh, double time,
+                 const JointState& state) const {
+      for (std::size_t n = 0; n < events_.size(); ++n)
+        if (events_[n] == MotionEvent::voltage_limit) {
+          values[n] = voltage_excess(*servo_, time, state);
+          fresh[n] = false;
+        }
     }
     /// With the memory of the contacts taken anew, other elements are between their bounds.
     void restart(std::vector<double>& values, std::vector<bool>& fresh,
@@ -348,6 +370,7 @@ class MotionRun::Steps {
         const JointState after = after_sample(*servo_, at_.time, unpacked(at_.state));
         at_.state[kServo] = after.servo;
         at_.state[kHeldTorque] = after.held_torque;
+        guards_.restart(at_.guards, at_.fresh, at_.time, after);
         next_sampling = static_cast<double>(++at_.samplings) * sample_time;
       }
       corner = std::min(corner, next_sampling);
@@ -457,6 +480,7 @@ class MotionRun::Steps {
     dx[kOutputSpeed] = r.output_acceleration;
     dx[kHysteresis] = r.hysteresis;
     dx[kBristle] = r.bristle;
+    dx[kLoadBristle] = r.load_bristle;
     dx[kServo] = r.servo;
     dx[kSupplied] = r.supplied;
     dx[kLost] = r.lost;
@@ -659,6 +683,7 @@ void require_start(const Joint& joint, const JointState& start) {
   if (start.slip) require_state(joint.slip_elements, *start.slip);
   if (joint.loops && start.loops) require_memory(*joint.loops, *start.loops);
   finite("bristle", start.bristle, "rad");
+  finite("load_bristle", start.load_bristle, "rad");
   finite("servo", start.servo, "rad");
   finite("held_torque", start.held_torque, "N*m");
 }

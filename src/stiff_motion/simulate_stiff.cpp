@@ -27,6 +27,7 @@ enum Entry : std::size_t {
   kLoadSpeed,
   kLoop,
   kDeflection,
+  kLoadDeflection,
   kIntegral,
   kWork,
   kLoss,
@@ -80,11 +81,14 @@ std::vector<double> tolerances(const Joint& joint, double angle) {
   made[kLoadSpeed] = omega * angle;
   made[kLoop] = K * angle;
   made[kDeflection] = made[kIntegral] = i * angle;
+  made[kLoadDeflection] = angle;
   made[kWork] = made[kLoss] = K * kSmallTwist * angle;
   const auto by_torque = [&](Entry entry, double slope) {  // of the motor's torque
     made[entry] = std::min(made[entry], K * angle / (i * slope));
   };
   if (joint.input_friction) by_torque(kDeflection, joint.input_friction->bristle_stiffness);
+  if (joint.output_friction)
+    made[kLoadDeflection] = std::min(angle, K * angle / joint.output_friction->bristle_stiffness);
   if (const auto* const drive = std::get_if<ServoDrive>(&joint.input);
       drive != nullptr && drive->servo.integral_time)
     by_torque(kIntegral, drive->servo.speed_gain / *drive->servo.integral_time);
@@ -104,9 +108,12 @@ std::vector<Guard> guards_of(const Joint& joint, const std::vector<double>& tole
       MotionEvent::torque_sense, torque_error);
   add(joint.hysteresis.has_value(), MotionEvent::twist_reversal, tolerance[kLoadSpeed]);
   add(joint.input_friction.has_value(), MotionEvent::speed_reversal, tolerance[kMotorSpeed]);
+  add(joint.output_friction.has_value(), MotionEvent::output_reversal, tolerance[kLoadSpeed]);
   const auto* const drive = std::get_if<ServoDrive>(&joint.input);
   add(drive != nullptr && drive->servo.torque_limit && !drive->servo.sample_time,
       MotionEvent::torque_limit, torque_error / std::abs(joint.ratio));
+  add(drive != nullptr && drive->servo.stall_torque, MotionEvent::voltage_limit,
+      torque_error / std::abs(joint.ratio));
   add(joint.input_friction && joint.input_friction->by_load(), MotionEvent::load_sense,
       torque_error);
   return made;
@@ -155,6 +162,7 @@ class StiffRun::Steps {
     x_[kLoadSpeed] = joint_.output_speed ? joint_.output_speed->at(0.0) : start.output_speed;
     x_[kLoop] = start.hysteresis;
     x_[kDeflection] = start.bristle;
+    x_[kLoadDeflection] = start.load_bristle;
     x_[kIntegral] = start.servo;
     at_start_ = stored_energy(joint_, unpacked(x_));
     end_beyond_table();
@@ -212,6 +220,7 @@ class StiffRun::Steps {
             .output_speed = x[kLoadSpeed],
             .hysteresis = x[kLoop],
             .bristle = x[kDeflection],
+            .load_bristle = x[kLoadDeflection],
             .servo = x[kIntegral],
             .held_torque = held_};
   }
@@ -231,6 +240,7 @@ class StiffRun::Steps {
     dx[kLoadSpeed] = at.output_acceleration;
     dx[kLoop] = at.hysteresis;
     dx[kDeflection] = at.bristle;
+    dx[kLoadDeflection] = at.load_bristle;
     dx[kIntegral] = at.servo;
     dx[kWork] = at.supplied;  // (MO-12)
     dx[kLoss] = at.lost;
@@ -249,8 +259,12 @@ class StiffRun::Steps {
           return at.twist_rate;
         case MotionEvent::speed_reversal:
           return state.input_speed;
+        case MotionEvent::output_reversal:
+          return state.output_speed;
         case MotionEvent::torque_limit:
           return servo_torque(std::get<ServoDrive>(joint_.input), inside(time), state).excess;
+        case MotionEvent::voltage_limit:
+          return voltage_excess(std::get<ServoDrive>(joint_.input), inside(time), state);
         default:  // load_sense, because slip elements are refused
           return at.torque;
       }

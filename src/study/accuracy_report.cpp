@@ -348,6 +348,14 @@ void note_budget(const GearSet& gear, AccuracyReport& report) {
          path, "DY-16", Severity::information,
          "Run strainwave simulate for a motion with " + path + "."});
   }
+  if (gear.drivetrain->load_friction)
+    report.notes.push_back(
+        {"accuracy.no_load_friction",
+         "drivetrain.load_friction is left out; a load that sticks may hold the drive wound up by "
+         "this torque",
+         "drivetrain.load_friction", "DY-16", Severity::care,
+         "Give the torque as rating.friction_torque, which the hysteresis of the budget "
+         "contains."});
   if (gear.drivetrain->servo)
     report.notes.push_back({"accuracy.no_servo",
                             "the controller is left out, so its lag is not in the budget",

@@ -149,6 +149,9 @@ void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
   if (gear.drivetrain->friction)
     left_out("the friction of the input, because the drive does not turn on average",
              "drivetrain.friction");
+  if (gear.drivetrain->load_friction)
+    left_out("the friction of the load, whose loss is not one of the twist",
+             "drivetrain.load_friction");
   if (gear.drivetrain->gravity_torque != 0)
     left_out("gravity, because the drive works about a constant load torque",
              "drivetrain.gravity_torque");

@@ -245,6 +245,7 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
   joint.hysteresis = train.hysteresis;
   joint.slip_elements = train.slip_element;
   joint.input_friction = train.friction;
+  joint.output_friction = train.load_friction;
   joint.gravity_torque = train.gravity_torque;
   joint.gravity_angle = train.gravity_angle;
   joint.kinematic_error = kinematic_error_of(gear);

@@ -191,7 +191,7 @@ void note_losses(const GearSet& gear, FrfReport& report) {
          .next_step = "Give drivetrain.gear_damping."});
   const bool contacts = gear.drivetrain->contact_friction == ContactFriction::computed;
   if (gear.drivetrain->hysteresis || !gear.drivetrain->slip_element.empty() || contacts ||
-      gear.drivetrain->friction)
+      gear.drivetrain->friction || gear.drivetrain->load_friction)
     report.notes.push_back(
         {.code = "frf.linear",
          .text = "hysteresis and friction are left out, because a frequency response is linear; "
@@ -199,7 +199,8 @@ void note_losses(const GearSet& gear, FrfReport& report) {
          .path = gear.drivetrain->hysteresis              ? "drivetrain.hysteresis"
                  : !gear.drivetrain->slip_element.empty() ? "drivetrain.slip_element"
                  : contacts                               ? "drivetrain.contact_friction"
-                                                          : "drivetrain.friction",
+                 : gear.drivetrain->friction              ? "drivetrain.friction"
+                                                          : "drivetrain.load_friction",
          .equation = "DY-6",
          .severity = Severity::information,
          .next_step = "Run strainwave simulate for a motion with both."});

@@ -420,17 +420,47 @@ Note beyond_loops_note(double most) {
           .next_step = "Raise drivetrain.curve_torque."};
 }
 
-Note output_friction_note() {
-  return {.code = "motion.output_friction",
-          .text =
-              "the friction torque of the output is a part of the torque of the turning input "
-              "only; while the input stands, the loops do not contain it",
-          .path = "rating.friction_torque",
-          .equation = "MO-54",
-          .severity = Severity::care,
-          .next_step =
-              "Give a [[drivetrain.slip_element]] with this limit, and with the stiffness "
-              "over which the output sticks."};
+/// Says which given speed the voltage of the motor does not reach.
+void note_no_load_speed(const GearSet& gear, std::vector<Note>& notes) {
+  const std::optional<Servo>& servo = gear.drivetrain->servo;
+  if (!servo || !servo->no_load_speed) return;
+  for (std::size_t i = 0; i < gear.manoeuvre.size(); ++i) {
+    const double speed = std::abs(gear.manoeuvre[i].input_speed.value_or(0.0));
+    if (speed <= *servo->no_load_speed) continue;
+    notes.push_back({.code = "motion.no_load_speed",
+                     .text = fmt::format("the given speed of {} is above the no-load speed of the "
+                                         "motor, {}, which the motor passes only if the load "
+                                         "drives it",
+                                         shown_quantity(speed, "rad/s", 4),
+                                         shown_quantity(*servo->no_load_speed, "rad/s", 4)),
+                     .path = (FieldPath("manoeuvre")[i] / "input_speed").text(),
+                     .equation = "MO-57",
+                     .severity = Severity::care,
+                     .next_step = "Give a slower input_speed, or a motor with a higher "
+                                  "drivetrain.servo.no_load_speed."});
+    return;
+  }
+}
+
+/// @param sticks  whether the load has a friction of its own
+Note output_friction_note(bool sticks) {
+  Note note{.code = "motion.output_friction",
+            .text =
+                "the friction torque of the output is a part of the torque of the turning input "
+                "only; while the input stands, the loops do not contain it",
+            .path = "rating.friction_torque",
+            .equation = "MO-54",
+            .severity = Severity::care,
+            .next_step =
+                "Give this torque as [drivetrain.load_friction], and leave out "
+                "rating.friction_torque."};
+  if (sticks) {
+    note.text =
+        "the friction torque of the output is a part of the torque of the turning input, and "
+        "drivetrain.load_friction adds to it";
+    note.next_step = "Leave out rating.friction_torque if both are the same friction.";
+  }
+  return note;
 }
 
 }  // namespace
@@ -469,7 +499,7 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     if (contacts.friction) joint.input_friction = contacts.friction;
     made.notes.push_back(contacts_note(contacts.losses));
     if (gear.rating && gear.rating->friction_torque > 0)
-      made.notes.push_back(output_friction_note());
+      made.notes.push_back(output_friction_note(gear.drivetrain->load_friction.has_value()));
     report.contacts = contacts.losses;
   }
   apply(gear, joint);
@@ -595,6 +625,7 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
     report.orders =
         orders_of(named, *steady, *sound.sums(), other != nullptr ? other->sums() : nullptr);
   report.notes = std::move(made.notes);
+  note_no_load_speed(gear, report.notes);
   if (growing)
     for (Note& note : growing->notes())
       if (std::ranges::find(report.notes, note) == report.notes.end())
@@ -652,13 +683,16 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
   if (report.table && report.table->teeth_range) report.equations.emplace_back("MO-58");
   if (report.orders) report.equations.emplace_back("MO-20");
   if (gear.drivetrain->servo) report.equations.emplace_back("MO-21");
+  if (gear.drivetrain->servo && gear.drivetrain->servo->stall_torque)
+    report.equations.emplace_back("MO-57");
   if (record != nullptr) report.equations.emplace_back("MO-22");
   if (gear.drivetrain->hysteresis) report.equations.emplace_back("MO-8");
   if (report.contacts)
     for (const char* const tag : {"MO-52", "MO-53", "MO-54"}) report.equations.emplace_back(tag);
-  if (gear.drivetrain->friction && gear.drivetrain->friction->warming != 0)
+  const auto warm = [](const std::optional<LuGre>& of) { return of && of->warming != 0; };
+  if (warm(gear.drivetrain->friction) || warm(gear.drivetrain->load_friction))
     report.equations.emplace_back("MO-55");
-  if (joint.input_friction) report.equations.emplace_back("MO-10");
+  if (joint.input_friction || joint.output_friction) report.equations.emplace_back("MO-10");
   if (joint.input_friction && joint.input_friction->by_load())
     report.equations.emplace_back("MO-40");
   if (!gear.drivetrain->slip_element.empty())

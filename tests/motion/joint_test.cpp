@@ -65,6 +65,8 @@ TEST(Joint, IdentityOfPowers) {
   joint.hysteresis = dahl(1e5, 3);
   joint.input_friction =
       LuGre{.bristle_stiffness = 300, .viscous = 1e-4, .coulomb = 0.03, .breakaway = 0.04};
+  joint.output_friction =
+      LuGre{.bristle_stiffness = 2e4, .bristle_damping = 3, .coulomb = 2, .breakaway = 3};
   joint.input = GivenTorque{{.value = {-0.6}}};
   joint.output_torque = {.value = {-40.0}};
   const JointState x{.input_angle = 7.0,
@@ -72,7 +74,8 @@ TEST(Joint, IdentityOfPowers) {
                      .output_angle = -0.0694,
                      .output_speed = 2.1,
                      .hysteresis = 1.2,
-                     .bristle = -5e-5};
+                     .bristle = -5e-5,
+                     .load_bristle = 4e-5};
   const JointRate rate = joint_rate(joint, 0.0, x);
   const double h = 1e-7;
   const auto moved = [&](double by) {
@@ -138,6 +141,19 @@ TEST(Joint, InputEachRuleBrokenOnce) {
   names([](Joint& j) { j.spring = LinearSpring{0}; }, "stiffness");
   names([](Joint& j) { j.hysteresis = dahl(0, 1); }, "hysteresis");
   names([](Joint& j) { j.input_friction = LuGre{}; }, "friction");
+  names([](Joint& j) { j.output_friction = LuGre{}; },
+        "output_friction.bristle_stiffness = 0 N*m/rad violates: > 0");
+  names(
+      [](Joint& j) {
+        j.output_friction = LuGre{.bristle_stiffness = 1, .coulomb = 2, .breakaway = 1};
+      },
+      "output_friction.breakaway = 1 N*m violates: at least output_friction.coulomb");
+  names(
+      [](Joint& j) {
+        j.output_friction =
+            LuGre{.bristle_stiffness = 1, .coulomb = 1, .breakaway = 1, .load_coulomb = 0.1};
+      },
+      "output_friction.load_coulomb: and load_breakaway belong to input_friction; leave them out");
   names([](Joint& j) { j.kinematic_error.orders[1].order = 0; }, "kinematic_error[1].order");
   names([](Joint& j) { j.kinematic_error.orders[1].amplitude = 0.02; }, "amplitude");
   names(

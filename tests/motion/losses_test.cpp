@@ -362,6 +362,12 @@ TEST(Losses, InputEachRuleBrokenOnce) {
   EXPECT_NE(friction(&LuGre::thinning, -0.1).find("friction.thinning"), std::string::npos);
   EXPECT_NE(friction(&LuGre::warming, 201).find("friction.warming"), std::string::npos);
   EXPECT_NE(friction(&LuGre::load_coulomb, -0.1).find("friction.load_coulomb"), std::string::npos);
+  EXPECT_EQ(test::broken_rule([&] {
+              require_constants(LuGre{.bristle_stiffness = 1, .coulomb = 2, .breakaway = 1},
+                                FieldPath("drivetrain") / "load_friction");
+            }),
+            "drivetrain.load_friction.breakaway = 1 N*m violates: at least "
+            "drivetrain.load_friction.coulomb");
   LuGre negative = steel;
   negative.load_breakaway = -0.1;
   EXPECT_NE(test::broken_rule([&] { require_constants(negative); }).find("friction.load_breakaway"),

@@ -65,6 +65,16 @@ std::vector<Joint> joints() {
       std::make_shared<const TwistLoops>(std::vector<double>{-90, -20, 0, 20, 90},
                                          std::vector<double>{3e-4, 1e-4, 1e-5, 1e-4, 3e-4}, 3.0);
   made.push_back(rubbing);
+  Joint rough = all;
+  rough.output_friction =
+      LuGre{.bristle_stiffness = 4e4, .bristle_damping = 5, .coulomb = 3, .breakaway = 4};
+  for (const std::optional<double> sample : {std::optional<double>(), std::optional(2e-3)}) {
+    servo.sample_time = sample;
+    servo.stall_torque = 0.5;
+    servo.no_load_speed = 60;
+    made.push_back(
+        driven(rough, ServoDrive{.servo = servo, .speed = speed, .holding_torque = 0.2}));
+  }
   return made;
 }
 
@@ -78,6 +88,7 @@ std::vector<double> numbers(const MotionSample& at) {
           s.output_speed,
           s.hysteresis,
           s.bristle,
+          s.load_bristle,
           s.servo,
           s.held_torque,
           at.forces.torque,

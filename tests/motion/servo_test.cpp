@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "strainwave/core/roots.hpp"
@@ -126,6 +127,146 @@ TEST(Servo, CrosscheckSamplesInClosedForm) {
   EXPECT_NEAR(coarse / fine, 2.0, 0.02);
 }
 
+/// A motor of 0.5 N*m and 100 rad/s at its supply voltage; its time constant J w_0/T_s is 20 ms.
+constexpr double kStall = 0.5;
+constexpr double kNoLoad = 100.0;
+constexpr double kTime = kInertia * kNoLoad / kStall;
+Servo on_voltage(double gain = 0.05) {
+  return {.speed_gain = gain, .stall_torque = kStall, .no_load_speed = kNoLoad};
+}
+
+/// When the controller met or left the line of the voltage [s].
+std::vector<double> voltage_times(const Motion& motion) {
+  std::vector<double> times;
+  for (const EventTime& at : motion.events)
+    if (at.event == MotionEvent::voltage_limit) times.push_back(at.time);
+  return times;
+}
+
+TEST(Servo, ReferenceRunUpOnTheLine) {
+  // (MO-57): a speed that the voltage does not reach: w = w_0 (1 - exp(-t T_s/(w_0 J))).  The
+  // integral has k q' = T_m - k q/T_i.  In both senses, and with samples, however far apart: the
+  // voltage acts between them too.  1e-7 as above.
+  for (const double sense : {1.0, -1.0})
+    for (const std::optional<double> sample : {std::optional<double>(), std::optional(3e-3)}) {
+      Servo servo = on_voltage();
+      servo.sample_time = sample;
+      const double Ti = 0.1;
+      if (!sample) servo.integral_time = Ti;
+      for (const MotionSample& at :
+           moved(motor(servo, {.time = {}, .value = {sense * 2 * kNoLoad}}), 0.06, 3e-3)) {
+        const double fall = std::exp(-at.time / kTime);
+        EXPECT_NEAR(at.state.input_speed, sense * kNoLoad * (1 - fall), 1e-7 * kNoLoad);
+        if (!sample || at.time > 0) {  // the start is before the first sample
+          EXPECT_NEAR(at.forces.input_torque, sense * kStall * fall, 1e-7 * kStall);
+        }
+        if (!sample) {
+          EXPECT_NEAR(
+              at.state.servo,
+              sense * kStall / 0.05 * (fall - std::exp(-at.time / Ti)) / (1 / Ti - 1 / kTime),
+              1e-8);
+        }
+      }
+    }
+  // Far apart: with a torque that only its sample bounds, steps of 60 ms, three time constants,
+  // would swing with a factor of -2 without end.
+  Servo slow = on_voltage(3e-3);
+  slow.sample_time = 0.06;
+  const std::vector<MotionSample> samples =
+      moved(motor(slow, {.time = {}, .value = {4 * kNoLoad}}), 0.3, 0.02);
+  for (const MotionSample& at : samples)
+    EXPECT_NEAR(at.state.input_speed, kNoLoad * -std::expm1(-at.time / kTime), 1e-7 * kNoLoad);
+}
+
+TEST(Servo, ReferenceLeavingTheLine) {
+  // (MO-57): the controller leaves the line where k (w* - w) = T_s (1 - w/w_0); then w* - w decays
+  // by k/J.  A tolerance of 1e-16 rad at the output is 1e-10 rad at the input.
+  const double k = 0.05;
+  const double target = 80.0;
+  const double leaves = (k * target - kStall) / (k - kStall / kNoLoad);
+  const double time = -kTime * std::log1p(-leaves / kNoLoad);
+  const Joint joint = motor(on_voltage(k), {.time = {}, .value = {target}});
+  const Motion motion =
+      simulate(joint, {}, {.duration = 0.06, .output_step = 0.06, .tolerance = 1e-16});
+  const std::vector<double> events = voltage_times(motion);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_NEAR(events.front(), time, 1e-9);
+  for (const MotionSample& at : moved(joint, 0.06, 5e-3)) {
+    const double speed =
+        at.time < time ? kNoLoad * -std::expm1(-at.time / kTime)
+                       : target - (target - leaves) * std::exp(-k / kInertia * (at.time - time));
+    EXPECT_NEAR(at.state.input_speed, speed, 1e-7 * kNoLoad);
+  }
+}
+
+TEST(Servo, ReferenceFromTheCurrentToTheVoltage) {
+  // (MO-57): at first the largest torque L bounds, w = L t/J; from w_c = w_0 (1 - L/T_s) the
+  // voltage does, w = w_0 - (w_0 - w_c) exp(-(t - t_c) T_s/(w_0 J)).
+  const double L = 0.2;
+  Servo servo = on_voltage();
+  servo.torque_limit = L;
+  const double corner = kNoLoad * (1 - L / kStall);
+  const double time = kInertia * corner / L;
+  for (const std::optional<double> sample : {std::optional<double>(), std::optional(3.7e-3)}) {
+    servo.sample_time = sample;
+    const Joint joint = motor(servo, {.time = {}, .value = {2 * kNoLoad}});
+    const Motion motion =
+        simulate(joint, {}, {.duration = 0.1, .output_step = 0.1, .tolerance = 1e-16});
+    const std::vector<double> events = voltage_times(motion);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_NEAR(events.front(), time, 1e-9);
+    for (const MotionSample& at : moved(joint, 0.1, 5e-3)) {
+      const double speed = at.time < time
+                               ? L * at.time / kInertia
+                               : kNoLoad - (kNoLoad - corner) * std::exp(-(at.time - time) / kTime);
+      EXPECT_NEAR(at.state.input_speed, speed, 1e-7 * kNoLoad);
+    }
+  }
+}
+
+TEST(Servo, IdentityConstantVoltageIsATorqueWithDamping) {
+  // (MO-57): a motor on its full voltage is the torque T_s with the damping T_s/w_0 against the
+  // housing; here with a drive and a load, whose torque drives it beyond its no-load speed.  Both
+  // are at their tolerance of 1e-13 rad at the output.
+  Joint joint{.ratio = 50,
+              .input_inertia = kInertia,
+              .output_inertia = 0.1,
+              .spring = LinearSpring{5e3},
+              .damping = 2,
+              .output_torque = {.time = {0.1, 0.2}, .value = {0.0, 40.0}}};
+  const SimulationOptions options{.duration = 0.3, .output_step = 0.3, .tolerance = 1e-13};
+  joint.input = ServoDrive{.servo = on_voltage(1.0), .speed = {.time = {}, .value = {1e3}}};
+  const Motion line = simulate(joint, {}, options);
+  joint.input = GivenTorque{{.time = {}, .value = {kStall}}};
+  joint.input_damping = kStall / kNoLoad;
+  const Motion damped = simulate(joint, {}, options);
+  ASSERT_TRUE(line.converged && damped.converged);
+  EXPECT_GT(line.last.input_speed, 1.2 * kNoLoad);
+  test::expect_relative(line.last.input_speed, damped.last.input_speed, 1e-8);
+  test::expect_relative(line.last.input_angle, damped.last.input_angle, 1e-8);
+  test::expect_relative(line.last.output_speed, damped.last.output_speed, 1e-8);
+  // The damping is a loss inside of the motor, so the shaft supplies less by it.
+  test::expect_relative(line.energy.supplied - line.energy.lost,
+                        damped.energy.supplied - damped.energy.lost, 1e-7);
+}
+
+TEST(Servo, IdentityOfTheLimits) {
+  // (MO-57): the largest torque bounds first and the line has the last word, also where a load
+  // drives the motor so fast that the voltage cannot hold its current within the limit.
+  Servo servo = on_voltage();
+  EXPECT_EQ(servo.limited(9.0, 0.0), kStall);
+  EXPECT_EQ(servo.limited(9.0, kNoLoad), 0.0);
+  EXPECT_EQ(servo.limited(9.0, 3 * kNoLoad), -2 * kStall);
+  EXPECT_EQ(servo.limited(-9.0, kNoLoad), -2 * kStall);
+  EXPECT_EQ(servo.limited(-9.0, -kNoLoad), 0.0);
+  EXPECT_EQ(servo.limited(0.1, 0.5 * kNoLoad), 0.1);
+  servo.torque_limit = 0.3;
+  EXPECT_EQ(servo.limited(9.0, 0.0), 0.3);
+  EXPECT_EQ(servo.limited(9.0, 0.5 * kNoLoad), 0.25);
+  EXPECT_EQ(servo.limited(-9.0, 0.5 * kNoLoad), -0.3);
+  EXPECT_EQ(servo.limited(-9.0, 3 * kNoLoad), -2 * kStall);
+}
+
 TEST(Servo, BehaviourAStandingLoadIsHeld) {
   // The controller begins with the torque that holds the load, so nothing moves.
   Joint joint{.ratio = 100,
@@ -171,6 +312,16 @@ TEST(Servo, InputEachRuleBrokenOnce) {
   EXPECT_EQ(changed(&Servo::position_time, -1.0), "servo.position_time = -1 s violates: > 0");
   EXPECT_EQ(changed(&Servo::integral_time, 0.0), "servo.integral_time = 0 s violates: > 0");
   EXPECT_EQ(changed(&Servo::torque_limit, 0.0), "servo.torque_limit = 0 N*m violates: > 0");
+  EXPECT_EQ(changed(&Servo::stall_torque, 0.0), "servo.stall_torque = 0 N*m violates: > 0");
+  EXPECT_EQ(changed(&Servo::no_load_speed, -1.0), "servo.no_load_speed = -1 rad/s violates: > 0");
+  EXPECT_EQ(
+      changed(&Servo::stall_torque, 2.0),
+      "servo.stall_torque: needs no_load_speed, the other end of the motor's line; give both, "
+      "or leave out both");
+  EXPECT_EQ(
+      changed(&Servo::no_load_speed, 2.0),
+      "servo.no_load_speed: needs stall_torque, the other end of the motor's line; give both, "
+      "or leave out both");
   EXPECT_EQ(changed(&Servo::sample_time, 0.0), "servo.sample_time = 0 s violates: > 0");
   EXPECT_EQ(changed(&Servo::sample_time, 4e-3),
             "servo.sample_time = 0.004 s violates: below integral_time");

@@ -648,6 +648,154 @@ TEST(Simulate, CrosscheckGivenOutputAgainstGivenTorque) {
   test::expect_relative(driven.energy.supplied, given.energy.supplied, 1e-3);
 }
 
+/// Friction of a load without Stribeck's fall, so that its bristles have Dahl's closed forms:
+/// z = F - (F - z_0) exp(-sigma x/F) over a path x to one side.
+LuGre load_friction(double stiffness, double torque) {
+  return {.bristle_stiffness = stiffness, .coulomb = torque, .breakaway = torque};
+}
+
+TEST(Simulate, ReferenceCoulombFrictionStopsALoad) {
+  // (MO-10, MO-11): load and motor together, J = J_L + i^2 J_m, slow down evenly while the bristles
+  // slide, and the load stands at J w_0/F_c.  The start has the twist that the motor needs for it,
+  // so nothing vibrates.  1e-9 is the error of the steps.
+  const double F = 4.0, k = 3e4, sigma = 1e5;
+  for (const double i : {50.0, -50.0})
+    for (const double w : {0.5, -0.5}) {
+      Joint joint{.ratio = i,
+                  .input_inertia = 1e-4,
+                  .output_inertia = 0.5,
+                  .spring = LinearSpring{k},
+                  .output_friction = load_friction(sigma, F)};
+      const double J = 0.5 + i * i * 1e-4;
+      const double against = std::copysign(F, w);
+      const double driving = against * (1 - 0.5 / J);  // torque of the motor on the load
+      const double stands = J * std::abs(w) / F;
+      const Motion motion = simulate(
+          joint,
+          {.input_speed = i * w,
+           .output_angle = -driving / k,
+           .output_speed = w,
+           .load_bristle = against / sigma},
+          {.duration = 0.2, .output_step = 0.01, .tolerance = 1e-13}, [&](const MotionSample& at) {
+            if (at.time < stands) {
+              EXPECT_NEAR(at.state.output_speed, w - against / J * at.time, 1e-9) << at.time;
+            }
+          });
+      const std::vector<double> reversals = times_of(motion, MotionEvent::output_reversal);
+      ASSERT_FALSE(reversals.empty());
+      EXPECT_NEAR(reversals.front(), stands, 1e-9);
+      EXPECT_LT(motion.energy.imbalance, 1e-9);
+    }
+}
+
+TEST(Simulate, ReferenceWorkOfALoadsFriction) {
+  // (MO-10, MO-12): a load behind a locked input is pushed from rest, and its bristles begin to
+  // slide: J w^2/2 = T x - k x^2/2 - F (x - F/sigma (1 - exp(-sigma x/F))), while x grows.
+  const double F = 2.0, T = 3.0, k = 20.0, sigma = 500.0;
+  Joint joint = locked(LinearSpring{k}, 0.5);
+  joint.output_friction = load_friction(sigma, F);
+  joint.output_torque = {.value = {T}};
+  const Motion motion =
+      simulate(joint, {}, {.duration = 0.1, .output_step = 5e-3, .tolerance = 1e-12},
+               [&](const MotionSample& at) {
+                 const double x = at.state.output_angle;
+                 const double w = at.state.output_speed;
+                 const double rest = std::exp(-sigma * x / F);
+                 EXPECT_GE(w, 0.0);
+                 EXPECT_NEAR(0.5 * w * w / 2,
+                             T * x - k * x * x / 2 - F * (x - F / sigma * (1 - rest)), 1e-9);
+                 EXPECT_NEAR(at.state.load_bristle, F / sigma * (1 - rest), 1e-11);
+               });
+  EXPECT_GT(sigma * motion.last.output_angle / F, 3.0);  // the bristles slide at the end
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+}
+
+TEST(Simulate, ReferenceAStickingLoadHoldsAndBreaksAway) {
+  // (MO-10): under a torque that rises slowly, the sticking load creeps with its bristles by
+  // -F_s/sigma ln(1 - T/F_s) and holds, also above F_c.  2 % is above the overshoot where the
+  // torque stops to rise, w/omega with the speed w of the creep, and above the fall of g with this
+  // speed. Above F_s it moves, with a momentum between those of F_s and of F_c all the time.
+  const double Fs = 5.0, Fc = 2.0, sigma = 1e5;
+  Joint joint{.ratio = 50,
+              .input_inertia = 1e-4,
+              .output_inertia = 0.5,
+              .spring = LinearSpring{3e4},
+              .output_friction = LuGre{.bristle_stiffness = sigma,
+                                       .bristle_damping = 50,
+                                       .coulomb = Fc,
+                                       .breakaway = Fs,
+                                       .stribeck_speed = 0.5}};
+  const SimulationOptions options{.duration = 1, .output_step = 0.1, .tolerance = 1e-10};
+  for (const double sense : {1.0, -1.0}) {
+    joint.output_torque = {.time = {0.0, 8.0}, .value = {0.0, sense * 0.6 * Fs}};
+    const Motion held =
+        simulate(joint, {}, {.duration = 10, .output_step = 10, .tolerance = 1e-10});
+    test::expect_relative(held.last.output_angle, -sense * Fs / sigma * std::log(0.4), 0.02);
+    EXPECT_NEAR(held.last.output_speed, 0.0, 1e-6);
+    joint.output_torque = {.time = {0.0, 1.0}, .value = {0.0, sense * 2 * Fs}};
+    const Motion moves = simulate(joint, {}, options);
+    const double momentum =
+        sense * (0.5 * moves.last.output_speed + 50 * 1e-4 * moves.last.input_speed);
+    EXPECT_GT(momentum, 0.5 * (1.5 * Fs - Fs));         // from 0.5 s, when T passes F_s
+    EXPECT_LT(momentum, 1.02 * 0.5 * (1.5 * Fs - Fc));  // 2 % for the creep before
+    EXPECT_LT(moves.energy.imbalance, 1e-6);
+  }
+}
+
+TEST(Simulate, ReferenceDecayByFrictionOfTheLoad) {
+  // (MO-10): a load on a spring behind a locked input.  Each half of a vibration ends where
+  // k (A_0^2 - A_1^2)/2 = F (A_0 + A_1) - 2 F^2/sigma, the work of Dahl's branch from -F to F; with
+  // stiff bristles the amplitude falls by 4 F/k in a period.  The samples miss a peak by at most
+  // (w dt)^2/8, 8e-7, of it.
+  const double F = 2.0, k = 3e4, J = 0.5, sigma = 2e6;
+  const double dt = 1e-5;
+  Joint joint = locked(LinearSpring{k}, J);
+  joint.output_friction = load_friction(sigma, F);
+  constexpr int kHalves = 10;
+  const double half = pi * std::sqrt(J / k);
+  std::vector<double> peaks(kHalves + 1, 0.0);
+  const double start = 2e-3;
+  const Motion motion =
+      simulate(joint, {.output_angle = start, .load_bristle = F / sigma},
+               {.duration = (kHalves + 0.4) * half, .output_step = dt, .tolerance = 1e-11},
+               [&](const MotionSample& at) {
+                 const auto n = static_cast<std::size_t>(std::lround(at.time / half));
+                 peaks[n] = std::max(peaks[n], (n % 2 == 0 ? 1 : -1) * at.state.output_angle);
+               });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  double amplitude = start;
+  for (std::size_t n = 1; n < peaks.size(); ++n) {
+    const double p = F / k;  // (A_1 + p)^2 = (A_0 - p)^2 + 4 F^2/(sigma k)
+    amplitude = std::sqrt((amplitude - p) * (amplitude - p) + 4 * F * F / (sigma * k)) - p;
+    test::expect_relative(peaks[n], amplitude, 2e-6);
+  }
+  test::expect_relative((peaks.front() - peaks.back()) / (kHalves / 2.0), 4 * F / k, 2e-3);
+  EXPECT_EQ(times_of(motion, MotionEvent::output_reversal).size(), std::size_t{kHalves});
+  EXPECT_LT(motion.energy.imbalance, 1e-7);
+}
+
+TEST(Simulate, ReferenceGivenOutputWithFriction) {
+  // (MO-10, MO-46): T_ext bears the friction of the load too, F (1 - exp(-sigma w t/F)) and the
+  // viscous part, while both ends move as an ideal gear.
+  const double F = 1.5, sigma = 60.0, w = 0.4;
+  Joint joint = locked(LinearSpring{2e4}, 0.5);
+  joint.input = GivenSpeed{{.value = {100 * w}}};
+  joint.output_speed = Profile{.value = {w}};
+  joint.output_friction = load_friction(sigma, F);
+  joint.output_friction->viscous = 0.7;
+  const Motion motion =
+      simulate(joint, {}, {.duration = 0.3, .output_step = 0.02, .tolerance = 1e-13},
+               [&](const MotionSample& at) {
+                 EXPECT_NEAR(at.forces.output_torque,
+                             F * -std::expm1(-sigma * w * at.time / F) + 0.7 * w, 1e-7);
+               });
+  EXPECT_LT(motion.energy.imbalance, 1e-9);
+  // The work of T_ext, in closed form, is all that is lost.
+  const double x = w * 0.3;
+  test::expect_relative(motion.energy.supplied,
+                        F * (x + F / sigma * std::expm1(-sigma * x / F)) + 0.7 * w * x, 1e-8);
+}
+
 TEST(Simulate, InputStateOfSlipElements) {
   Joint joint = locked(LinearSpring{1e4}, 1.0);
   joint.slip_elements = {{1e4, 1.0}};
@@ -693,7 +841,8 @@ TEST(Simulate, InputEachRuleBrokenOnce) {
                                      {&JointState::output_angle, "output_angle"},
                                      {&JointState::output_speed, "output_speed"},
                                      {&JointState::hysteresis, "hysteresis"},
-                                     {&JointState::bristle, "bristle"}}) {
+                                     {&JointState::bristle, "bristle"},
+                                     {&JointState::load_bristle, "load_bristle"}}) {
     JointState start;
     start.*member = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(broken(sound, start).find(name), std::string::npos) << name;

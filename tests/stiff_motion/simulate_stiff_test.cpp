@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,8 +48,9 @@ std::vector<double> times_of(const Motion& motion, MotionEvent event) {
 /// Numbers of a sample that both roads must share.
 std::vector<double> numbers(const MotionSample& at) {
   const JointState& s = at.state;
-  return {s.input_angle, s.input_speed, s.output_angle, s.output_speed,   s.hysteresis,
-          s.bristle,     s.servo,       s.held_torque,  at.forces.torque, at.forces.input_torque};
+  return {s.input_angle, s.input_speed,    s.output_angle,        s.output_speed,
+          s.hysteresis,  s.bristle,        s.load_bristle,        s.servo,
+          s.held_torque, at.forces.torque, at.forces.input_torque};
 }
 
 constexpr double kAgreement = 1e-7;  // of the largest value of a number in the motion; events [s]
@@ -151,6 +153,21 @@ TEST(SimulateStiff, CrosscheckStickAndSlip) {
   EXPECT_GT(times_of(other, MotionEvent::speed_reversal).size(), 3U);
 }
 
+TEST(SimulateStiff, CrosscheckAStickingLoad) {
+  // (MO-10): an input that turns slowly pulls the load, which sticks and jumps.
+  Joint joint = plain_joint();
+  joint.damping = 5;
+  joint.output_friction = LuGre{.bristle_stiffness = 2e5,
+                                .bristle_damping = 50,
+                                .viscous = 5,
+                                .coulomb = 15,
+                                .breakaway = 40,
+                                .stribeck_speed = 0.03};
+  joint.input = GivenSpeed{{.value = {2.0}}};
+  const auto [one, other] = expect_one_motion(joint, {}, 0.2, 1e-13, 1e-14);
+  EXPECT_GT(times_of(other, MotionEvent::output_reversal).size(), 3U);
+}
+
 TEST(SimulateStiff, CrosscheckFrictionByLoad) {
   // (MO-8, MO-40): torques of both ends turn back and forth, with Bouc and Wen's hysteresis.
   Joint joint = plain_joint();
@@ -183,6 +200,27 @@ TEST(SimulateStiff, CrosscheckServoAtItsLimit) {
   drive.servo.sample_time = 1e-3;
   joint.input = drive;
   (void)expect_one_motion(joint, {}, 0.3, 1e-13, 1e-14);
+}
+
+TEST(SimulateStiff, CrosscheckServoOnTheLineOfItsVoltage) {
+  // (MO-57): the line and the largest torque in turn, continuous and with samples; the load drives
+  // the motor beyond its no-load speed for a while.
+  Joint joint = plain_joint();
+  joint.damping = 5;
+  joint.output_torque = {.time = {0.15, 0.2, 0.25}, .value = {0.0, 120.0, -20.0}};
+  ServoDrive drive{.servo = {.speed_gain = 0.05,
+                             .integral_time = 0.02,
+                             .torque_limit = 0.3,
+                             .stall_torque = 0.5,
+                             .no_load_speed = 150},
+                   .speed = {.time = {0, 0.05, 0.3}, .value = {0, 200, -100}}};
+  for (const std::optional<double> sample : {std::optional<double>(), std::optional(3e-3)}) {
+    drive.servo.sample_time = sample;
+    joint.input = drive;
+    const auto [one, other] = expect_one_motion(joint, {}, 0.4, 1e-13, 1e-14);
+    EXPECT_GT(times_of(other, MotionEvent::voltage_limit).size(), 1U);
+    EXPECT_EQ(has(other, MotionEvent::torque_limit), !sample);
+  }
 }
 
 /// A drive whose compliance swings twice in a turn of the input, up to 80 N*m (MO-25).

@@ -55,6 +55,8 @@ struct Joint {
   std::optional<BoucWen> hysteresis = {};
   std::vector<SlipElement> slip_elements = {};  ///< parallel to the spring
   std::optional<LuGre> input_friction = {};
+  /// of the load against the housing, without a part that depends on the load
+  std::optional<LuGre> output_friction = {};
   KinematicError kinematic_error = {};
   std::vector<BreathingCrack> cracks = {};
   InputDrive input = GivenTorque{{.value = {0.0}}};
@@ -77,9 +79,11 @@ struct JointState {
   std::optional<SlipState> slip = {};
   /// of the friction in the contacts; absent: the twist is that without friction
   std::optional<LoopMemory> loops = {};
-  double bristle = 0.0;      ///< u of the input's friction [rad]
-  double servo = 0.0;        ///< q, integral of the controller's error [rad]
-  double held_torque = 0.0;  ///< of the motor since the last sample of its controller [N*m]
+  double bristle = 0.0;       ///< u of the input's friction [rad]
+  double load_bristle = 0.0;  ///< u of the output's friction [rad]
+  double servo = 0.0;         ///< q, integral of the controller's error [rad]
+  /// that the controller asks of its motor since its last sample [N*m]
+  double held_torque = 0.0;
 };
 
 /// Torques of a joint at one time.
@@ -104,7 +108,8 @@ struct JointRate {
   double input_acceleration = 0.0;   ///< [rad/s^2]
   double output_acceleration = 0.0;  ///< [rad/s^2]
   double hysteresis = 0.0;           ///< dz/dt [N*m/s]
-  double bristle = 0.0;              ///< du/dt [rad/s]
+  double bristle = 0.0;              ///< du/dt of the input's friction [rad/s]
+  double load_bristle = 0.0;         ///< du/dt of the output's friction [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]
   double supplied = 0.0;             ///< power of the input and of T_ext [W]
   /// power lost in damping, friction, slip and the growth of cracks, or stored in z, in the
@@ -118,10 +123,14 @@ struct JointRate {
 
 /// Torque of a controller at one time (MO-21).
 struct ServoTorque {
-  double torque = 0.0;  ///< T_m, within its limit [N*m]
-  double excess = 0.0;  ///< the torque before the limit less the limit [N*m]; 0: no limit
+  double torque = 0.0;  ///< T_m, within its limits [N*m]
+  double asked = 0.0;   ///< of the motor, within the limit of its current [N*m]
+  double excess = 0.0;  ///< the torque before this limit less the limit [N*m]; 0: no limit
   double rate = 0.0;    ///< of the integral [rad/s]
 };
+/// The asked torque less what the supply voltage allows at this speed (MO-57) [N*m]; <= 0 within
+/// it; that of the last sample if the controller takes samples.
+[[nodiscard]] double voltage_excess(const ServoDrive& drive, double time, const JointState& state);
 /// @param time  [s]; @param state  of the joint
 [[nodiscard]] ServoTorque servo_torque(const ServoDrive& drive, double time,
                                        const JointState& state);

@@ -8,7 +8,7 @@
 #include "strainwave/core/fields.hpp"
 
 /// @file
-/// Torques that lose energy and remember the path: hysteresis of the twist, friction of the input.
+/// Torques that lose energy and remember the path: hysteresis of the twist, friction of the ends.
 
 namespace strainwave {
 
@@ -113,8 +113,8 @@ struct SlipState {
 [[nodiscard]] double slip_loss(const std::vector<SlipElement>& elements, const SlipState& state,
                                double twist, double twist_rate);
 
-/// Friction of the input by bristles, with sticking (MO-10), also in proportion to the load
-/// (MO-40): state u, deflection of the bristles,
+/// Friction of an end of the drive by bristles, with sticking (MO-10); that of the input also in
+/// proportion to the load (MO-40): state u, deflection of the bristles,
 ///
 ///     u' = w - sigma_0 |w| u/g(w),   g = G_c + (G_s - G_c) exp(-(w/w_s)^2),
 ///     G_c = F_c + kappa_c L,  G_s = F_s + kappa_s L,   T_f = sigma_0 u + sigma_1 u' + sigma_2 w,
@@ -156,14 +156,14 @@ struct LuGre {
       field(Field{.name = name, .unit = unit, .doc = doc, .range = range, .example = example},
             member);
     };
-    add("coulomb", "N*m", "friction torque of the turning input", kPositive, R"("0.03 N*m")",
+    add("coulomb", "N*m", "friction torque while it turns", kPositive, R"("0.03 N*m")",
         &LuGre::coulomb);
-    add("breakaway", "N*m", "torque that moves the standing input; at least coulomb", kPositive,
+    add("breakaway", "N*m", "torque that moves it from rest; at least coulomb", kPositive,
         R"("0.05 N*m")", &LuGre::breakaway);
     add("stribeck_speed", "rad/s", "speed over which breakaway falls to coulomb", kPositive,
         R"("2 rad/s")", &LuGre::stribeck_speed);
-    add("bristle_stiffness", "N*m/rad", "stiffness of the sticking input", kPositive,
-        R"("100 N*m/rad")", &LuGre::bristle_stiffness);
+    add("bristle_stiffness", "N*m/rad", "stiffness while it sticks", kPositive, R"("100 N*m/rad")",
+        &LuGre::bristle_stiffness);
     const auto optional = [&](std::string_view name, std::string_view doc, auto member) {
       field(Field{.name = name,
                   .unit = "N*m*s/rad",
@@ -174,11 +174,12 @@ struct LuGre {
                   .in_template = InTemplate::commented},
             member);
     };
-    optional("bristle_damping", "damping of the sticking input", &LuGre::bristle_damping);
+    optional("bristle_damping", "damping while it sticks", &LuGre::bristle_damping);
     optional("viscous", "friction torque over the speed", &LuGre::viscous);
     field(Field{.name = "load_coulomb",
                 .unit = "1",
-                .doc = "share of the torque on the load, over the ratio, that adds to coulomb",
+                .doc = "share of the torque on the load, over the ratio, that adds to coulomb; in "
+                       "drivetrain.friction only",
                 .range = kNonNegative,
                 .example = "0.07",
                 .fallback = "0",
@@ -202,7 +203,7 @@ struct LuGre {
     field(Field{.name = "load_breakaway",
                 .unit = "1",
                 .doc = "share of the torque on the load, over the ratio, that adds to breakaway; "
-                       "load_coulomb if left out",
+                       "load_coulomb if left out; in drivetrain.friction only",
                 .range = kNonNegative,
                 .example = "0.05",
                 .in_template = InTemplate::commented},
@@ -213,6 +214,7 @@ struct LuGre {
 /// Throws InputError, which names the constant, unless each constant is in its range.
 void require_constants(const BoucWen& model);
 void require_constants(const std::vector<SlipElement>& elements);
-void require_constants(const LuGre& model);
+/// @param at  path of the friction in messages
+void require_constants(const LuGre& model, const FieldPath& at = FieldPath("friction"));
 
 }  // namespace strainwave

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "strainwave/core/fields.hpp"
 
@@ -11,14 +12,19 @@ namespace strainwave {
 ///
 ///     e = w* + (theta* - theta_m)/T_p - w_m,   T = T_0 + k (e + q/T_i),   q' = e + (T_m - T)/k,
 ///
-/// where T_m is T cut at the limit of the motor.  The last term keeps the integral from growing
-/// while the torque is cut.
+/// where T_m is T cut at the limits of the motor.  The last term keeps the integral from growing
+/// while the torque is cut.  The limits are a largest torque, by the largest current, and the line
+/// of a DC motor at its supply voltage, by its back-EMF (MO-57).
 struct Servo {
   double speed_gain = 0.0;  ///< k, torque over an error of the speed [N*m*s/rad]; > 0
   /// T_p, time in which an error of the angle decays [s]; > 0; absent: the speed is controlled only
   std::optional<double> position_time = {};
   std::optional<double> integral_time = {};  ///< T_i [s]; > 0; absent: no integral
   std::optional<double> torque_limit = {};   ///< of the motor [N*m]; > 0
+  /// T_s of the standing motor at its supply voltage [N*m]; > 0; with `no_load_speed` or absent
+  std::optional<double> stall_torque = {};
+  /// w_0 of the motor at its supply voltage without torque [rad/s]; > 0; likewise
+  std::optional<double> no_load_speed = {};
   /// time between two samples; the torque stays in between [s]; > 0; absent: continuous
   std::optional<double> sample_time = {};
 
@@ -31,10 +37,21 @@ struct Servo {
   /// @param speed_error  w* - w_m [rad/s]
   /// @param integral     q [rad]
   /// @param holding      T_0 [N*m]
-  [[nodiscard]] At at(double angle_error, double speed_error, double integral,
-                      double holding) const;
-  /// The torque of the motor, T_m [N*m].
-  [[nodiscard]] double limited(double torque) const;
+  /// @param speed        of the motor [rad/s]
+  [[nodiscard]] At at(double angle_error, double speed_error, double integral, double holding,
+                      double speed) const;
+  /// The torque within the limit of the current [N*m].
+  [[nodiscard]] double asked(double torque) const;
+  /// Least and largest torque that the supply voltage allows.
+  struct Line {
+    double least = 0.0;  ///< [N*m]
+    double most = 0.0;   ///< [N*m]
+  };
+  /// @param speed  of the motor [rad/s]
+  /// @returns infinite torques without a line
+  [[nodiscard]] Line line(double speed) const;
+  /// The torque within both limits, T_m [N*m].
+  [[nodiscard]] double limited(double torque, double speed) const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -67,6 +84,21 @@ struct Servo {
                 .example = R"("2 N*m")",
                 .in_template = InTemplate::commented},
           &Servo::torque_limit);
+    field(Field{.name = "stall_torque",
+                .unit = "N*m",
+                .doc = "T_s: torque of the standing DC motor at its supply voltage; with "
+                       "no_load_speed, or no limit by the voltage if left out",
+                .range = kPositive,
+                .example = R"("4 N*m")",
+                .in_template = InTemplate::commented},
+          &Servo::stall_torque);
+    field(Field{.name = "no_load_speed",
+                .unit = "rad/s",
+                .doc = "w_0: speed of the DC motor at its supply voltage without torque",
+                .range = kPositive,
+                .example = R"("3000 rpm")",
+                .in_template = InTemplate::commented},
+          &Servo::no_load_speed);
     time("sample_time", "time between two samples of the controller; continuous if left out",
          R"("1 ms")", &Servo::sample_time);
   }

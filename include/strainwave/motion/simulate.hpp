@@ -38,17 +38,21 @@ enum class MotionEvent {
   torque_sense,     ///< the elastic torque changes its sign, which opens or closes cracks
   twist_reversal,   ///< the twist begins to fall or to rise, which turns the hysteresis
   speed_reversal,   ///< the input begins to turn backward or forward
-  torque_limit,     ///< the controller of the motor meets or leaves its limit
+  torque_limit,     ///< the controller of the motor meets or leaves its largest torque
   load_sense,       ///< the torque on the load changes its sign, on which the friction depends
   element_slip,     ///< an element of the hysteresis begins to slip
   torque_reversal,  ///< the elastic torque begins to fall or to rise, which turns the contacts
   contact_slip,     ///< a play element of the contacts meets its bound
+  output_reversal,  ///< the output begins to turn backward or forward, on which its friction
+                    ///< depends
+  voltage_limit,    ///< the controller of the motor meets or leaves the line of its voltage
 };
 template <>
 struct EnumNames<MotionEvent> {
-  static constexpr std::array<std::string_view, 9> names = {
-      "spring_corner", "torque_sense", "twist_reversal",  "speed_reversal", "torque_limit",
-      "load_sense",    "element_slip", "torque_reversal", "contact_slip"};
+  static constexpr std::array<std::string_view, 11> names = {
+      "spring_corner", "torque_sense",    "twist_reversal", "speed_reversal",
+      "torque_limit",  "load_sense",      "element_slip",   "torque_reversal",
+      "contact_slip",  "output_reversal", "voltage_limit"};
 };
 
 /// Time of an event.
@@ -96,10 +100,10 @@ using SampleSink = std::function<void(const MotionSample&)>;
 struct MotionCheckpoint {
   double time = 0.0;  ///< [s]
   /// theta_m [rad], its speed [rad/s], wind-up theta_m/ratio - theta_L [rad], speed of the output
-  /// [rad/s], z [N*m], u [rad], q [rad], held torque [N*m], supplied, lost and
+  /// [rad/s], z [N*m], u of input and output [rad], q [rad], held torque [N*m], supplied, lost and
   /// released energy [J]
-  std::array<double, 11> state = {};
-  std::array<double, 11> slope = {};  ///< of the state, per second
+  std::array<double, 12> state = {};
+  std::array<double, 12> slope = {};  ///< of the state, per second
   double step = 0.0;                  ///< length of the next trial [s]
   double segment_end = 0.0;           ///< next point of a profile or sample of a controller [s]
   std::uint64_t next_corner = 0;      ///< points of the profiles before the end of the segment [-]

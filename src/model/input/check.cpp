@@ -124,12 +124,18 @@ void check_drivetrain(const GearSet& gear) {
   if (of.error_table && !gear.error_table)
     throw InputError("drivetrain.error_table",
                      fmt::format("\"{}\" has not been read", shown(*of.error_table)));
-  if (of.friction)
-    require(std::abs(of.friction->warming) <= 200, "drivetrain.friction.warming",
-            of.friction->warming, "K", "at most 200 K, up or down");
-  if (of.friction)
-    require(of.friction->breakaway >= of.friction->coulomb, "drivetrain.friction.breakaway",
-            of.friction->breakaway, "N*m", "at least drivetrain.friction.coulomb");
+  if (of.friction) require_constants(*of.friction, FieldPath("drivetrain") / "friction");
+  if (of.load_friction) {
+    const FieldPath at = FieldPath("drivetrain") / "load_friction";
+    require_constants(*of.load_friction, at);
+    for (const auto& [given, field] :
+         {std::pair{of.load_friction->load_coulomb != 0, "load_coulomb"},
+          std::pair{of.load_friction->load_breakaway.has_value(), "load_breakaway"}})
+      if (given)
+        throw InputError((at / field).text(),
+                         "is a share of the torque through the drive, whose friction is "
+                         "drivetrain.friction; give it there, or leave it out");
+  }
   if (of.servo)
     require_constants(*of.servo, of.motor_inertia + of.wave_generator_inertia.value_or(0.0),
                       FieldPath("drivetrain") / "servo");
@@ -139,20 +145,27 @@ void check_drivetrain(const GearSet& gear) {
 void check_reachable(const GearSet& gear, const FieldPath& at, double before,
                      const Manoeuvre& piece) {
   const Drivetrain& train = *gear.drivetrain;
-  if (!train.servo || !train.servo->torque_limit || train.gravity_torque != 0) return;
+  if (!train.servo || train.gravity_torque != 0) return;
+  const Servo& servo = *train.servo;
   // Losses help to brake.
   const bool faster = std::abs(*piece.input_speed) > std::abs(before);
-  if (!faster && (train.friction || train.motor_damping > 0 || train.load_damping > 0)) return;
-  const double limit = *train.servo->torque_limit;
+  if (!faster &&
+      (train.friction || train.load_friction || train.motor_damping > 0 || train.load_damping > 0))
+    return;
+  // Against the speed a voltage gives more than the stall torque.
+  const bool by_voltage = servo.stall_torque && faster && before * *piece.input_speed >= 0 &&
+                          *servo.stall_torque < servo.torque_limit.value_or(HUGE_VAL);
+  if (!by_voltage && !servo.torque_limit) return;
+  const double limit = by_voltage ? *servo.stall_torque : *servo.torque_limit;
   const double inertia = train.motor_inertia + train.wave_generator_inertia.value_or(0.0) +
                          train.load_inertia / std::pow(gear.drive.ratio + 1, 2);
   const double torque = inertia * std::abs(*piece.input_speed - before) / piece.duration;
   if (torque > limit)
     throw InputError((at / "input_speed").text(),
                      fmt::format("needs at least {} to speed the drive up or down within the "
-                                 "piece, more than drivetrain.servo.torque_limit; give the piece "
-                                 "more time",
-                                 shown_quantity(torque, "N*m", 4)));
+                                 "piece, more than drivetrain.servo.{}; give the piece more time",
+                                 shown_quantity(torque, "N*m", 4),
+                                 by_voltage ? "stall_torque" : "torque_limit"));
 }
 
 void check_manoeuvres(const GearSet& gear) {

@@ -59,9 +59,11 @@ struct Drivetrain {
   double load_damping = 0.0;    ///< B_L against the housing [N*m*s/rad]; >= 0
   double gravity_torque = 0.0;  ///< m g l of an arm on the output [N*m]
   double gravity_angle = 0.0;   ///< angle of the output at which the arm hangs down [rad]
-  std::optional<BoucWen> hysteresis = {};       ///< at the output, parallel to the drive
-  std::vector<SlipElement> slip_element = {};   ///< in place of `hysteresis`
-  std::optional<LuGre> friction = {};           ///< at the input
+  std::optional<BoucWen> hysteresis = {};      ///< at the output, parallel to the drive
+  std::vector<SlipElement> slip_element = {};  ///< in place of `hysteresis`
+  std::optional<LuGre> friction = {};          ///< at the input
+  /// of the load against the housing; without load_coulomb and load_breakaway
+  std::optional<LuGre> load_friction = {};
   std::optional<Servo> servo = {};              ///< controller of the motor; absent: given speed
   std::optional<std::string> error_table = {};  ///< file of a kinematic error over the angle
   CrackBreathing breathing = CrackBreathing::torque;
@@ -154,6 +156,11 @@ struct Drivetrain {
                 .doc = "friction of the input in a motion, with sticking",
                 .in_template = InTemplate::commented},
           &Drivetrain::friction);
+    field(Field{.name = "load_friction",
+                .unit = "",
+                .doc = "friction of the load against the housing in a motion, with sticking",
+                .in_template = InTemplate::commented},
+          &Drivetrain::load_friction);
     field(Field{.name = "servo",
                 .unit = "",
                 .doc = "controller of the motor, which follows input_speed in a motion; if left "
