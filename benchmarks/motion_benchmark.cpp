@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion of a joint with a catalogue spring, hysteresis, a breathing crack and a kinematic error;
-// and its periodic motions by harmonic balance.
+// of a drive with its computed curve and the loops of its contacts; and periodic motions by
+// harmonic balance.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/motion/harmonic_balance.hpp"
 #include "strainwave/motion/simulate.hpp"
+#include "strainwave/study/contact_losses.hpp"
+#include "strainwave/study/drive_joint.hpp"
 
 namespace strainwave {
 namespace {
@@ -52,6 +56,51 @@ void joint_motion(benchmark::State& state) {
   state.counters["output_angle"] = last.last.output_angle;
 }
 BENCHMARK(joint_motion)->Arg(6)->Arg(7)->Arg(8)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);
+
+/// A drive of size 25 with a cracked tooth and a cracked outer ring: its computed curve, the loops
+/// and the losses of its contacts, at 2000 rpm under a load that swings four times.
+Joint joint_with_contacts() {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/tooth_crack_orders_size25.toml");
+  gear.drivetrain->contact_friction = ContactFriction::computed;
+  Joint made = drive_joint(gear).joint;
+  DriveContacts contacts = drive_contacts(gear);
+  made.loops = contacts.loops;
+  made.input_friction = contacts.friction;
+  made.input = GivenSpeed{{.time = {0.0, 0.1}, .value = {0.0, 209.4395102}}};
+  made.output_torque = {.time = {0.0, 0.25, 0.75, 1.25, 1.75, 2.0},
+                        .value = {0.0, 40.0, -40.0, 40.0, -40.0, 0.0}};
+  return made;
+}
+
+Motion motion_with_contacts(double tolerance) {
+  static const Joint kJoint = joint_with_contacts();
+  constexpr double kDuration = 2;
+  return simulate(kJoint, {},
+                  {.duration = kDuration, .output_step = kDuration, .tolerance = tolerance});
+}
+
+/// Simulated time over CPU time, with the error of the output's angle behind 2 s.  The argument is
+/// the number of digits of the tolerance.
+void motion_in_contacts(benchmark::State& state) {
+  const double exact = motion_with_contacts(1e-13).last.output_angle;
+  Motion last;
+  const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+  for (auto _ : state) last = motion_with_contacts(tolerance);
+  state.counters["error_rad"] = std::abs(last.last.output_angle - exact);
+  state.counters["steps"] = static_cast<double>(last.steps);
+  state.counters["events"] = static_cast<double>(last.event_count);
+  state.counters["imbalance"] = last.energy.imbalance;
+  state.counters["real_time"] =
+      benchmark::Counter(last.time_reached, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["output_angle"] = last.last.output_angle;
+}
+BENCHMARK(motion_in_contacts)
+    ->Arg(6)
+    ->Arg(7)
+    ->Arg(8)
+    ->Arg(9)
+    ->Arg(10)
+    ->Unit(benchmark::kMillisecond);
 
 /// Backbone of 200 points with 9 harmonics: 0: a cubic spring, as benchmarks/peer/
 /// duffing_balance_peer.py; 1: corners and a crack; 2: the same with damping; 3: with hysteresis

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/motion/joint.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -306,6 +308,43 @@ double stored_energy(const Joint& joint, const JointState& x, double time) {
   return joint.input_inertia * x.input_speed * x.input_speed / 2 +
          joint.output_inertia * x.output_speed * x.output_speed / 2 + at.energy +
          (x.slip ? slip_energy(joint.slip_elements, *x.slip, at.twist) : 0.0) + height;  // (MO-12)
+}
+
+std::vector<double> corner_times(const Joint& joint, double duration) {
+  std::vector<double> times;
+  const auto add = [&](const Profile& profile) {
+    for (const double t : profile.time)
+      if (t > 0 && t < duration) times.push_back(t);
+  };
+  std::visit(
+      [&](const auto& given) {
+        if constexpr (requires { given.torque; })
+          add(given.torque);
+        else
+          add(given.speed);
+      },
+      joint.input);
+  add(joint.output_speed ? *joint.output_speed : joint.output_torque);
+  for (const BreathingCrack& crack : joint.cracks)
+    if (crack.growth) add(*crack.growth);
+  times.push_back(duration);
+  std::ranges::sort(times);
+  const auto same = [](double one, double next) {
+    return next - one <= 4 * std::numeric_limits<double>::epsilon() * next;
+  };
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
+  times.back() = duration;
+  return times;
+}
+
+std::string beyond_table(const Joint& joint, double torque) {
+  if (!joint.table) return {};
+  const double end = std::clamp(torque, joint.table->least_torque(), joint.table->most_torque());
+  if (torque == end) return {};
+  return fmt::format(
+      "the elastic torque of {:.4g} N*m is beyond the table of the computed curve, which ends at "
+      "{:.4g} N*m; raise drivetrain.curve_torque",
+      torque, end);
 }
 
 double fastest_order(const Joint& joint) {

@@ -82,33 +82,6 @@ State packed(const Joint& joint, const JointState& s) {
   return x;
 }
 
-/// Times at which the slope of a given profile jumps.
-std::vector<double> corners_in_time(const Joint& joint, double duration) {
-  std::vector<double> times;
-  const auto add = [&](const Profile& profile) {
-    for (const double t : profile.time)
-      if (t > 0 && t < duration) times.push_back(t);
-  };
-  std::visit(
-      [&](const auto& given) {
-        if constexpr (requires { given.torque; })
-          add(given.torque);
-        else
-          add(given.speed);
-      },
-      joint.input);
-  if (joint.output_speed)
-    add(*joint.output_speed);
-  else
-    add(joint.output_torque);
-  for (const BreathingCrack& crack : joint.cracks)
-    if (crack.growth) add(*crack.growth);
-  times.push_back(duration);
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
-
 }  // namespace
 
 class MotionRun::Steps {
@@ -117,7 +90,7 @@ class MotionRun::Steps {
       : joint_(std::move(joint)),
         options_(options),
         guards_(joint_),
-        corners_(corners_in_time(joint_, options.duration)) {
+        corners_(corner_times(joint_, options.duration)) {
     // Errors of all entries are compared as angles of the output.
     const double K = joint_.table ? 1 / joint_.table->at(0.0).at_torque(0.0).compliance
                                   : tangent_stiffness(joint_.spring, 0.0);
@@ -383,16 +356,10 @@ class MotionRun::Steps {
 
   /// Ends the motion at a torque that the table does not contain.
   void end_beyond_table(const JointForces& forces) {
-    if (!joint_.table) return;
-    const double torque = forces.elastic_torque;
-    const double least = joint_.table->least_torque();
-    const double most = joint_.table->most_torque();
-    if (torque >= least && torque <= most) return;
+    std::string reason = beyond_table(joint_, forces.elastic_torque);
+    if (reason.empty()) return;
     beyond_table_ = true;
-    reason_ = fmt::format(
-        "the elastic torque of {:.4g} N*m is beyond the table of the computed curve, which ends at "
-        "{:.4g} N*m; raise drivetrain.curve_torque",
-        torque, torque < least ? least : most);
+    reason_ = std::move(reason);
   }
 
   /// Finds the next step; without one, states the reason.

@@ -119,24 +119,6 @@ std::vector<Guard> guards_of(const Joint& joint, const std::vector<double>& tole
   return made;
 }
 
-/// Times at which a given profile has a corner, and the end.
-std::vector<double> ends_of_pieces(const Joint& joint, double duration) {
-  std::vector<double> times{duration};
-  const auto add = [&](const Profile& profile) {
-    std::ranges::copy_if(profile.time, std::back_inserter(times),
-                         [&](double time) { return time > 0 && time < duration; });
-  };
-  if (const auto* const given = std::get_if<GivenTorque>(&joint.input)) add(given->torque);
-  if (const auto* const given = std::get_if<GivenSpeed>(&joint.input)) add(given->speed);
-  if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) add(drive->speed);
-  add(joint.output_speed ? *joint.output_speed : joint.output_torque);
-  std::ranges::sort(times);
-  const auto same = [](double one, double next) { return next - one <= kOneTime * next; };
-  times.erase(std::unique(times.begin(), times.end(), same), times.end());
-  times.back() = duration;
-  return times;
-}
-
 }  // namespace
 
 class StiffRun::Steps {
@@ -145,7 +127,7 @@ class StiffRun::Steps {
       : joint_(std::move(joint)),
         options_(options),
         guards_(guards_of(joint_, tolerances(joint_, options.tolerance))),
-        ends_(ends_of_pieces(joint_, options.duration)),
+        ends_(corner_times(joint_, options.duration)),
         order_(fastest_order(joint_)),
         cvode_({.tolerance = tolerances(joint_, options.tolerance),
                 .rate = [this](auto time, auto x, auto dx) { rate(time, x, dx); },
@@ -265,9 +247,14 @@ class StiffRun::Steps {
           return servo_torque(std::get<ServoDrive>(joint_.input), inside(time), state).excess;
         case MotionEvent::voltage_limit:
           return voltage_excess(std::get<ServoDrive>(joint_.input), inside(time), state);
-        default:  // load_sense, because slip elements are refused
+        case MotionEvent::load_sense:
           return at.torque;
+        case MotionEvent::element_slip:
+        case MotionEvent::torque_reversal:
+        case MotionEvent::contact_slip:
+          break;  // of memories that this engine refuses
       }
+      return 1.0;
     };
     std::ranges::transform(guards_, values.begin(), value);
   }
@@ -350,15 +337,10 @@ class StiffRun::Steps {
 
   void end_beyond_table() {
     if (!joint_.table) return;
-    const double torque = forces(reached_, unpacked(x_)).elastic_torque;
-    const double end =
-        std::clamp(torque, joint_.table->least_torque(), joint_.table->most_torque());
-    if (torque == end) return;
+    std::string reason = beyond_table(joint_, forces(reached_, unpacked(x_)).elastic_torque);
+    if (reason.empty()) return;
     beyond_table_ = true;
-    reason_ = fmt::format(
-        "the elastic torque of {:.4g} N*m is beyond the table of the computed curve, which ends at "
-        "{:.4g} N*m; raise drivetrain.curve_torque",
-        torque, end);
+    reason_ = std::move(reason);
   }
 
   Joint joint_;

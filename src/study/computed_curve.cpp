@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "number_text.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
@@ -536,18 +535,7 @@ GearSet what_the_curve_depends_on(const GearSet& gear) {
 
 std::string curve_text(const CurveSamples& samples) {
   std::string text;
-  const auto word = [&](const auto& value) {
-    constexpr std::size_t kLongest = 40;
-    std::array<char, kLongest> digits{};
-    std::to_chars_result written{};
-    if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>)
-      written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                              std::chars_format::hex);
-    else
-      written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    if (!text.empty()) text += ' ';
-    text.append(digits.data(), written.ptr);
-  };
+  const auto word = [&](const auto& value) { add_word(text, value); };
   each_curve_number(
       samples, word, [&](const auto& list) { word(list.size()); },
       [&](const auto& value) { word(value ? 1 : 0); });
@@ -555,32 +543,15 @@ std::string curve_text(const CurveSamples& samples) {
 }
 
 ComputedCurve read_curve(std::string_view text) {
-  const auto take = [&](auto& value) {
-    const std::size_t blank = text.find(' ');
-    const std::string_view word = text.substr(0, blank);
-    std::from_chars_result read{};
-    if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>)
-      read = std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::hex);
-    else
-      read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (read.ec != std::errc{} || read.ptr != word.data() + word.size()) refuse_curve_text();
-    text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
-  };
-  const auto size = [&](auto& list) {
-    std::size_t count = 0;
-    take(count);
-    if (count > text.size()) refuse_curve_text();  // each number has a digit
-    list.resize(count);
-  };
-  const auto present = [&](auto& value) {
-    int flag = 0;
-    take(flag);
-    if (flag != 0 && flag != 1) refuse_curve_text();
-    if (flag == 1) value.emplace();
-  };
+  NumberWords words(text, refuse_curve_text);
   ComputedCurve made;
-  each_curve_number(made.samples, take, size, present);
-  if (!text.empty()) refuse_curve_text();
+  each_curve_number(
+      made.samples, [&](auto& value) { words.take(value); },
+      [&](auto& list) { list.resize(words.size()); },
+      [&](auto& value) {
+        if (words.flag()) value.emplace();
+      });
+  if (words.left() > 0) refuse_curve_text();
   made.table = made.samples.table;
   made.sound = table_of(made.samples, made.samples.sound);
   made.cracked =

@@ -400,6 +400,11 @@ TEST(AccuracyReport, BehaviourNotesSayWhatIsMissing) {
   EXPECT_TRUE(noted(report, "accuracy.no_kinematic_error"));
   EXPECT_TRUE(noted(report, "accuracy.own_hysteresis"));
   EXPECT_TRUE(noted(report, "accuracy.no_servo"));
+  EXPECT_FALSE(noted(report, "accuracy.no_load_friction"));
+  GearSet sticking = gear;
+  sticking.drivetrain->load_friction =
+      LuGre{.bristle_stiffness = 1e5, .coulomb = 2, .breakaway = 3};
+  EXPECT_TRUE(noted(accuracy_report(sticking, kNoDraws), "accuracy.no_load_friction"));
   EXPECT_TRUE(noted(report, "accuracy.no_breathing"));
   EXPECT_FALSE(noted(report, "accuracy.no_friction"));
   gear.rating->friction_torque = 0.0;

@@ -161,9 +161,15 @@ coulomb = "0.03 N*m"
 breakaway = "0.05 N*m"
 stribeck_speed = "2 rad/s"
 bristle_stiffness = "100 N*m/rad"
+[drivetrain.load_friction]
+coulomb = "2 N*m"
+breakaway = "3 N*m"
+stribeck_speed = "0.1 rad/s"
+bristle_stiffness = "1e5 N*m/rad"
 )"));
   const BackboneReport report = backbone_report(gear, {.excitations = {5.0}});
   EXPECT_EQ(test::count_notes(report.notes, "backbone.left_out", "drivetrain.friction"), 1);
+  EXPECT_EQ(test::count_notes(report.notes, "backbone.left_out", "drivetrain.load_friction"), 1);
   EXPECT_EQ(test::count_notes(report.notes, "backbone.left_out", "drivetrain.gravity_torque"), 1);
   // Two harmonics are too few for hysteresis.
   const auto of_harmonics = [](int harmonics) {

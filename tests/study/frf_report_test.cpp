@@ -158,6 +158,8 @@ TEST(FrfReport, BehaviourHysteresisAndFrictionAreNamed) {
   GearSet gear = frf_joint();
   gear.drivetrain->hysteresis.reset();
   EXPECT_FALSE(has_note(frf_report(gear, {.points = 2}), "frf.linear"));
+  gear.drivetrain->load_friction = LuGre{.bristle_stiffness = 1e5, .coulomb = 2, .breakaway = 3};
+  EXPECT_TRUE(has_note(frf_report(gear, {.points = 2}), "frf.linear"));
 }
 
 TEST(FrfReport, BehaviourTheDocumentsShowAllFrequencies) {

@@ -176,6 +176,50 @@ TEST(SimulationReport, BehaviourOfTheExample) {
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1002);
 }
 
+TEST(SimulationReport, LimitALoadThatSticks) {
+  // (MO-10, MO-14): the friction of a file acts on the load: an external torque below breakaway
+  // winds up the drive by the bristles' part only, torque/(spring + bristles) on a standing input,
+  // to 5 % for the creep of the bristles before they slip.
+  GearSet gear = without_cracks(summed_joint());
+  gear.drivetrain->gear_damping = 2000;
+  gear.manoeuvre = {{.duration = 2, .input_speed = 0.0, .output_torque = 0.0},
+                    {.duration = 2, .input_speed = 0.0, .output_torque = 10.0}};
+  const SimulationReport free = simulation_report(gear);
+  const double stiffness = 10.0 / free.rows.back().output_angle;
+  gear.drivetrain->load_friction =
+      LuGre{.bristle_stiffness = 9 * stiffness, .coulomb = 100, .breakaway = 200};
+  const SimulationReport held = simulation_report(gear);
+  ASSERT_TRUE(held.intact.converged) << held.intact.reason;
+  EXPECT_NEAR(held.rows.back().output_angle, free.rows.back().output_angle / 10,
+              0.05 * free.rows.back().output_angle / 10);
+  EXPECT_NE(std::ranges::find(held.equations, "MO-10"), held.equations.end());
+  // A share of the load belongs to the friction of the drive.
+  gear.drivetrain->load_friction->load_coulomb = 0.1;
+  EXPECT_EQ(test::broken_rule([&] { check(gear); }),
+            "drivetrain.load_friction.load_coulomb: is a share of the torque through the drive, "
+            "whose friction is drivetrain.friction; give it there, or leave it out");
+}
+
+TEST(SimulationReport, BehaviourAMotorAtItsVoltage) {
+  // (MO-57): a given speed above the no-load speed is not reached, and a note says so.
+  GearSet gear = without_cracks(summed_joint());
+  gear.drivetrain->servo = Servo{.speed_gain = 1, .stall_torque = 3, .no_load_speed = 80};
+  gear.manoeuvre = {{.duration = 1, .input_speed = 100.0}, {.duration = 1, .input_speed = 100.0}};
+  const SimulationReport report = simulation_report(gear);
+  ASSERT_TRUE(report.intact.converged) << report.intact.reason;
+  EXPECT_TRUE(has_note(report.notes, "motion.no_load_speed"));
+  EXPECT_NE(std::ranges::find(report.equations, "MO-57"), report.equations.end());
+  EXPECT_LT(report.rows.back().input_speed, 80.0);
+  EXPECT_GT(report.rows.back().input_speed, 60.0);
+  gear.manoeuvre[0].input_speed = 70.0;
+  gear.manoeuvre[1].input_speed = 70.0;
+  EXPECT_FALSE(has_note(simulation_report(gear).notes, "motion.no_load_speed"));
+  // A piece that needs more than the stall torque is refused.
+  gear.manoeuvre[0].duration = 1e-4;
+  EXPECT_NE(test::broken_rule([&] { check(gear); }).find("more than drivetrain.servo.stall_torque"),
+            std::string::npos);
+}
+
 TEST(SimulationReport, IdentityATableOfTheError) {
   // (MO-56): a table of an order moves the drive as the order itself, but for the rounding of its
   // lines.

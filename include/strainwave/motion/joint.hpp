@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -147,6 +148,15 @@ struct ServoTorque {
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
 /// @param time  of the cracks that grow [s]
 [[nodiscard]] double stored_energy(const Joint& joint, const JointState& state, double time = 0.0);
+
+/// Times at which the slope of a given profile jumps, and the end of a motion, rising [s].
+/// @param duration  of the motion [s]; > 0
+[[nodiscard]] std::vector<double> corner_times(const Joint& joint, double duration);
+
+/// Why a motion ends at an elastic torque, because the table of the joint does not contain it;
+/// empty if the table contains it or if there is none.
+/// @param torque  [N*m]
+[[nodiscard]] std::string beyond_table(const Joint& joint, double torque);
 
 /// Periods of the fastest excitation of a joint in a turn of its input [-].
 [[nodiscard]] double fastest_order(const Joint& joint);
