@@ -52,6 +52,7 @@ constexpr int kMostRefinements = 6;
 constexpr double kExactMargin = 1e-9;  // of the margin at the beginning of a step [-]
 constexpr double kTooFar = 10.0;       // error of a step that turns too far [-]
 constexpr double kJustBehind = 1e-3;   // share of a step behind an event [-]
+constexpr double kLeastTurn = 0.1;     // of the tolerance: twist of a path that turns back [-]
 
 JointState joint_state(const Joint& joint, const State& x, const std::optional<SlipState>& slip,
                        const std::optional<LoopMemory>& loops) {
@@ -96,6 +97,7 @@ class MotionRun::Steps {
                                   : tangent_stiffness(joint_.spring, 0.0);
     const double i = std::abs(joint_.ratio);
     const double J_in = joint_.input_inertia * i * i;
+    least_turn_ = kLeastTurn * options_.tolerance * K;
     omega_ = std::sqrt(K * (1 / joint_.output_inertia + 1 / J_in));
     to_angle_.fill(0.0);
     to_angle_[kInputAngle] = 1 / i;
@@ -526,6 +528,10 @@ class MotionRun::Steps {
       at_end[n] = guards_.value(n, inside(t + trial.length), trial.forces, end);
     for (std::size_t n = 0; n < at_end.size(); ++n) {
       if (at_begin[n] * at_end[n] >= 0) continue;
+      // At a steady state the rate of the torque passes zero by rounding, without end (MO-52).
+      if (guards_.events()[n] == MotionEvent::torque_reversal &&
+          std::max(std::abs(at_begin[n]), std::abs(at_end[n])) * trial.length <= least_turn_)
+        continue;
       const auto at = [&](double time) {
         return guard(n, time, between(t, x, slope, trial, time));
       };
@@ -584,6 +590,7 @@ class MotionRun::Steps {
   State to_angle_{};
   const ServoDrive* servo_ = nullptr;  ///< a controller that takes samples
   double omega_ = 0.0;
+  double least_turn_ = 0.0;  ///< change of the torque in a step that turns the contacts [N*m]
   double fastest_order_ = 0.0;
   MotionCheckpoint at_;  ///< at the beginning of the step, apart from the length of the next one
   std::optional<Trial> trial_;           ///< the step from there; absent: not made yet

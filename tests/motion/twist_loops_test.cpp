@@ -288,6 +288,33 @@ TEST(TwistLoops, LimitOfATurningInput) {
   test::expect_relative(h, -rate / (fading * speed), 1 / kPlays);
 }
 
+TEST(TwistLoops, BehaviourASteadyStateDoesNotTurnBack) {
+  // (MO-52): a damped load under a constant torque on a turning input.  Its vibration has decayed
+  // by e^-100 at 2 s, so all that the torque does from there on is rounding.  Before, it turns
+  // back.
+  Joint joint = twisted(growing_loops(3.0), {.time = {}, .value = {0.0}}, 60.0);
+  joint.output_speed.reset();
+  joint.output_torque = {.value = {40.0}};
+  joint.damping = 100;
+  joint.output_damping = 1;
+  double h = 0.0;
+  const Motion motion =
+      simulate(joint, {.input_speed = 60.0, .output_angle = 5e-4, .output_speed = 0.6},
+               {.duration = 4, .output_step = 4, .tolerance = 1e-9}, [&](const MotionSample& at) {
+                 h = at.forces.twist - at.forces.elastic_torque / kLoopStiffness;
+               });
+  ASSERT_TRUE(motion.converged) << motion.reason;
+  const auto turns = [&](double from, double to) {
+    return std::ranges::count_if(motion.events, [&](const EventTime& at) {
+      return at.event == MotionEvent::torque_reversal && at.time >= from && at.time < to;
+    });
+  };
+  EXPECT_GT(turns(0, 0.1), 2);
+  EXPECT_EQ(turns(2, 4), 0);
+  EXPECT_LT(motion.event_count, 200U);
+  EXPECT_NEAR(h, 0.0, 1e-9);  // (MO-53): the loops have faded; the tolerance of the motion
+}
+
 TEST(TwistLoops, LimitOfAStandingInputHasNoFading) {
   const Profile rate{.time = {0, .1, .3, .5}, .value = {0, .02, -.02, .01}};
   const SimulationOptions options{.duration = 0.5, .output_step = 0.5, .tolerance = 1e-12};
