@@ -329,11 +329,7 @@ std::vector<double> corner_times(const Joint& joint, double duration) {
     if (crack.growth) add(*crack.growth);
   times.push_back(duration);
   std::ranges::sort(times);
-  const auto same = [](double one, double next) {
-    return next - one <= 4 * std::numeric_limits<double>::epsilon() * next;
-  };
-  times.erase(std::unique(times.begin(), times.end(), same), times.end());
-  times.back() = duration;
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

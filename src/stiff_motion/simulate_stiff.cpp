@@ -119,6 +119,16 @@ std::vector<Guard> guards_of(const Joint& joint, const std::vector<double>& tole
   return made;
 }
 
+/// The corners in time, and the end.  CVODE cannot go between two times that are one but for their
+/// rounding.
+std::vector<double> ends_of_pieces(const Joint& joint, double duration) {
+  std::vector<double> times = corner_times(joint, duration);
+  const auto same = [](double one, double next) { return next - one <= kOneTime * next; };
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
+  times.back() = duration;
+  return times;
+}
+
 }  // namespace
 
 class StiffRun::Steps {
@@ -127,7 +137,7 @@ class StiffRun::Steps {
       : joint_(std::move(joint)),
         options_(options),
         guards_(guards_of(joint_, tolerances(joint_, options.tolerance))),
-        ends_(corner_times(joint_, options.duration)),
+        ends_(ends_of_pieces(joint_, options.duration)),
         order_(fastest_order(joint_)),
         cvode_({.tolerance = tolerances(joint_, options.tolerance),
                 .rate = [this](auto time, auto x, auto dx) { rate(time, x, dx); },

@@ -930,6 +930,54 @@ TEST(Check, InputAMotion) {
             "drivetrain.friction.load_coulomb = -0.1 violates: >= 0");
   EXPECT_EQ(refused([](GearSet& g) { g.drivetrain->friction->load_breakaway = -0.1; }),
             "drivetrain.friction.load_breakaway = -0.1 violates: >= 0");
+  const LuGre of_load{.bristle_stiffness = 1e5, .coulomb = 3, .breakaway = 5};
+  EXPECT_EQ(refused([&](GearSet& g) { g.drivetrain->load_friction = of_load; }), ": accepted");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->load_friction = of_load;
+              g.drivetrain->load_friction->breakaway = 2;
+            }),
+            "drivetrain.load_friction.breakaway = 2 N*m violates: at least "
+            "drivetrain.load_friction.coulomb");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->load_friction = of_load;
+              g.drivetrain->load_friction->load_coulomb = 0.1;
+            }),
+            "drivetrain.load_friction.load_coulomb: is a share of the torque through the drive, "
+            "whose friction is drivetrain.friction; give it there, or leave it out");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->load_friction = of_load;
+              g.drivetrain->load_friction->load_breakaway = 0.1;
+            }),
+            "drivetrain.load_friction.load_breakaway: is a share of the torque through the drive, "
+            "whose friction is drivetrain.friction; give it there, or leave it out");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              g.drivetrain->load_friction = of_load;
+              g.drivetrain->load_friction->warming = 300;
+            }),
+            "drivetrain.load_friction.warming = 300 K violates: at most 200 K, up or down");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.drivetrain->servo = Servo{.speed_gain = 0.01, .stall_torque = 2.0};
+            }),
+            "drivetrain.servo.stall_torque: needs no_load_speed, the other end of the motor's "
+            "line; give both, or leave out both");
+  EXPECT_EQ(refused([](GearSet& g) {
+              g.drivetrain->servo = Servo{.speed_gain = 0.01, .no_load_speed = 2.0};
+            }),
+            "drivetrain.servo.no_load_speed: needs stall_torque, the other end of the motor's "
+            "line; give both, or leave out both");
+  // The weak motor cannot speed up the drive in time, whatever its speed; one that turns back may
+  // have more than its stall torque.
+  const auto weak = [](double before, double after) {
+    return [before, after](GearSet& g) {
+      g.drivetrain->servo =
+          Servo{.speed_gain = 0.01, .stall_torque = 1e-6, .no_load_speed = 1000.0};
+      g.manoeuvre = {{.duration = 1e6, .input_speed = before},
+                     {.duration = 1, .input_speed = after}};
+    };
+  };
+  EXPECT_NE(refused(weak(0.0, 10.0)).find("more than drivetrain.servo.stall_torque"),
+            std::string::npos);
+  EXPECT_EQ(refused(weak(-5.0, 10.0)), ": accepted");
   EXPECT_EQ(refused([](GearSet& g) {
               g.drivetrain->hysteresis.reset();
               g.drivetrain->slip_element = {{1e4, 1.0}, {1e4, 2.0}};
@@ -1486,6 +1534,7 @@ TEST(CheckRange, ReferenceRanges) {
                                      "drivetrain.gravity_torque",
                                      "drivetrain.gravity_angle",
                                      "drivetrain.friction.warming",
+                                     "drivetrain.load_friction.warming",
                                      "kinematic_error[0].phase",
                                      "manoeuvre[0].input_speed",
                                      "manoeuvre[0].input_torque",
@@ -1538,6 +1587,11 @@ TEST(CheckRange, ReferenceRanges) {
                                              "drivetrain.friction.thinning",
                                              "drivetrain.friction.load_coulomb",
                                              "drivetrain.friction.load_breakaway",
+                                             "drivetrain.load_friction.bristle_damping",
+                                             "drivetrain.load_friction.viscous",
+                                             "drivetrain.load_friction.thinning",
+                                             "drivetrain.load_friction.load_coulomb",
+                                             "drivetrain.load_friction.load_breakaway",
                                              "duty.resonance.frequency_ratio"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},

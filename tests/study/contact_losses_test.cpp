@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/motion/energy_table.hpp"
+#include "strainwave/study/computed_curve.hpp"
 #include "strainwave/study/simulation_report.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/friction.hpp"
@@ -73,35 +76,103 @@ TEST(ContactLosses, CrosscheckStandingInputAgainstTheLoops) {
   EXPECT_LT(loop, 0.15 * report.contacts->width_at_rated);
 }
 
-TEST(ContactLosses, CrosscheckFreeDecay) {
-  // (TC-17, MO-52): a load that is let go at a torque on a standing input decays by half of the
-  // loss factor of a loop between its peaks, at T1, T2 and the rated torque of size 25.  A period of
-  // the decay has no single amplitude, and the maker's lines stand for the curve: 6 %.
-  for (const double let_go : {14.6, 50.0, 91.0}) {
-    GearSet gear = rubbing_joint();
-    gear.manoeuvre = {{.duration = 1e-9, .input_speed = 0.0, .output_torque = let_go},
-                      {.duration = 1e-9, .input_speed = 0.0, .output_torque = 0.0},
-                      {.duration = 0.2, .input_speed = 0.0}};
-    const SimulationReport report =
-        simulation_report(gear, {.output_step = 1e-4, .tolerance = 1e-10});
-    ASSERT_TRUE(report.intact.converged) << report.intact.reason;
-    std::vector<double> twist;
-    std::vector<double> torque;
-    for (std::size_t n = 1; n + 1 < report.rows.size(); ++n) {
-      const double before = report.rows[n - 1].output_angle;
-      const double here = report.rows[n].output_angle;
-      const double next = report.rows[n + 1].output_angle;
-      if (here > before && here >= next) {
-        twist.push_back(here);
-        torque.push_back(std::abs(report.rows[n].torque));
-      }
+/// The middle of the envelopes of (TC-17) as the spring of a motion: both roads then have one
+/// spring, and differ in their friction only.
+ComputedCurve middle_of(const Hysteresis& loops, double most) {
+  constexpr int kPointsPerSense = 60;
+  CurveSamples samples;
+  EnergySamples of{.rate = 1.0, .period = 2 * pi, .energy = {}, .twist = {}, .compliance = {}};
+  for (int n = -kPointsPerSense; n <= kPointsPerSense; ++n) {
+    const double share = static_cast<double>(n) / kPointsPerSense;
+    const double torque = most * share * std::abs(share);
+    samples.torques.push_back(torque);
+    // The torque of the drive on its load is minus that on the output (MO-14).
+    of.twist.push_back(-(loops.rising(-torque) + loops.falling(-torque)) / 2);
+  }
+  of.compliance = rising_slopes(samples.torques, of.twist);
+  of.energy = {0.0};
+  samples.sound = {of};
+  ComputedCurve made;
+  made.samples = samples;
+  made.sound = made.cracked =
+      std::make_shared<const EnergyTable>(samples.torques, samples.sound, 0.0);
+  return made;
+}
+
+/// A peak of a free vibration.
+struct DecayPeak {
+  double twist = 0.0;   ///< [rad]
+  double torque = 0.0;  ///< on the output that would hold it [N*m]
+};
+
+/// Peaks of a load that is let go at a torque on a standing input.
+std::vector<DecayPeak> decay_peaks(GearSet gear, const Hysteresis& loops, double most,
+                                   double torque) {
+  gear.manoeuvre = {{.duration = 1e-9, .input_speed = 0.0, .output_torque = torque},
+                    {.duration = 1e-9, .input_speed = 0.0, .output_torque = 0.0},
+                    {.duration = 0.09, .input_speed = 0.0}};
+  SimulationSettings settings{.output_step = 1e-5, .tolerance = 1e-10};
+  settings.curve = [&](const GearSet&, const Progress&) { return middle_of(loops, most); };
+  const SimulationReport report = simulation_report(gear, settings);
+  EXPECT_TRUE(report.intact.converged) << report.intact.reason;
+  std::vector<DecayPeak> peaks;
+  for (std::size_t n = 1; n + 1 < report.rows.size(); ++n) {
+    const double here = report.rows[n].output_angle;
+    if (here > report.rows[n - 1].output_angle && here >= report.rows[n + 1].output_angle)
+      peaks.push_back({here, -report.rows[n].torque});
+  }
+  return peaks;
+}
+
+/// Torque of the next peak on the other side: where the work of the torque along the branch of
+/// (TC-17) is zero again, because nothing moves at both peaks.
+double other_peak(const Hysteresis& loops, HysteresisMemory& memory) {
+  constexpr int kSteps = 2000;
+  const double from = memory.torque;
+  double work = 0.0;
+  for (int n = 1; n <= kSteps; ++n) {
+    const double torque = memory.torque;
+    const double twist = memory.twist;
+    HysteresisMemory there = memory;
+    const double next = from * (1 - 2.0 * n / kSteps);
+    const double more = (torque + next) / 2 * (loops.advance(there, next) - twist);
+    if (work + more >= 0 && n > 1) {
+      const double peak = torque - work / more * (next - torque);
+      loops.advance(memory, peak);
+      return peak;
     }
-    ASSERT_GE(twist.size(), 3U);
-    const double damping = std::log(twist[0] / twist[1]) / (2 * pi);
-    const double amplitude = std::sqrt(torque[0] * torque[1]);
-    const HysteresisLoop loop = hysteresis_loop(Hysteresis(gear, 100.0), amplitude, 801);
-    test::expect_relative(damping, loop.lost_energy / (pi * amplitude * loop.twist.front()) / 2,
-                          0.06);
+    work += more;
+    memory = there;
+  }
+  return 0.0;
+}
+
+TEST(ContactLosses, CrosscheckFreeDecay) {
+  // (TC-17, MO-52): a load that is let go on a standing input decays by half of the loss factor of
+  // a loop at the amplitude between its peaks, about T1, T2 and the rated torque of size 25.
+  const double most = 120.0;
+  GearSet gear = rubbing_joint();
+  gear.drivetrain->spring = RestoringTorque::computed;
+  gear.drivetrain->curve_torque = most;
+  const Hysteresis loops(gear, most);
+  const std::vector<std::array<double, 2>> cases = {{15.5, 14.0}, {53.0, 48.0}, {96.0, 87.0}};
+  for (const auto& [let_go, torque] : cases) {
+    const std::vector<DecayPeak> peaks = decay_peaks(gear, loops, most, let_go);
+    ASSERT_GE(peaks.size(), 2U) << let_go;
+    const double amplitude = std::sqrt(peaks[0].torque * peaks[1].torque);
+    test::expect_relative(amplitude, torque, 0.02);
+    HysteresisMemory memory = loops.at_rest();
+    for (const double side : {1.0, -1.0, 1.0}) loops.advance(memory, side * peaks[0].torque);
+    (void)other_peak(loops, memory);
+    const double next = other_peak(loops, memory);
+    const double damping = std::log(peaks[0].twist / peaks[1].twist) / (2 * pi);
+    const HysteresisLoop loop = hysteresis_loop(loops, amplitude, 801);
+    const double half = loop.lost_energy / (pi * amplitude * loop.twist.front()) / 2;
+    // A period of the decay has no single amplitude, and the curve is stiffer at its ends: 6 %.
+    test::expect_relative(damping, half, 0.06);
+    // The work along the loops of (TC-17) has no such mean; their thresholds differ: 2.5 %.
+    test::expect_relative(std::log(peaks[0].torque / peaks[1].torque),
+                          std::log(peaks[0].torque / next), 0.025);
   }
 }
 
@@ -181,6 +252,15 @@ TEST(ContactLosses, BehaviourNotesAndEquations) {
   const SimulationReport given = simulation_report(gear);
   EXPECT_TRUE(noted(given, "motion.output_friction"));
   EXPECT_FALSE(given.contacts->coulomb.has_value());
+  // A friction of the load adds to that of the rating, which the note then says.
+  const auto text_of = [](const SimulationReport& of) {
+    return std::ranges::find(of.notes, "motion.output_friction", &Note::code)->text;
+  };
+  EXPECT_EQ(text_of(given).find("load_friction"), std::string::npos);
+  gear.drivetrain->load_friction = LuGre{.bristle_stiffness = 1e4, .coulomb = 1, .breakaway = 1};
+  const SimulationReport both = simulation_report(gear);
+  ASSERT_TRUE(noted(both, "motion.output_friction"));
+  EXPECT_NE(text_of(both).find("load_friction adds"), std::string::npos);
   EXPECT_NE(std::ranges::find(given.equations, "MO-55"), given.equations.end());
 }
 

@@ -176,6 +176,35 @@ TEST(SimulationReport, BehaviourOfTheExample) {
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1002);
 }
 
+TEST(SimulationReport, CrosscheckFrictionOfTheLoad) {
+  // (MO-10): at a constant speed without a torque on the load, the motor bears the friction of the
+  // load over the ratio.  1e-4 is above the rest of the vibration of the start.
+  GearSet gear = without_cracks(summed_joint("gear_damping = \"200 N*m*s/rad\"\n"));
+  gear.drivetrain->load_friction = LuGre{.bristle_stiffness = 2e5,
+                                         .viscous = 2.0,
+                                         .coulomb = 6.0,
+                                         .breakaway = 8.0,
+                                         .stribeck_speed = 0.02,
+                                         .thinning = 0.02,
+                                         .warming = 10};
+  const double i = drive_joint(gear).joint.ratio;
+  gear.manoeuvre = {{.duration = 0.3, .input_speed = 100.0, .output_torque = 0.0},
+                    {.duration = 0.7, .input_speed = 100.0}};
+  const SimulationReport report = simulation_report(gear);
+  const double speed = 100 / std::abs(i);
+  test::expect_relative(report.rows.back().input_torque,
+                        (6.0 + 2.0 * std::exp(-0.2) * speed) / std::abs(i), 1e-4);
+  EXPECT_LT(report.intact.imbalance, 1e-6);
+  for (const char* const tag : {"MO-10", "MO-55"})
+    EXPECT_NE(std::ranges::find(report.equations, tag), report.equations.end()) << tag;
+  // The motion of the load, given in its place, needs this torque from outside (MO-46).
+  gear.manoeuvre = {{.duration = 0.3, .input_speed = 100.0, .output_speed = 100 / i},
+                    {.duration = 0.7, .input_speed = 100.0, .output_speed = 100 / i}};
+  const SimulationReport given = simulation_report(gear);
+  test::expect_relative(std::abs(*given.rows.back().output_torque),
+                        6.0 + 2.0 * std::exp(-0.2) * speed, 1e-4);
+}
+
 TEST(SimulationReport, LimitALoadThatSticks) {
   // (MO-10, MO-14): the friction of a file acts on the load: an external torque below breakaway
   // winds up the drive by the bristles' part only, torque/(spring + bristles) on a standing input,
