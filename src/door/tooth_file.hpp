@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "strainwave/door/door.hpp"
-#include "strainwave/torsion/deviations.hpp"
+#include "strainwave/study/transmission_report.hpp"
 
 namespace strainwave {
 

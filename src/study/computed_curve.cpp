@@ -395,10 +395,7 @@ double range_of_teeth(const ComputedCurve& curve, double torque) {
 /// @param teeth  null: no tooth deviates
 ComputedCurve curve_of_teeth(const GearSet& gear, const Deviations* teeth,
                              const Progress& progress) {
-  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
-    throw InputError(
-        "drivetrain.spring",
-        fmt::format("is \"computed\", but the torsion curve lacks fields: {}", missing));
+  require_inputs_of_curve(gear);
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   ComputedCurve made;
   CurveTable& result = made.table;
@@ -557,6 +554,13 @@ ComputedCurve read_curve(std::string_view text) {
   made.cracked =
       made.samples.cracked.empty() ? made.sound : table_of(made.samples, made.samples.cracked);
   return made;
+}
+
+void require_inputs_of_curve(const GearSet& gear) {
+  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty())
+    throw InputError(
+        "drivetrain.spring",
+        fmt::format("is \"computed\", but the torsion curve lacks fields: {}", missing));
 }
 
 double largest_curve_torque(const GearSet& gear) {

@@ -99,6 +99,10 @@ inline constexpr int kCheckedTriples = 100;
 /// maker's momentary peak, or else twice the larger of T3 and the rated torque [N*m].
 [[nodiscard]] double largest_curve_torque(const GearSet& gear);
 
+/// Throws InputError, which names the missing fields, unless the file has each input of the coupled
+/// drive.
+void require_inputs_of_curve(const GearSet& gear);
+
 /// Implements theory manual eqs. (MO-25) to (MO-27).
 ///
 /// The families are the cage with cracks of the inner ring, the flexspline with its teeth and the

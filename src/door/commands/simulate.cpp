@@ -17,7 +17,6 @@
 #include "strainwave/layouts/simulation.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/study/computed_curve.hpp"
-#include "strainwave/torsion/torsion_curve.hpp"
 #include "tooth_file.hpp"
 
 namespace strainwave {
@@ -80,8 +79,7 @@ std::optional<Deviations> teeth_of_motion(const Request& request, const Simulate
                                                  : "--spline-teeth",
                       "needs the computed curve; leave it out, or give drivetrain.spring = "
                       "\"computed\"");
-  // What the coupled drive lacks is refused with the curve.
-  if (!missing_for_torsion_curve(gear).empty()) return std::nullopt;
+  require_inputs_of_curve(gear);
   if (std::optional<Deviations> measured = measured_teeth(request, options)) {
     if (options.drawn_teeth)
       throw OptionError("--drawn-teeth", "stands in place of measured teeth; give one of the two");
