@@ -399,12 +399,24 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       return line.starts_with("input_speed = ") || line.starts_with("history = ");
     });
   };
+  const std::function<void(Lines&)> without_error_table = [](Lines& lines) {
+    std::erase_if(lines,
+                  [](const std::string& line) { return line.starts_with("error_table = "); });
+  };
   const std::function<void(Lines&)> with_drivetrain = [&](Lines& lines) {
     switch_on(lines, "[drivetrain]");
+    without_error_table(lines);
+  };
+  // The shares of the load belong to the other friction.
+  const std::function<void(Lines&)> with_load_friction = [&](Lines& lines) {
+    with_drivetrain(lines);
+    std::erase_if(lines, [](const std::string& line) {
+      return line.starts_with("load_coulomb = ") || line.starts_with("load_breakaway = ");
+    });
   };
   // One of the two ways to move the input.
   const std::function<void(Lines&)> with_speed = [&](Lines& lines) {
-    switch_on(lines, "[drivetrain]");
+    with_drivetrain(lines);
     std::erase_if(lines, [](const std::string& line) {
       return line.starts_with("input_torque = ") || line.starts_with("output_torque = ");
     });
@@ -460,10 +472,11 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[duty.block]]", "input_speed: must not be given beside output_speed", with_block},
       {"[[duty.peak]]", "duty", with_block},
       {"[duty.resonance]", "duty", with_block},
-      {"[drivetrain]", "accepted", nothing},
+      {"[drivetrain]", "is not a file beside the input", without_error_table},
       {"[drivetrain.hysteresis]", "drivetrain", with_drivetrain},
       {"[[drivetrain.slip_element]]", "drivetrain", with_drivetrain},
       {"[drivetrain.friction]", "drivetrain", with_drivetrain},
+      {"[drivetrain.load_friction]", "drivetrain", with_load_friction},
       {"[drivetrain.servo]", "drivetrain", with_drivetrain},
       {"[[kinematic_error]]", "accepted", nothing},
       {"[[manoeuvre]]", "manoeuvre[0]: needs [drivetrain]", with_speed},
@@ -849,7 +862,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 60);
+  EXPECT_EQ(tables, 61);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {
