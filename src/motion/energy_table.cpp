@@ -277,7 +277,11 @@ EnergyTable::At EnergyTable::Slice::Piece::at(double torque) const {
 }
 
 EnergyTable::Slice::Piece EnergyTable::Slice::piece(std::size_t interval, double in_series) const {
-  Piece made{.from = table_->torques_[interval == 0 ? 0 : interval - 1]};
+  const auto& torques = table_->torques_;
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  Piece made{.from = torques[interval == 0 ? 0 : interval - 1],
+             .least = interval == 0 ? -kEndless : torques[interval - 1],
+             .most = interval == torques.size() ? kEndless : torques[interval]};
   for (std::size_t k = 0; k < table_->families_.size(); ++k) {
     const Family& of = table_->families_[k];
     const Cell& cell = of.cells[interval * of.angles + cell_[k]];
@@ -304,10 +308,14 @@ double EnergyTable::Slice::twist_at_node(std::size_t node, double in_series) con
   return sum;
 }
 
-EnergyTable::At EnergyTable::Slice::at_torque(double torque, double in_series) const {
+EnergyTable::Slice::Piece EnergyTable::Slice::piece_at(double torque, double in_series) const {
   const auto& torques = table_->torques_;
   const auto next = std::ranges::upper_bound(torques, torque);
-  return piece(static_cast<std::size_t>(next - torques.begin()), in_series).at(torque);
+  return piece(static_cast<std::size_t>(next - torques.begin()), in_series);
+}
+
+EnergyTable::At EnergyTable::Slice::at_torque(double torque, double in_series) const {
+  return piece_at(torque, in_series).at(torque);
 }
 
 EnergyTable::At EnergyTable::Slice::at_twist(double twist, double in_series) const {

@@ -24,10 +24,7 @@ struct ElasticState {
   double on_input = 0.0;   ///< -dV/d theta_m at constant twist [N*m]
   double on_output = 0.0;  ///< -dV/d theta_L at constant twist [N*m]
   double released = 0.0;   ///< -dV/dt at constant twist and angles [W]
-  /// of the friction in the contacts; its twist is part of `twist`
-  TwistLoops::At loops = {};
-  TwistLoops::Change since_memory = {};
-  std::optional<double> torque_rate = {};  ///< of T [N*m/s]; only with loops
+  std::optional<ContactForces> contacts = {};
 };
 
 /// The spring or the table of a joint at one angle of the input.
@@ -46,6 +43,12 @@ class SpringAt {
     EnergyTable::At at = whole(own, torque, in_series);
     at.compliance = 1 / tangent_stiffness(joint_.spring, own) + in_series;
     return at;
+  }
+  /// The same for many torques near each other.
+  [[nodiscard]] EnergyTable::At at_torque_near(double torque, double in_series) {
+    if (!joint_.table) return at_torque(torque, in_series);
+    if (!piece_ || !piece_->contains(torque)) piece_ = slice_.piece_at(torque, in_series);
+    return piece_->at(torque);
   }
   /// Without the compliance if the joint has no table.
   [[nodiscard]] EnergyTable::At at_twist(double twist, double in_series) const {
@@ -66,74 +69,75 @@ class SpringAt {
 
   const Joint& joint_;
   EnergyTable::Slice slice_;
+  std::optional<EnergyTable::Slice::Piece> piece_;  ///< of the torque that was asked last
 };
 
 constexpr int kMostSolverSteps = 200;
 constexpr double kExact = 4e-16;  // of the twist [-]
 
-/// Spring, open cracks and loops at one twist.
+TwistLoops::Path path_of(const JointState& x) {
+  return {.slide = x.slide, .turn = std::abs(x.input_angle - x.loops->input_angle)};
+}
+
+/// The torque at which spring, open cracks and loops have a twist together (MO-52).
 class WithLoops {
  public:
-  /// Finds the torque at which they have the twist of `at` together (MO-52).
-  WithLoops(const Joint& joint, const SpringAt& spring, const JointState& x,
-            const OpenCompliance& open, ElasticState& at)
-      : loops_(*joint.loops),
-        memory_(*x.loops),
-        // The cracks in series do not slide the contacts.
-        before_(spring.at_torque(memory_.torque, 0.0)) {
+  WithLoops(const Joint& joint, SpringAt& spring, const JointState& x, const OpenCompliance& open,
+            double twist)
+      : spring_(spring),
+        loops_(*joint.loops),
+        of_loops_(loops_.at(*x.loops, path_of(x))),
+        piece_(&loops_.width_near(x.loops->torque)) {
     double below = -std::numeric_limits<double>::infinity();
     double above = -below;
-    double torque = memory_.torque;
-    at.since_memory.before_slip = true;
-    at.since_memory.turn = std::abs(x.input_angle - memory_.input_angle);
+    double torque = x.loops->torque;
     for (int n = 0; n < kMostSolverSteps; ++n) {
-      of_ = spring.at_torque(torque, open.value);
-      at.since_memory.torque = torque;
-      at.since_memory.slide = of_.twist - open.value * torque - before_.twist;
-      at.since_memory.compliance = of_.compliance - open.value;
-      at.loops = loops_.at(memory_, at.since_memory);
-      const double missing = at.twist - of_.twist - at.loops.twist;
-      if (std::abs(missing) <= kExact * (std::abs(at.twist) + std::abs(at.loops.twist))) break;
+      find(torque, open.value);
+      const double of_loops = of_loops_.twist(width_);
+      const double missing = twist - of_.twist - of_loops;
+      if (std::abs(missing) <= kExact * (std::abs(twist) + std::abs(of_loops))) break;
       (missing > 0 ? below : above) = torque;
-      double next = torque + missing / (of_.compliance + at.loops.compliance);
+      double next = torque + missing / compliance();
       if (!(next > below && next < above)) next = below + (above - below) / 2;
       if (!std::isfinite(next)) of_.torque = next;  // no state of equilibrium
       if (next == torque || !std::isfinite(next)) break;
       torque = next;
     }
-    find_rate(x, open, at);
   }
 
   [[nodiscard]] const EnergyTable::At& spring() const { return of_; }
-
- private:
-  /// Rate of the torque, by the derivative of the twist over time (MO-54).
-  void find_rate(const JointState& x, const OpenCompliance& open, ElasticState& at) const {
-    const double T = at.since_memory.torque;
-    const double twist_rate = at.input_arm * x.input_speed - x.output_speed;
-    TwistLoops::Change& change = at.since_memory;
-    change.turn_rate = std::abs(x.input_speed);
-    const auto rate = [&] {
-      const double by_input = of_.twist_by_input + T * open.by_input +
-                              at.loops.by_slide * (of_.twist_by_input - before_.twist_by_input);
-      return (twist_rate - by_input * x.input_speed - T * open.by_output * x.output_speed -
-              T * open.by_time - at.loops.by_turn * change.turn_rate) /
-             (of_.compliance + at.loops.compliance);
-    };
-    double torque_rate = rate();
-    // Whether an element leaves its bound depends on the rate, whose sign depends little on this.
-    for (int pass = 0; pass < 2 && at.loops.on_edge; ++pass) {
-      change.slide_rate = change.compliance * torque_rate;
-      at.loops = loops_.at(memory_, change);
-      torque_rate = rate();
-    }
-    at.torque_rate = torque_rate;
+  /// Rates by the derivative of the twist over time (MO-54).
+  [[nodiscard]] ContactForces rates(const JointState& x, const OpenCompliance& open,
+                                    double twist_rate) const {
+    const double T = of_.torque;
+    const double own = of_.compliance - open.value;  // the cracks in series slide no contact
+    const double fading = loops_.fading() * std::abs(x.input_speed);
+    const double by_input = of_.twist_by_input + T * open.by_input;
+    const double torque_rate =
+        (twist_rate - by_input * x.input_speed - T * open.by_output * x.output_speed -
+         T * open.by_time + fading * of_loops_.free_twist) /
+        (compliance() - of_loops_.free_weight * own);
+    return {.twist = of_loops_.twist(width_),
+            .torque_rate = torque_rate,
+            .slide_rate = own * torque_rate,
+            .remaining_rate = own * torque_rate - fading * x.slide};  // (MO-53)
   }
 
+ private:
+  void find(double torque, double in_series) {
+    of_ = spring_.at_torque_near(torque, in_series);
+    if (!piece_->contains(torque)) piece_ = &loops_.width_near(torque);
+    width_ = piece_->at(torque);
+  }
+  /// While nothing slides.
+  [[nodiscard]] double compliance() const { return of_.compliance + of_loops_.held * width_.slope; }
+
+  SpringAt& spring_;
   const TwistLoops& loops_;
-  const LoopMemory& memory_;
-  EnergyTable::At before_;
+  TwistLoops::At of_loops_;
+  const TwistLoops::WidthPiece* piece_;
   EnergyTable::At of_;
+  TwistLoops::Width width_;
 };
 
 ElasticState elastic_state(const Joint& joint, const JointState& x, double time) {
@@ -141,23 +145,24 @@ ElasticState elastic_state(const Joint& joint, const JointState& x, double time)
   ElasticState at;
   at.input_arm = 1 / joint.ratio + error.slope;
   at.twist = x.input_angle / joint.ratio - x.output_angle + error.value;  // (MO-11)
-  const SpringAt spring(joint, x.input_angle);
+  SpringAt spring(joint, x.input_angle);
   const bool with_loops = joint.loops && x.loops;
   OpenCompliance open;
   if (!joint.cracks.empty()) {
     // The twist without torque says the sense of the torque.
     double rest = spring.rest();
-    if (with_loops)
-      rest += joint.loops
-                  ->at(*x.loops, {.torque = 0.0,
-                                  .slide = rest - spring.at_torque(x.loops->torque, 0.0).twist,
-                                  .turn = std::abs(x.input_angle - x.loops->input_angle)})
-                  .twist;
+    if (with_loops) rest += joint.loops->at(*x.loops, path_of(x)).twist(joint.loops->width(0.0));
     open = open_compliance(joint.cracks, at.twist < rest ? -1.0 : 1.0, x.input_angle,
                            x.output_angle, time);
   }
-  const EnergyTable::At state = with_loops ? WithLoops(joint, spring, x, open, at).spring()
-                                           : spring.at_twist(at.twist, open.value);
+  EnergyTable::At state;
+  if (with_loops) {
+    const WithLoops all(joint, spring, x, open, at.twist);
+    state = all.spring();
+    at.contacts = all.rates(x, open, at.input_arm * x.input_speed - x.output_speed);
+  } else {
+    state = spring.at_twist(at.twist, open.value);
+  }
   const double T = state.torque;
   at.torque = T;
   at.energy = T * at.twist - state.energy;  // (MO-25, MO-52)
@@ -264,10 +269,10 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
     rate.hysteresis = joint.hysteresis->rate(x.hysteresis, f.twist_rate);
   }
   double contacts_lost = 0.0;
-  f.elastic_torque_rate = at.torque_rate;
-  if (at.torque_rate) {
-    f.contact_margin = at.loops.margin;
-    contacts_lost = -at.loops.twist * *at.torque_rate;  // (MO-54)
+  if (at.contacts) {
+    f.contacts = at.contacts;
+    rate.slide = at.contacts->remaining_rate;
+    contacts_lost = -at.contacts->twist * at.contacts->torque_rate;  // (MO-54)
   }
   double slip_lost = 0.0;
   if (!joint.slip_elements.empty() && x.slip) {
@@ -296,10 +301,24 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   return rate;
 }
 
-LoopMemory loops_after(const Joint& joint, const JointState& x, double time) {
-  const ElasticState at = elastic_state(joint, x, time);
-  return x.loops ? joint.loops->after(*x.loops, at.since_memory, x.input_angle)
-                 : joint.loops->relaxed(at.torque, x.input_angle);
+double contact_margin(const Joint& joint, const JointState& x, const JointForces& forces) {
+  return joint.loops->margin(*x.loops, path_of(x), forces.elastic_torque);
+}
+
+TwistLoops::Rates contact_rates(const JointForces& forces, double input_speed) {
+  return {.torque = forces.contacts->torque_rate,
+          .slide = forces.contacts->slide_rate,
+          .turn = std::abs(input_speed)};
+}
+
+double contact_hold(const Joint& joint, const JointState& x, const JointForces& forces) {
+  return joint.loops->hold_margin(*x.loops, contact_rates(forces, x.input_speed),
+                                  forces.elastic_torque);
+}
+
+LoopMemory loops_after(const Joint& joint, const JointState& x, double torque) {
+  return x.loops ? joint.loops->after(*x.loops, path_of(x), torque, x.input_angle)
+                 : joint.loops->relaxed(torque, x.input_angle);
 }
 
 double stored_energy(const Joint& joint, const JointState& x, double time) {

@@ -25,6 +25,7 @@ enum Entry : std::size_t {
   kWindUp,
   kOutputSpeed,
   kHysteresis,
+  kSlide,
   kBristle,
   kLoadBristle,
   kServo,
@@ -46,11 +47,9 @@ constexpr double kShortestStep = 1e-15;  // of the duration [-]
 constexpr double kStepsPerPeriod = 5;    // of the fastest excitation [-]
 constexpr double kSmallShare = 1e-9;     // of the stored energy, which a balance neglects [-]
 constexpr double kUsualTwist = 1e-3;     // [rad]
-constexpr double kMostFading = 0.1;      // share of the memory that fades in a step [-]
-constexpr double kLongerStep = 1.01;     // of the step to an event that is refined [-]
-constexpr int kMostRefinements = 6;
-constexpr double kExactMargin = 1e-9;  // of the margin at the beginning of a step [-]
-constexpr double kTooFar = 10.0;       // error of a step that turns too far [-]
+constexpr double kAtBound = 0.01;        // of the tolerance: an element is at its bound
+constexpr double kLate = 1;  // likewise: error of an element that meets or leaves its bound
+constexpr double kLeastRate = 1e-100;  // of a torque that turns back, whose sign alone counts
 constexpr double kJustBehind = 1e-3;   // share of a step behind an event [-]
 constexpr double kLeastTurn = 0.1;     // of the tolerance: twist of a path that turns back [-]
 
@@ -63,6 +62,7 @@ JointState joint_state(const Joint& joint, const State& x, const std::optional<S
           .hysteresis = x[kHysteresis],
           .slip = slip,
           .loops = loops,
+          .slide = x[kSlide],
           .bristle = x[kBristle],
           .load_bristle = x[kLoadBristle],
           .servo = x[kServo],
@@ -76,6 +76,7 @@ State packed(const Joint& joint, const JointState& s) {
   x[kWindUp] = s.input_angle / joint.ratio - s.output_angle;
   x[kOutputSpeed] = s.output_speed;
   x[kHysteresis] = s.hysteresis;
+  x[kSlide] = s.slide;
   x[kBristle] = s.bristle;
   x[kLoadBristle] = s.load_bristle;
   x[kServo] = s.servo;
@@ -114,8 +115,7 @@ class MotionRun::Steps {
         to_angle_[kServo] =
             std::max(1 / i, drive->servo.speed_gain / *drive->servo.integral_time * i / K);
     }
-    // Behind a reversal of the torque the contacts hold, and the drive is many times stiffer.
-    if (joint_.loops) to_angle_[kWindUp] = LoopMemory::kElements;
+    to_angle_[kSlide] = 1.0;
     // If both ends move as given, only the energy has an error.  The contacts lose energy in jumps.
     if (joint_.loops || (joint_.output_speed && std::holds_alternative<GivenSpeed>(joint_.input)))
       to_angle_[kSupplied] = to_angle_[kLost] = 1 / (K * kUsualTwist);
@@ -141,8 +141,11 @@ class MotionRun::Steps {
     if (joint_.output_speed) at_.state[kOutputSpeed] = joint_.output_speed->at(0.0);
     if (!joint_.slip_elements.empty())
       at_.slip = start.slip ? *start.slip : relaxed(joint_.slip_elements, twist_of(0.0, at_.state));
-    if (joint_.loops)
-      at_.loops = start.loops ? *start.loops : loops_after(joint_, unpacked(at_.state));
+    if (joint_.loops) {
+      at_.loops = start.loops;
+      (void)rate(0.0, at_.state);
+      take_memory(JointForces(last_forces_));
+    }
     at_.at_start = stored_energy(joint_, unpacked(at_.state));
     at_.step = std::min(0.01 / omega_, options_.duration);
   }
@@ -155,6 +158,7 @@ class MotionRun::Steps {
         (from.slip && from.slip->torque.size() != joint_.slip_elements.size()))
       throw InputError("checkpoint", "is not one of this joint; begin the motion again");
     at_ = from;
+    (void)rate(at_.time, at_.state);
   }
 
   [[nodiscard]] std::optional<MotionSample> next(const Progress& progress) {
@@ -219,7 +223,7 @@ class MotionRun::Steps {
   /// Functions of the state whose change of sign ends a step.
   class Guards {
    public:
-    explicit Guards(const Joint& joint) {
+    explicit Guards(const Joint& joint) : joint_(&joint) {
       if (!joint.table) corners_ = corner_torques(joint.spring);
       events_.assign(corners_.size(), MotionEvent::spring_corner);
       if (std::ranges::any_of(joint.cracks,
@@ -230,6 +234,7 @@ class MotionRun::Steps {
       if (joint.loops) {
         events_.push_back(MotionEvent::torque_reversal);
         events_.push_back(MotionEvent::contact_slip);
+        events_.push_back(MotionEvent::contact_release);
       }
       if (joint.input_friction || (joint.loops && joint.loops->fading() > 0))
         events_.push_back(MotionEvent::speed_reversal);
@@ -267,9 +272,11 @@ class MotionRun::Steps {
         case MotionEvent::load_sense:
           return forces.torque;
         case MotionEvent::torque_reversal:
-          return forces.elastic_torque_rate.value_or(0.0);
+          return forces.contacts->torque_rate;
         case MotionEvent::contact_slip:
-          return forces.contact_margin.value_or(-1.0);
+          return contact_margin(*joint_, state, forces);
+        case MotionEvent::contact_release:
+          return contact_hold(*joint_, state, forces);
         case MotionEvent::element_slip: {
           const std::size_t j = n - first_element_;
           const double change = forces.twist - state.slip->twist;
@@ -295,13 +302,12 @@ class MotionRun::Steps {
         }
     }
     /// With the memory of the contacts taken anew, other elements are between their bounds.
-    void restart(std::vector<double>& values, std::vector<bool>& fresh,
-                 const JointForces& forces) const {
+    void restart(std::vector<double>& values, std::vector<bool>& fresh, const JointForces& forces,
+                 const JointState& state) const {
       for (std::size_t n = 0; n < events_.size(); ++n) {
-        if (events_[n] == MotionEvent::torque_reversal)
-          values[n] = forces.elastic_torque_rate.value_or(0.0);
-        if (events_[n] == MotionEvent::contact_slip) {
-          values[n] = forces.contact_margin.value_or(-1.0);
+        if (events_[n] == MotionEvent::torque_reversal) values[n] = forces.contacts->torque_rate;
+        if (events_[n] == MotionEvent::contact_slip || events_[n] == MotionEvent::contact_release) {
+          values[n] = value(n, 0.0, forces, state);
           fresh[n] = false;
         }
       }
@@ -313,6 +319,7 @@ class MotionRun::Steps {
     }
 
    private:
+    const Joint* joint_;
     std::vector<double> corners_;  // the first guards
     std::vector<MotionEvent> events_;
     const ServoDrive* servo_ = nullptr;                   // of the joint
@@ -327,12 +334,15 @@ class MotionRun::Steps {
     return joint_rate(joint_, inside(t), unpacked(x)).forces.twist;
   }
 
-  struct Trial {
-    double length = 0.0;
+  struct StepEnd {
+    double length = 0.0;  ///< from the beginning of the step [s]
     State state{};
     State slope{};
+  };
+  struct Trial : StepEnd {
     JointForces forces;
     double error = 0.0;  ///< over the tolerance [-]
+    StepEnd whole;       ///< of the step whose inside is known; an event may end it before
   };
 
   /// Takes the sample of a controller, and finds the end of the segment that begins now.
@@ -376,6 +386,7 @@ class MotionRun::Steps {
     const double t = at_.time;
     const State& x = at_.state;
     const double left = at_.segment_end - t;
+    if (at_.loops) rates_at_begin_ = contact_rates(last_forces_, x[kInputSpeed]);
     Trial trial = try_step(t, x, at_.slope, std::min({at_.step, longest(x), left}));
     while (!(trial.error <= 1)) {
       ++at_.rejected;
@@ -397,6 +408,9 @@ class MotionRun::Steps {
     const State& x = at_.state;
     at_.exchanged += std::abs(kinetic(trial_->state, kInputSpeed) - kinetic(x, kInputSpeed)) +
                      std::abs(kinetic(trial_->state, kOutputSpeed) - kinetic(x, kOutputSpeed));
+    std::optional<TwistLoops::Step> step;
+    if (at_.loops)
+      step = {.torque = at_.loops->torque, .rates = rates_at_begin_, .length = trial_->length};
     at_.time = after_;
     at_.state = trial_->state;
     at_.slope = trial_->slope;
@@ -408,9 +422,11 @@ class MotionRun::Steps {
       at_.slope = rate(at_.time, at_.state);
     }
     if (at_.loops) {
-      at_.loops = loops_after(joint_, unpacked(at_.state), at_.time);
-      at_.slope = rate(at_.time, at_.state);
-      guards_.restart(at_.guards, fresh_at_end_, last_forces_);
+      std::optional<double> sense;
+      if (event_ && guards_.events()[*event_] == MotionEvent::torque_reversal)
+        sense = -guards_at_begin_[*event_];
+      take_memory(trial_->forces, step, sense);
+      guards_.restart(at_.guards, fresh_at_end_, last_forces_, unpacked(at_.state));
     }
     at_.fresh.swap(fresh_at_end_);
     ++at_.steps;
@@ -422,6 +438,37 @@ class MotionRun::Steps {
     }
     if (reason_.empty() && at_.time >= at_.segment_end && at_.next_corner < corners_.size())
       begin_segment();
+  }
+
+  /// Distance from its bound in which an element of the contacts is at it [rad].
+  [[nodiscard]] double within() const { return kAtBound * options_.tolerance; }
+
+  /// Takes the memory of the contacts anew, and the slope with it.
+  /// @param forces  of the state
+  /// @param step    that led there; absent: the motion begins
+  /// @param sense   sign of the rate of the torque from there on; absent: that of the rate
+  void take_memory(const JointForces& forces, const std::optional<TwistLoops::Step>& step = {},
+                   std::optional<double> sense = {}) {
+    at_.loops = loops_after(joint_, unpacked(at_.state), forces.elastic_torque);
+    at_.state[kSlide] = 0.0;
+    at_.slope[kSlide] = forces.contacts ? forces.contacts->slide_rate : 0.0;
+    last_forces_ = forces;
+    if (!forces.contacts) at_.slope = rate(at_.time, at_.state);
+    const double speed = at_.state[kInputSpeed];
+    // Which elements stay at their bound depends on the rate of the torque, and the rate on them.
+    for (std::size_t pass = 0; pass <= LoopMemory::kElements; ++pass) {
+      TwistLoops::Rates rates = contact_rates(last_forces_, speed);
+      if (sense) {
+        rates.torque = std::copysign(std::max(std::abs(rates.torque), kLeastRate), *sense);
+        rates.slide = std::copysign(std::max(std::abs(rates.slide), kLeastRate), *sense);
+      }
+      if (!joint_.loops->hold(*at_.loops, rates, within(), step)) break;
+      at_.slope = rate(at_.time, at_.state);
+    }
+    // An element that was put elsewhere moves the torque at once (MO-54).
+    if (forces.contacts)
+      at_.state[kLost] -= (forces.contacts->twist + last_forces_.contacts->twist) / 2 *
+                          (last_forces_.elastic_torque - forces.elastic_torque);
   }
 
   [[nodiscard]] double sample_time(std::size_t n) const {
@@ -448,6 +495,7 @@ class MotionRun::Steps {
     dx[kWindUp] = s.input_speed / joint_.ratio - s.output_speed;
     dx[kOutputSpeed] = r.output_acceleration;
     dx[kHysteresis] = r.hysteresis;
+    dx[kSlide] = r.slide;
     dx[kBristle] = r.bristle;
     dx[kLoadBristle] = r.load_bristle;
     dx[kServo] = r.servo;
@@ -457,12 +505,10 @@ class MotionRun::Steps {
     return dx;
   }
 
-  /// A step so short that no order of the excitation is overlooked, and little of the memory of
-  /// the contacts fades.
+  /// A step so short that no order of the excitation is overlooked.
   [[nodiscard]] double longest(const State& x) const {
-    double order = fastest_order_ * kStepsPerPeriod / (2 * std::numbers::pi);
-    if (joint_.loops) order = std::max(order, joint_.loops->fading() / kMostFading);
-    const double speed = std::abs(x[kInputSpeed]) * order;
+    const double speed =
+        std::abs(x[kInputSpeed]) * fastest_order_ * kStepsPerPeriod / (2 * std::numbers::pi);
     return speed > 0 ? 1 / speed : std::numeric_limits<double>::infinity();
   }
 
@@ -481,14 +527,10 @@ class MotionRun::Steps {
     State error{};
     stepper_.do_step([this](const State& at, State& dx, double time) { dx = rate(time, at); }, x,
                      slope, t, trial.state, trial.slope, length, error);
+    trial.whole = trial;
     trial.forces = last_forces_;  // the last stage is the end of the step
     for (std::size_t n = 0; n < kEntries; ++n)
       trial.error = std::max(trial.error, std::abs(error[n]) * to_angle_[n] / options_.tolerance);
-    // A step that begins slowly may turn too far.
-    if (joint_.loops &&
-        std::abs(trial.state[kInputAngle] - x[kInputAngle]) * joint_.loops->fading() >
-            2 * kMostFading)
-      trial.error = std::max(trial.error, kTooFar);
     for (const double value : trial.state)
       if (!std::isfinite(value)) trial.error = std::numeric_limits<double>::infinity();
     return trial;
@@ -498,8 +540,9 @@ class MotionRun::Steps {
   [[nodiscard]] State between(double t, const State& x, const State& slope, const Trial& trial,
                               double at) {
     if (at >= t + trial.length) return trial.state;
+    const StepEnd& end = trial.whole;
     State inner{};
-    stepper_.calc_state(at, inner, x, slope, t, trial.state, trial.slope, t + trial.length);
+    stepper_.calc_state(at, inner, x, slope, t, end.state, end.slope, t + end.length);
     return inner;
   }
 
@@ -521,6 +564,7 @@ class MotionRun::Steps {
         if (at_.fresh[n]) at_begin[n] = guard(n, behind, inner);
     }
     std::optional<std::size_t> first;
+    std::optional<Trial> ended;  // the part of the step up to the event, if it is good enough
     double earliest = t + trial.length;
     const JointState end = unpacked(trial.state);
     std::vector<double>& at_end = guards_at_end_;
@@ -532,13 +576,28 @@ class MotionRun::Steps {
       if (guards_.events()[n] == MotionEvent::torque_reversal &&
           std::max(std::abs(at_begin[n]), std::abs(at_end[n])) * trial.length <= least_turn_)
         continue;
-      const auto at = [&](double time) {
-        return guard(n, time, between(t, x, slope, trial, time));
-      };
-      const double root = bracketed_root(at, at_.fresh[n] ? behind : t, t + trial.length);
+      const double begin = at_.fresh[n] ? behind : t;
+      const double end_time = t + trial.length;
+      const double allowed = allowed_value(guards_.events()[n], at_begin[n], at_end[n], trial);
+      if (std::abs(at_end[n]) <= allowed) continue;
+      Trial there;
+      double root = 0.0;
+      if (allowed > 0)
+        root = behind_root(
+            [&](double time) {
+              there = part(t, x, slope, trial, time);
+              return guards_.value(n, inside(time), there.forces, unpacked(there.state));
+            },
+            begin, end_time, at_begin[n], at_end[n], allowed);
+      else
+        root = bracketed_root(
+            [&](double time) { return guard(n, time, between(t, x, slope, trial, time)); }, begin,
+            end_time, at_begin[n], at_end[n]);
       if (root >= earliest) continue;
       earliest = root;
       first = n;
+      ended.reset();
+      if (allowed > 0) ended = there;
     }
     // Events at one time each end a step once: after its own, a guard stays fresh until time moves
     // on.
@@ -546,9 +605,7 @@ class MotionRun::Steps {
     if (!first || earliest > behind) fresh_at_end_.assign(at_.fresh.size(), false);
     if (!first) return first;
     // A step that is taken anew up to the event has the error of a step, not that of its inside.
-    trial = try_step(t, x, slope, earliest - t);
-    if (guards_.events()[*first] == MotionEvent::contact_slip)
-      earliest = refined(t, x, slope, trial, at_begin[*first]);
+    trial = ended ? *ended : try_step(t, x, slope, earliest - t);
     const JointState there = unpacked(trial.state);
     for (std::size_t n = 0; n < at_end.size(); ++n)
       at_end[n] = guards_.value(n, inside(earliest), trial.forces, there);
@@ -556,25 +613,30 @@ class MotionRun::Steps {
     return first;
   }
 
-  /// Ends a step where a play element of the contacts meets its bound, by the steps themselves:
-  /// behind a reversal the torque is so steep over the twist that the inside of a step is not exact
-  /// enough.
-  [[nodiscard]] double refined(double t, const State& x, const State& slope, Trial& trial,
-                               double margin_at_begin) {
-    const double longest = std::min(trial.length * kLongerStep, at_.segment_end - t);
-    double length = 0.0;
-    double margin = margin_at_begin;
-    for (int n = 0; n < kMostRefinements; ++n) {
-      const double here = trial.forces.contact_margin.value_or(0.0);
-      if (std::abs(here) <= kExactMargin * std::abs(margin_at_begin) || here == margin) break;
-      const double next =
-          trial.length - here * (trial.length - length) / (here - margin);  // a secant
-      if (!(next > 0 && next <= longest)) break;
-      length = trial.length;
-      margin = here;
-      trial = try_step(t, x, slope, next);
-    }
-    return t + trial.length;
+  /// The part of a step up to a time within it.
+  [[nodiscard]] Trial part(double t, const State& x, const State& slope, const Trial& trial,
+                           double time) {
+    Trial made;
+    made.whole = trial.whole;
+    made.length = time - t;
+    made.state = between(t, x, slope, trial, time);
+    made.slope = rate(time, made.state);
+    made.forces = last_forces_;
+    return made;
+  }
+
+  /// Value of a function of the contacts behind its event at which a step may end; 0: the step ends
+  /// at the event.
+  [[nodiscard]] double allowed_value(MotionEvent event, double at_begin, double at_end,
+                                     const Trial& trial) const {
+    const double late = kLate * options_.tolerance;
+    // An element that is too far out by this is put on its bound at the end of the step.
+    if (event == MotionEvent::contact_slip) return late;
+    // One that left its bound late lags behind by half of the square of its speed, over the rate
+    // of this speed (MO-53).
+    if (event == MotionEvent::contact_release)
+      return std::sqrt(2 * late * std::abs(at_end - at_begin) / trial.length);
+    return 0.0;
   }
 
   [[nodiscard]] MotionSample sample(double t, const State& x) const {
@@ -601,7 +663,8 @@ class MotionRun::Steps {
   std::vector<double> guards_at_begin_;  ///< behind an event at the beginning of the step
   std::vector<double> guards_at_end_;
   std::vector<bool> fresh_at_end_;
-  JointForces last_forces_;  ///< of the last call of `rate`
+  JointForces last_forces_;           ///< of the last call of `rate`
+  TwistLoops::Rates rates_at_begin_;  ///< of the contacts, at the beginning of the step
   std::vector<EventTime> events_;
   bool beyond_table_ = false;
   std::string reason_;  ///< why the motion cannot go on

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
@@ -16,8 +17,6 @@ namespace strainwave {
 namespace {
 
 constexpr std::size_t kLeastTorques = 4;  // of the interpolation
-constexpr double kEdge = 1e-9;            // of the bound [-]
-constexpr double kShortTurn = 1e-4;       // share of Theta below which series replace differences
 
 /// Threshold over half of the width, of the element k from 0 on.  The element with threshold 0
 /// always follows the spring, and bears no twist of its own.
@@ -29,47 +28,7 @@ double weight(std::size_t k) {
   return (k + 1 == LoopMemory::kElements ? 0.5 : 1.0) / LoopMemory::kElements;  // (MO-52)
 }
 
-/// What is left of the memory, and of a slide that went on evenly over the turn (MO-53).
-struct Fading {
-  double memory = 1.0;
-  double slide = 1.0;
-  double memory_rate = 0.0;  ///< per angle of the input [1/rad]
-  double slide_rate = 0.0;   ///< likewise
-};
-
-Fading fading_over(double turn, double rate) {
-  const double x = turn * rate;
-  Fading f;
-  f.memory = std::exp(-x);
-  f.memory_rate = -rate * f.memory;
-  if (x < kShortTurn) {
-    f.slide = 1 - x / 2 + x * x / 6;
-    f.slide_rate = -rate * (0.5 - x / 3 + x * x / 8);
-  } else {
-    f.slide = -std::expm1(-x) / x;
-    f.slide_rate = rate * (f.memory - f.slide) / x;
-  }
-  return f;
-}
-
 }  // namespace
-
-struct TwistLoops::Width {
-  using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
-
-  double least = 0.0;  ///< torque [N*m]
-  double most = 0.0;   ///< torque [N*m]
-  Pchip over_torque;
-
-  struct Value {
-    double value = 0.0;
-    double slope = 0.0;
-  };
-  [[nodiscard]] Value at(double torque) const {
-    const double inside = std::clamp(torque, least, most);
-    return {over_torque(inside), inside == torque ? over_torque.prime(inside) : 0.0};
-  }
-};
 
 TwistLoops::TwistLoops(const std::vector<double>& torques, const std::vector<double>& widths,
                        double fading)
@@ -86,78 +45,123 @@ TwistLoops::TwistLoops(const std::vector<double>& torques, const std::vector<dou
   }
   require(torques.front() < 0, "loops.torque", torques.front(), "N*m", "< 0 at the first point");
   require(torques.back() > 0, "loops.torque", torques.back(), "N*m", "> 0 at the last point");
-  width_ = std::make_unique<const Width>(
-      Width{.least = torques.front(),
-            .most = torques.back(),
-            .over_torque = Width::Pchip(std::vector(torques), std::vector(widths))});
+  torques_ = torques;
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  std::vector<double> nodes = torques;
+  std::vector<double> values = widths;
+  const boost::math::interpolators::pchip curve(std::move(nodes), std::move(values));
+  pieces_.push_back(
+      {.least = -kEndless, .most = torques.front(), .from = 0.0, .a = {widths.front()}});
+  for (std::size_t n = 0; n + 1 < torques.size(); ++n) {
+    const double h = torques[n + 1] - torques[n];
+    const double chord = (widths[n + 1] - widths[n]) / h;
+    const double first = curve.prime(torques[n]);
+    const double last = curve.prime(torques[n + 1]);
+    pieces_.push_back({.least = torques[n],
+                       .most = torques[n + 1],
+                       .from = torques[n],
+                       .a = {widths[n], first, (3 * chord - 2 * first - last) / h,
+                             (first + last - 2 * chord) / (h * h)}});
+  }
+  pieces_.push_back({.least = torques.back(), .most = kEndless, .from = 0.0, .a = {widths.back()}});
 }
 
-TwistLoops::~TwistLoops() = default;
-TwistLoops::TwistLoops(TwistLoops&&) noexcept = default;
-TwistLoops& TwistLoops::operator=(TwistLoops&&) noexcept = default;
-
-double TwistLoops::width(double torque) const { return width_->at(torque).value; }
+const TwistLoops::WidthPiece& TwistLoops::width_near(double torque) const {
+  const auto next = std::ranges::upper_bound(torques_, torque);
+  return pieces_[static_cast<std::size_t>(next - torques_.begin())];
+}
 
 double TwistLoops::bound(std::size_t element, double torque) const {
-  return threshold(element) / 2 * width(torque);
+  return threshold(element) / 2 * width(torque).value;
 }
 
-TwistLoops::At TwistLoops::at(const LoopMemory& memory, const Change& change) const {
-  const Fading left = fading_over(change.turn, fading_);
-  const Width::Value width = width_->at(change.torque);
-  const double slid = left.slide * change.slide;
+double TwistLoops::left_of(const Path& path) const {
+  return fading_ > 0 ? std::exp(-fading_ * path.turn) : 1.0;
+}
+
+TwistLoops::At TwistLoops::at(const LoopMemory& memory, const Path& path) const {
   At sum;
-  double free = 0.0;         // weight of the elements that keep their place
-  double free_memory = 0.0;  // their weighted memory
+  double play = 0.0;
   for (std::size_t k = 0; k < memory.play.size(); ++k) {
-    const double half = threshold(k) / 2;
-    const double bound = half * width.value;
-    const double kept = left.memory * memory.play[k] - slid;  // (MO-52, MO-53)
-    const bool between = std::abs(memory.play[k]) < half * memory.width * (1 - kEdge);
-    if (between) sum.margin = std::max(sum.margin, std::abs(kept) - bound);
-    double side = kept < 0 ? -1.0 : 1.0;
-    bool bounded = kept < -bound || kept > bound;
-    if (between && change.before_slip) {
-      bounded = false;
-    } else if (std::abs(std::abs(kept) - bound) <= kEdge * bound) {
-      sum.on_edge = true;
-      if (bound == 0) side = change.slide_rate > 0 ? -1.0 : 1.0;
-      // Outward faster than the bound itself.
-      const double outward =
-          -side * change.slide_rate - fading_ * change.turn_rate * std::abs(kept);
-      const double of_bound =
-          change.compliance > 0 ? half * width.slope * change.slide_rate / change.compliance : 0.0;
-      bounded = outward >= of_bound;
-    }
-    if (bounded) {
-      sum.twist += weight(k) * side * bound;
-      sum.compliance += weight(k) * side * half * width.slope;
-    } else {
-      sum.twist += weight(k) * kept;
-      free += weight(k);
-      free_memory += weight(k) * memory.play[k];
-    }
+    const double between = weight(k) * (1 - std::abs(memory.side[k]));
+    sum.free_weight += between;
+    play += between * memory.play[k];
+    sum.held += weight(k) * memory.side[k] * threshold(k) / 2;
   }
-  sum.by_slide = -left.slide * free;
-  sum.compliance += sum.by_slide * change.compliance;
-  sum.by_turn = left.memory_rate * free_memory - left.slide_rate * change.slide * free;
+  sum.free_twist = left_of(path) * play - sum.free_weight * path.slide;  // (MO-52, MO-53)
   return sum;
 }
 
-LoopMemory TwistLoops::after(const LoopMemory& memory, const Change& change,
+double TwistLoops::margin(const LoopMemory& memory, const Path& path, double torque) const {
+  const double left = left_of(path);
+  const double w = width(torque).value;
+  double largest = -w;
+  for (std::size_t k = 0; k < memory.play.size(); ++k) {
+    const double place = left * memory.play[k] - path.slide;  // (MO-53)
+    if (memory.side[k] == 0) largest = std::max(largest, std::abs(place) - threshold(k) / 2 * w);
+  }
+  return largest;
+}
+
+LoopMemory TwistLoops::after(const LoopMemory& memory, const Path& path, double torque,
                              double input_angle) const {
-  const Fading left = fading_over(change.turn, fading_);
-  LoopMemory made = relaxed(change.torque, input_angle);
+  const double left = left_of(path);
+  const double w = width(torque).value;
+  LoopMemory made{.torque = torque, .input_angle = input_angle, .play = {}, .side = memory.side};
   for (std::size_t k = 0; k < made.play.size(); ++k) {
-    const double bound = threshold(k) / 2 * made.width;
-    made.play[k] = std::clamp(left.memory * memory.play[k] - left.slide * change.slide, -bound,
-                              bound);  // (MO-52, MO-53)
+    const double bound = threshold(k) / 2 * w;
+    made.play[k] = made.side[k] != 0
+                       ? made.side[k] * bound
+                       : std::clamp(left * memory.play[k] - path.slide, -bound, bound);  // (MO-53)
   }
   return made;
 }
 
+double TwistLoops::outward(std::size_t element, double side, const Rates& rates,
+                           const Width& w) const {
+  return -side * rates.slide -
+         threshold(element) / 2 * (fading_ * rates.turn * w.value + w.slope * rates.torque);
+}
+
+double TwistLoops::hold_margin(const LoopMemory& memory, const Rates& rates, double torque) const {
+  const Width w = width(torque);
+  double least = 1.0;
+  for (std::size_t k = 0; k < memory.play.size(); ++k)
+    if (memory.side[k] != 0) least = std::min(least, outward(k, memory.side[k], rates, w));
+  return least;
+}
+
+bool TwistLoops::hold(LoopMemory& memory, const Rates& rates, double within,
+                      const std::optional<Step>& step) const {
+  const Width w = width(memory.torque);
+  const Width w_before = step ? width(step->torque) : Width{};
+  bool changed = false;
+  for (std::size_t k = 0; k < memory.play.size(); ++k) {
+    const double bound = threshold(k) / 2 * w.value;
+    double& play = memory.play[k];
+    double& side = memory.side[k];
+    if (side == 0 && std::abs(play) < bound - within) continue;
+    const double at = bound > 0 ? std::copysign(1.0, play) : -std::copysign(1.0, rates.torque);
+    const double outward_now = outward(k, at, rates, w);
+    const bool stays = outward_now >= 0;  // (MO-53)
+    double inward = 2 * within;
+    if (step && side != 0 && !stays) {
+      // It left the bound where the straight line between the rates passes zero.
+      const double before = outward(k, at, step->rates, w_before);
+      if (before > 0)
+        inward = std::max(inward,
+                          outward_now * outward_now * step->length / (2 * (before - outward_now)));
+    }
+    const double there = at * (stays ? bound : std::max(0.0, bound - inward));
+    changed = changed || stays != (side != 0) || there != play;
+    side = stays ? at : 0.0;
+    play = there;
+  }
+  return changed;
+}
+
 LoopMemory TwistLoops::relaxed(double torque, double input_angle) const {
-  return {.torque = torque, .width = width(torque), .input_angle = input_angle};
+  return {.torque = torque, .input_angle = input_angle};
 }
 
 }  // namespace strainwave

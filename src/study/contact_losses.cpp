@@ -142,9 +142,10 @@ DriveContacts drive_contacts(const GearSet& gear, const Progress& progress) {
   losses.memory_angle = passage / 2 / wave_turn(gear);
   made.loops =
       std::make_shared<const TwistLoops>(widths.torques, widths.widths, 1 / losses.memory_angle);
-  losses.width_at_rest = made.loops->width(0.0);
+  losses.width_at_rest = made.loops->width(0.0).value;
   const double at_output = rated / std::abs(step);
-  losses.width_at_rated = (made.loops->width(at_output) + made.loops->width(-at_output)) / 2;
+  losses.width_at_rated =
+      (made.loops->width(at_output).value + made.loops->width(-at_output).value) / 2;
   if (!gear.drivetrain->friction) made.friction = turning_friction(gear, drive, step, losses);
   progress.at(1.0);
   return made;

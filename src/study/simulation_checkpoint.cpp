@@ -43,9 +43,9 @@ void each_number(Checkpoint& at, const Number& number, const Size& size, const P
     present(m.loops);
     if (m.loops) {
       number(m.loops->torque);
-      number(m.loops->width);
       number(m.loops->input_angle);
       for (auto& value : m.loops->play) number(value);
+      for (auto& value : m.loops->side) number(value);
     }
     list(m.guards);
     list(m.fresh);

@@ -223,9 +223,10 @@ TEST(ContactLosses, IdentityOfTheMemoryAngle) {
   test::expect_relative(turned.losses.memory_angle, pi * teeth / curve.teeth / 2, 1e-12);
   const double step = 100.0 / 101;
   // The same points of the torque, apart from the end of the table.
-  test::expect_relative(turned.loops->width(40 / step) / step, made.loops->width(40), 2e-3);
+  test::expect_relative(turned.loops->width(40 / step).value / step, made.loops->width(40).value,
+                        2e-3);
   const SlidingCurve sliding = sliding_curve(AssembledDrive(gear), std::array{10.0, 40.0});
-  test::expect_relative(made.loops->width(-40.0), sliding.width[1].total(), 2e-3);
+  test::expect_relative(made.loops->width(-40.0).value, sliding.width[1].total(), 2e-3);
 }
 
 TEST(ContactLosses, BehaviourNotesAndEquations) {

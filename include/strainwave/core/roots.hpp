@@ -12,11 +12,11 @@ namespace strainwave {
 /// Root of a continuous function that changes sign on [lower, upper], accurate to rounding (TOMS
 /// 748).
 ///
+/// @param f_lower  value at `lower`; @param f_upper  value at `upper`
 /// @throws SolverError  if the function has the same sign, or is not a number, at both ends
 template <class Function>
-[[nodiscard]] double bracketed_root(const Function& f, double lower, double upper) {
-  const double f_lower = f(lower);
-  const double f_upper = f(upper);
+[[nodiscard]] double bracketed_root(const Function& f, double lower, double upper, double f_lower,
+                                    double f_upper) {
   if (std::isnan(f_lower) || std::isnan(f_upper))
     throw SolverError("the value of the function at an end of the bracket is not a number");
   if (f_lower == 0) return lower;
@@ -29,6 +29,41 @@ template <class Function>
   const auto [a, b] = boost::math::tools::toms748_solve(
       f, lower, upper, f_lower, f_upper, boost::math::tools::eps_tolerance<double>(52), steps);
   return (a + b) / 2;
+}
+template <class Function>
+[[nodiscard]] double bracketed_root(const Function& f, double lower, double upper) {
+  return bracketed_root(f, lower, upper, f(lower), f(upper));
+}
+
+/// Point behind a root of such a function, at which its value is not yet beyond `accuracy`
+/// (Illinois method).  It is the point at which the function was evaluated last.
+///
+/// @param f_lower   value at `lower`; @param f_upper  value at `upper`, of the other sign
+/// @param accuracy  of the value; > 0
+template <class Function>
+[[nodiscard]] double behind_root(const Function& f, double lower, double upper, double f_lower,
+                                 double f_upper, double accuracy) {
+  const double behind = std::copysign(accuracy, f_upper);
+  const double wanted = behind / 2;
+  double below = f_lower - wanted;
+  double above = f_upper - wanted;
+  double x = upper;
+  constexpr int kMostSteps = 100;
+  for (int n = 0; n < kMostSteps && lower < upper; ++n) {
+    x = lower + (upper - lower) * below / (below - above);
+    const double missing = f(x) - wanted;
+    if (std::abs(missing) <= accuracy / 2) break;
+    if (missing * below > 0) {
+      lower = x;
+      below = missing;
+      above /= 2;
+    } else {
+      upper = x;
+      above = missing;
+      below /= 2;
+    }
+  }
+  return x;
 }
 
 }  // namespace strainwave

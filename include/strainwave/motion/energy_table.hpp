@@ -80,15 +80,21 @@ class EnergyTable {
     /// Twist without torque [rad].
     [[nodiscard]] double rest() const { return at_torque(0.0).twist; }
 
-   private:
-    friend class EnergyTable;
     /// W = sum_j a[j] t^j above the torque `from`, and its derivative by the input's angle.
     struct Piece {
-      double from = 0.0;
+      double from = 0.0;   ///< [N*m]
+      double least = 0.0;  ///< torque from which on it holds [N*m]
+      double most = 0.0;   ///< torque below which it holds [N*m]
       std::array<double, 5> a{};
       std::array<double, 5> by_input{};
       [[nodiscard]] At at(double torque) const;
+      [[nodiscard]] bool contains(double torque) const { return torque >= least && torque < most; }
     };
+    /// The piece that contains a torque, for a method that asks many torques near each other.
+    [[nodiscard]] Piece piece_at(double torque, double in_series = 0.0) const;
+
+   private:
+    friend class EnergyTable;
     [[nodiscard]] Piece piece(std::size_t interval, double in_series) const;
     [[nodiscard]] double twist_at_node(std::size_t node, double in_series) const;
 

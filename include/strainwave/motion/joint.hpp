@@ -80,6 +80,7 @@ struct JointState {
   std::optional<SlipState> slip = {};
   /// of the friction in the contacts; absent: the twist is that without friction
   std::optional<LoopMemory> loops = {};
+  double slide = 0.0;         ///< S of the contacts since then (MO-53) [rad]
   double bristle = 0.0;       ///< u of the input's friction [rad]
   double load_bristle = 0.0;  ///< u of the output's friction [rad]
   double servo = 0.0;         ///< q, integral of the controller's error [rad]
@@ -87,20 +88,24 @@ struct JointState {
   double held_torque = 0.0;
 };
 
+/// Friction in the contacts at one time.
+struct ContactForces {
+  double twist = 0.0;           ///< h, a part of phi [rad]
+  double torque_rate = 0.0;     ///< of T_el [N*m/s]
+  double slide_rate = 0.0;      ///< at which it slides the contacts [rad/s]
+  double remaining_rate = 0.0;  ///< of S (MO-53) [rad/s]
+};
+
 /// Torques of a joint at one time.
 struct JointForces {
-  double twist = 0.0;           ///< phi = theta_m/ratio + theta_k - theta_L [rad]
-  double twist_rate = 0.0;      ///< [rad/s]
-  double elastic_torque = 0.0;  ///< T_el of the spring or of the table [N*m]
-  /// rate of T_el [N*m/s]; absent without loops of the contacts
-  std::optional<double> elastic_torque_rate = {};
-  /// largest |q_k| over its bound of the play elements that are between their bounds [rad];
-  /// likewise
-  std::optional<double> contact_margin = {};
-  double torque = 0.0;         ///< T_el + c phi' + z, on the output [N*m]
-  double output_torque = 0.0;  ///< T_ext on the output, given or needed [N*m]
-  double input_torque = 0.0;   ///< torque that drives the input [N*m]
-  double reaction = 0.0;       ///< torque of the drive on the input, with its cracks [N*m]
+  double twist = 0.0;                          ///< phi = theta_m/ratio + theta_k - theta_L [rad]
+  double twist_rate = 0.0;                     ///< [rad/s]
+  double elastic_torque = 0.0;                 ///< T_el of the spring or of the table [N*m]
+  std::optional<ContactForces> contacts = {};  ///< absent: the joint has no loops
+  double torque = 0.0;                         ///< T_el + c phi' + z, on the output [N*m]
+  double output_torque = 0.0;                  ///< T_ext on the output, given or needed [N*m]
+  double input_torque = 0.0;                   ///< torque that drives the input [N*m]
+  double reaction = 0.0;  ///< torque of the drive on the input, with its cracks [N*m]
 };
 
 /// Rates of change of a state, with the torques and powers behind them.
@@ -109,6 +114,7 @@ struct JointRate {
   double input_acceleration = 0.0;   ///< [rad/s^2]
   double output_acceleration = 0.0;  ///< [rad/s^2]
   double hysteresis = 0.0;           ///< dz/dt [N*m/s]
+  double slide = 0.0;                ///< dS/dt of the contacts [rad/s]
   double bristle = 0.0;              ///< du/dt of the input's friction [rad/s]
   double load_bristle = 0.0;         ///< du/dt of the output's friction [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]
@@ -138,13 +144,24 @@ struct ServoTorque {
 /// The state behind a sample of the controller: its integral and its torque are new.
 [[nodiscard]] JointState after_sample(const ServoDrive& drive, double time, JointState state);
 
+/// Largest |q_k| less its bound of the play elements between their bounds [rad]; (MO-52).
+/// @param joint  with loops; @param state  with a memory of them
+/// @param forces  of this state
+[[nodiscard]] double contact_margin(const Joint& joint, const JointState& state,
+                                    const JointForces& forces);
+/// How the contacts go on.
+/// @param forces  of a state with loops; @param input_speed  of this state [rad/s]
+[[nodiscard]] TwistLoops::Rates contact_rates(const JointForces& forces, double input_speed);
+/// By how much the slowest of the elements at their bound is pushed outward faster than this bound
+/// moves [rad/s]; likewise.
+[[nodiscard]] double contact_hold(const Joint& joint, const JointState& state,
+                                  const JointForces& forces);
+
 /// What the contacts remember of a state: of the path on which its own memory was taken and from
 /// there on, or, without a memory, that there is no friction yet.
-/// @param joint  with loops
-/// @param time   of the cracks that grow [s]
-[[nodiscard]] LoopMemory loops_after(const Joint& joint, const JointState& state,
-                                     double time = 0.0);
-
+/// @param joint   with loops
+/// @param torque  T_el of the state [N*m]
+[[nodiscard]] LoopMemory loops_after(const Joint& joint, const JointState& state, double torque);
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
 /// @param time  of the cracks that grow [s]
 [[nodiscard]] double stored_energy(const Joint& joint, const JointState& state, double time = 0.0);

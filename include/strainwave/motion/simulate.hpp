@@ -46,13 +46,14 @@ enum class MotionEvent {
   output_reversal,  ///< the output begins to turn backward or forward, on which its friction
                     ///< depends
   voltage_limit,    ///< the controller of the motor meets or leaves the line of its voltage
+  contact_release,  ///< a play element of the contacts leaves its bound, because its twist fades
 };
 template <>
 struct EnumNames<MotionEvent> {
-  static constexpr std::array<std::string_view, 11> names = {
+  static constexpr std::array<std::string_view, 12> names = {
       "spring_corner", "torque_sense",    "twist_reversal", "speed_reversal",
       "torque_limit",  "load_sense",      "element_slip",   "torque_reversal",
-      "contact_slip",  "output_reversal", "voltage_limit"};
+      "contact_slip",  "output_reversal", "voltage_limit",  "contact_release"};
 };
 
 /// Time of an event.
@@ -100,10 +101,10 @@ using SampleSink = std::function<void(const MotionSample&)>;
 struct MotionCheckpoint {
   double time = 0.0;  ///< [s]
   /// theta_m [rad], its speed [rad/s], wind-up theta_m/ratio - theta_L [rad], speed of the output
-  /// [rad/s], z [N*m], u of input and output [rad], q [rad], held torque [N*m], supplied, lost and
+  /// [rad/s], z [N*m], S, u of input and output, q [rad], held torque [N*m], supplied, lost and
   /// released energy [J]
-  std::array<double, 12> state = {};
-  std::array<double, 12> slope = {};  ///< of the state, per second
+  std::array<double, 13> state = {};
+  std::array<double, 13> slope = {};  ///< of the state, per second
   double step = 0.0;                  ///< length of the next trial [s]
   double segment_end = 0.0;           ///< next point of a profile or sample of a controller [s]
   std::uint64_t next_corner = 0;      ///< points of the profiles before the end of the segment [-]

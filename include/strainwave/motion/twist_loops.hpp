@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <vector>
 
 /// @file
@@ -17,10 +17,11 @@ struct LoopMemory {
   static constexpr std::size_t kElements = 16;
 
   double torque = 0.0;       ///< elastic torque at which the memory was taken [N*m]
-  double width = 0.0;        ///< w there [rad]
   double input_angle = 0.0;  ///< theta_m there [rad]
   /// q_k, twist of each element beyond that without friction [rad]
   std::array<double, kElements> play{};
+  /// +1 or -1: the element stays at this bound; 0: it moves between its bounds
+  std::array<double, kElements> side{};
 
   friend bool operator==(const LoopMemory&, const LoopMemory&) = default;
 };
@@ -39,54 +40,89 @@ class TwistLoops {
   ///                 >= 0; 0: pairs of teeth stay in the mesh
   /// @throws InputError  if a number is out of range
   TwistLoops(const std::vector<double>& torques, const std::vector<double>& widths, double fading);
-  ~TwistLoops();
-  TwistLoops(TwistLoops&&) noexcept;
-  TwistLoops& operator=(TwistLoops&&) noexcept;
-  TwistLoops(const TwistLoops&) = delete;
-  TwistLoops& operator=(const TwistLoops&) = delete;
 
-  /// Distance of the envelopes [rad]; beyond the last torques it is constant.
-  [[nodiscard]] double width(double torque) const;
+  /// Distance of the envelopes.
+  struct Width {
+    double value = 0.0;  ///< w [rad]; beyond the last torques it is constant
+    double slope = 0.0;  ///< dw/dT [rad/(N*m)]
+  };
+  [[nodiscard]] Width width(double torque) const { return width_near(torque).at(torque); }
+  /// The width over a range of the torque, for a method that asks many torques near each other.
+  struct WidthPiece {
+    double least = 0.0;         ///< torque from which on it holds [N*m]
+    double most = 0.0;          ///< torque below which it holds [N*m]
+    double from = 0.0;          ///< [N*m]
+    std::array<double, 4> a{};  ///< w = sum_j a[j] (T - from)^j
+    [[nodiscard]] Width at(double torque) const {
+      const double t = torque - from;
+      return {.value = a[0] + t * (a[1] + t * (a[2] + t * a[3])),
+              .slope = a[1] + t * (2 * a[2] + t * 3 * a[3])};
+    }
+    [[nodiscard]] bool contains(double torque) const { return torque >= least && torque < most; }
+  };
+  [[nodiscard]] const WidthPiece& width_near(double torque) const;
   [[nodiscard]] double fading() const { return fading_; }
   /// Largest |q_k| of an element at a torque [rad].
   [[nodiscard]] double bound(std::size_t element, double torque) const;
 
-  /// A change of the state since a memory was taken, in which the torque goes to one side only and
-  /// the input too.
-  struct Change {
-    double torque = 0.0;      ///< T at its end [N*m]
-    double slide = 0.0;       ///< psi(T) - psi(T_0), change of the spring's twist [rad]
-    double compliance = 0.0;  ///< d psi/dT at its end [rad/(N*m)]
-    double turn = 0.0;        ///< |theta_m - theta_m0| [rad]
-    /// rates at its end, which say whether an element at its bound stays there
-    double slide_rate = 0.0;  ///< of the slide [rad/s]
-    double turn_rate = 0.0;   ///< |w_m| [rad/s]
-    /// whether the change ends before an element between its bounds meets one: within a step of a
-    /// motion, whose rates are then smooth
-    bool before_slip = false;
+  /// What happened since a memory was taken.
+  struct Path {
+    double slide = 0.0;  ///< S, what is left of the change of the spring's twist (MO-53) [rad]
+    double turn = 0.0;   ///< |theta_m - theta_m0| [rad]
   };
-  /// The twist of the loops and its derivatives.
+  /// The twist h = free_twist + held w(T) of the loops while no element meets or leaves a bound.
   struct At {
-    double twist = 0.0;       ///< h, mean of q_k [rad]
-    double compliance = 0.0;  ///< dh/dT, with the slide that belongs to it [rad/(N*m)]
-    double by_slide = 0.0;    ///< dh/d slide at constant torque [-]
-    double by_turn = 0.0;     ///< dh/d turn at constant torque [-]
-    /// largest |q_k| over its bound of the elements that were between their bounds [rad]
-    double margin = -1.0;
-    bool on_edge = false;  ///< whether an element is just at its bound, where the rates decide
+    double free_weight = 0.0;  ///< of the elements between their bounds: -dh/dS [-]
+    double free_twist = 0.0;   ///< their part of h, which fades [rad]
+    double held = 0.0;         ///< part of the elements that stay at a bound, over w [-]
+    [[nodiscard]] double twist(const Width& w) const { return free_twist + held * w.value; }
   };
-  [[nodiscard]] At at(const LoopMemory& memory, const Change& change) const;
-  /// The memory after a change (MO-52).
-  /// @param input_angle  theta_m [rad]
-  [[nodiscard]] LoopMemory after(const LoopMemory& memory, const Change& change,
+  [[nodiscard]] At at(const LoopMemory& memory, const Path& path) const;
+  /// Largest |q_k| less its bound of the elements that move between their bounds [rad]; -w if
+  /// there is none.
+  [[nodiscard]] double margin(const LoopMemory& memory, const Path& path, double torque) const;
+
+  /// The memory after a path.
+  /// @param torque  T at the end [N*m]; @param input_angle  theta_m there [rad]
+  [[nodiscard]] LoopMemory after(const LoopMemory& memory, const Path& path, double torque,
                                  double input_angle) const;
+  /// How a state goes on.
+  struct Rates {
+    double torque = 0.0;  ///< dT/dt [N*m/s]; its sign counts even if it is tiny
+    double slide = 0.0;   ///< d psi/dT times dT/dt [rad/s]
+    double turn = 0.0;    ///< |w_m| [rad/s]
+  };
+  /// By how much an element at a bound would move outward faster than this bound; the least of all
+  /// that stay there [rad/s]; 1 if there is none.
+  /// @param torque  T [N*m]
+  [[nodiscard]] double hold_margin(const LoopMemory& memory, const Rates& rates,
+                                   double torque) const;
+  /// The step that led to a memory.
+  struct Step {
+    double torque = 0.0;  ///< T at its beginning [N*m]
+    Rates rates;          ///< there
+    double length = 0.0;  ///< [s]
+  };
+  /// Decides which elements within a distance of their bound stay there, and moves the others out
+  /// of this distance.
+  /// @param within  [rad]; > 0
+  /// @param step    in which elements may have left their bound already; absent: none did
+  /// @return whether an element changed
+  [[nodiscard]] bool hold(LoopMemory& memory, const Rates& rates, double within,
+                          const std::optional<Step>& step) const;
   /// The memory of contacts that have no friction yet.
   /// @param torque  T [N*m]; @param input_angle  theta_m [rad]
   [[nodiscard]] LoopMemory relaxed(double torque, double input_angle) const;
 
  private:
-  struct Width;
-  std::unique_ptr<const Width> width_;
+  /// Share of the memory that has not faded [-].
+  [[nodiscard]] double left_of(const Path& path) const;
+  /// By how much an element at a bound would move outward faster than this bound [rad/s].
+  [[nodiscard]] double outward(std::size_t element, double side, const Rates& rates,
+                               const Width& w) const;
+
+  std::vector<double> torques_;
+  std::vector<WidthPiece> pieces_;  ///< the first and the last are constant
   double fading_ = 0.0;
 };
 
