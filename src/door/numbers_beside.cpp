@@ -25,8 +25,12 @@ std::string numbers_beside(const GearSet& gear) {
     for (const auto& K : table->K) beside += fmt::format(" {:a} {:a} {:a}", K[0], K[1], K[2]);
   }
   if (const auto& table = gear.error_table) {
-    beside += fmt::format("{:a}", table->turns);
+    beside += fmt::format("error_table {:a}", table->turns);
     for (const double value : table->values) beside += fmt::format(" {:a}", value);
+    // The phases tell tables apart that begin at different angles.
+    for (const ErrorOrder& line : table->lines.orders)
+      beside += fmt::format(" {:a} {:a} {:a}", line.order, line.amplitude, line.phase);
+    beside += '\n';
   }
   if (const auto& record = gear.duty_record)
     for (const DutyRow& row : record->rows)

@@ -59,7 +59,8 @@ std::optional<Deviations> measured_teeth(const Request& request, const ToothFile
   if (files.flexspline_teeth)
     measured.flexspline = teeth_of(request, "flexspline_teeth", *files.flexspline_teeth, teeth);
   if (files.spline_teeth)
-    measured.spline = teeth_of(request, "spline_teeth", *files.spline_teeth, teeth + 2);
+    measured.spline = teeth_of(request, "spline_teeth", *files.spline_teeth,
+                               teeth + request.drive.gear.drive.wave_number);
   return measured;
 }
 

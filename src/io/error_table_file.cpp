@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -32,9 +33,11 @@ ErrorTable read_error_table(HistoryFile& file) {
   const std::size_t n = angle.size();
   if (n < kMinErrorRows || n > kMaxErrorRows)
     throw InputError(TextPlace{.file = file.name()},
-                     fmt::format("has {} rows; give {} to {}",
-                                 n > kMaxErrorRows ? "too many" : fmt::format("{}", n),
-                                 kMinErrorRows, kMaxErrorRows));
+                     n > kMaxErrorRows
+                         ? fmt::format("has more than {} rows; give {} to {}", kMaxErrorRows,
+                                       kMinErrorRows, kMaxErrorRows)
+                         : fmt::format("has {} {}; give {} to {} rows", n, n == 1 ? "row" : "rows",
+                                       kMinErrorRows, kMaxErrorRows));
   const double step = (angle.back() - angle.front()) / static_cast<double>(n - 1);
   for (std::size_t r = 1; r < n; ++r) {
     if (!(angle[r] > angle[r - 1]))
@@ -50,11 +53,23 @@ ErrorTable read_error_table(HistoryFile& file) {
                 fmt::format("the first error, {:g}, because the last row is the first one a period "
                             "later",
                             error.front()));
+  // The mean only turns the output, so the zero of the measurement does not matter.
+  const double mean =
+      std::accumulate(error.begin(), error.end() - 1, 0.0) / static_cast<double>(n - 1);
   for (std::size_t r = 0; r < n; ++r)
-    if (!(std::abs(error[r]) * to_error < kLargestError))
-      file.refuse(r, wanted[1], error[r], "> -0.5 deg and < 0.5 deg");
+    if (!(std::abs(error[r] - mean) * to_error < kLargestError))
+      file.refuse(r, wanted[1], error[r],
+                  fmt::format("less than 0.5 deg from the mean of the errors, {:g}", mean));
   ErrorTable table;
   table.turns = step * to_angle * static_cast<double>(n - 1) / (2 * std::numbers::pi);
+  if (const double whole = std::round(table.turns);
+      whole > 0 && std::abs(table.turns - whole) <= kEvenAngles * whole / static_cast<double>(n))
+    table.turns = whole;
+  if (table.turns * kLargestOrder < 1)
+    file.refuse(n - 1, wanted[0], angle.back(),
+                fmt::format("an angle at least 1/{:g} of a turn above the first one, {:g}, because "
+                            "orders above {:g} are left out; check the unit of the column",
+                            kLargestOrder, angle.front(), kLargestOrder));
   for (std::size_t r = 0; r + 1 < n; ++r) table.values.push_back(error[r] * to_error);
   table.lines = error_lines(table.values, table.turns);
   // The first row stands at any angle.

@@ -24,6 +24,7 @@ struct ElasticState {
   double on_input = 0.0;   ///< -dV/d theta_m at constant twist [N*m]
   double on_output = 0.0;  ///< -dV/d theta_L at constant twist [N*m]
   double released = 0.0;   ///< -dV/dt at constant twist and angles [W]
+  double shift_arm = 0.0;  ///< d psi/d theta_m at constant torque [-]
   std::optional<ContactForces> contacts = {};
 };
 
@@ -166,6 +167,7 @@ ElasticState elastic_state(const Joint& joint, const JointState& x, double time)
   const double T = state.torque;
   at.torque = T;
   at.energy = T * at.twist - state.energy;  // (MO-25, MO-52)
+  at.shift_arm = state.twist_by_input;
   // A crack that opens with an angle pushes the shaft of this angle.
   at.on_input = state.by_input + T * T / 2 * open.by_input;  // (MO-11, MO-25)
   at.on_output = T * T / 2 * open.by_output;                 // (MO-11)
@@ -261,13 +263,13 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   JointForces& f = rate.forces;
   f.twist = at.twist;
   f.twist_rate = at.input_arm * x.input_speed - x.output_speed;
+  rate.shift = at.shift_arm * x.input_speed;
+  f.parallel_twist = at.twist - x.shift;
+  f.parallel_rate = f.twist_rate - rate.shift;
   f.elastic_torque = T;
-  f.torque = T + joint.damping * f.twist_rate;
   const double loop = joint.hysteresis ? x.hysteresis : 0.0;
-  if (joint.hysteresis) {
-    f.torque += loop;
-    rate.hysteresis = joint.hysteresis->rate(x.hysteresis, f.twist_rate);
-  }
+  double parallel = joint.damping * f.parallel_rate + loop;
+  if (joint.hysteresis) rate.hysteresis = joint.hysteresis->rate(x.hysteresis, f.parallel_rate);
   double contacts_lost = 0.0;
   if (at.contacts) {
     f.contacts = at.contacts;
@@ -276,10 +278,11 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   }
   double slip_lost = 0.0;
   if (!joint.slip_elements.empty() && x.slip) {
-    f.torque += slip_torque(joint.slip_elements, *x.slip, at.twist);  // (MO-44)
-    slip_lost = slip_loss(joint.slip_elements, *x.slip, at.twist, f.twist_rate);
+    parallel += slip_torque(joint.slip_elements, *x.slip, f.parallel_twist);  // (MO-44)
+    slip_lost = slip_loss(joint.slip_elements, *x.slip, f.parallel_twist, f.parallel_rate);
   }
-  f.reaction = -at.input_arm * f.torque + at.on_input;  // (MO-11)
+  f.torque = T + parallel;
+  f.reaction = -at.input_arm * f.torque + at.shift_arm * parallel + at.on_input;  // (MO-11)
   const double friction = friction_torque(joint, x, f.torque, rate.bristle);
   const InputAt input = input_at(joint, time, x, f.reaction, friction);
   rate.servo = input.servo;
@@ -296,8 +299,9 @@ JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   }
   rate.supplied = input.torque * x.input_speed + f.output_torque * x.output_speed;  // (MO-12)
   rate.released = at.released;
-  rate.lost = (joint.damping * f.twist_rate + loop) * f.twist_rate + slip_lost + contacts_lost +
-              friction * x.input_speed + against * x.output_speed + rate.released;  // (MO-12)
+  rate.lost = (joint.damping * f.parallel_rate + loop) * f.parallel_rate + slip_lost +
+              contacts_lost + friction * x.input_speed + against * x.output_speed +
+              rate.released;  // (MO-12)
   return rate;
 }
 
@@ -326,7 +330,8 @@ double stored_energy(const Joint& joint, const JointState& x, double time) {
   const double height = joint.gravity_torque * (1 - std::cos(x.output_angle - joint.gravity_angle));
   return joint.input_inertia * x.input_speed * x.input_speed / 2 +
          joint.output_inertia * x.output_speed * x.output_speed / 2 + at.energy +
-         (x.slip ? slip_energy(joint.slip_elements, *x.slip, at.twist) : 0.0) + height;  // (MO-12)
+         (x.slip ? slip_energy(joint.slip_elements, *x.slip, at.twist - x.shift) : 0.0) +
+         height;  // (MO-12)
 }
 
 std::vector<double> corner_times(const Joint& joint, double duration) {
@@ -400,8 +405,9 @@ void require_constants(const Joint& joint) {
     const FieldPath at("output_friction");
     require_constants(*joint.output_friction, at);
     if (joint.output_friction->by_load())
-      throw InputError((at / "load_coulomb").text(),
-                       "and load_breakaway belong to input_friction; leave them out");
+      throw InputError(at.text(),
+                       "has load_coulomb or load_breakaway, which only input_friction may have; "
+                       "leave them out");
   }
   require_constants(joint.kinematic_error);
   require_constants(joint.cracks);

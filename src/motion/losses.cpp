@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "strainwave/core/error.hpp"
 
@@ -74,6 +75,14 @@ double slip_loss(const std::vector<SlipElement>& elements, const SlipState& stat
       sum += torque * twist_rate;  // (MO-45)
   }
   return sum;
+}
+
+double LuGre::largest_passive_damping() const {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const double more = load_breakaway.value_or(load_coulomb) - load_coulomb;
+  double drop = breakaway / coulomb - 1;
+  if (more > 0) drop = load_coulomb > 0 ? std::max(drop, more / load_coulomb) : kAny;
+  return drop > 0 ? viscous_when_warm() / drop : kAny;  // (MO-10)
 }
 
 double LuGre::sliding(double speed, double load) const {

@@ -26,6 +26,7 @@ enum Entry : std::size_t {
   kOutputSpeed,
   kHysteresis,
   kSlide,
+  kShift,
   kBristle,
   kLoadBristle,
   kServo,
@@ -63,6 +64,7 @@ JointState joint_state(const Joint& joint, const State& x, const std::optional<S
           .slip = slip,
           .loops = loops,
           .slide = x[kSlide],
+          .shift = x[kShift],
           .bristle = x[kBristle],
           .load_bristle = x[kLoadBristle],
           .servo = x[kServo],
@@ -77,6 +79,7 @@ State packed(const Joint& joint, const JointState& s) {
   x[kOutputSpeed] = s.output_speed;
   x[kHysteresis] = s.hysteresis;
   x[kSlide] = s.slide;
+  x[kShift] = s.shift;
   x[kBristle] = s.bristle;
   x[kLoadBristle] = s.load_bristle;
   x[kServo] = s.servo;
@@ -115,7 +118,7 @@ class MotionRun::Steps {
         to_angle_[kServo] =
             std::max(1 / i, drive->servo.speed_gain / *drive->servo.integral_time * i / K);
     }
-    to_angle_[kSlide] = 1.0;
+    to_angle_[kSlide] = to_angle_[kShift] = 1.0;
     // If both ends move as given, only the energy has an error.  The contacts lose energy in jumps.
     if (joint_.loops || (joint_.output_speed && std::holds_alternative<GivenSpeed>(joint_.input)))
       to_angle_[kSupplied] = to_angle_[kLost] = 1 / (K * kUsualTwist);
@@ -140,7 +143,8 @@ class MotionRun::Steps {
       at_.state[kInputSpeed] = given->speed.at(0.0);
     if (joint_.output_speed) at_.state[kOutputSpeed] = joint_.output_speed->at(0.0);
     if (!joint_.slip_elements.empty())
-      at_.slip = start.slip ? *start.slip : relaxed(joint_.slip_elements, twist_of(0.0, at_.state));
+      at_.slip =
+          start.slip ? *start.slip : relaxed(joint_.slip_elements, parallel_twist(0.0, at_.state));
     if (joint_.loops) {
       at_.loops = start.loops;
       (void)rate(0.0, at_.state);
@@ -260,7 +264,7 @@ class MotionRun::Steps {
         case MotionEvent::torque_sense:
           return forces.elastic_torque;
         case MotionEvent::twist_reversal:
-          return forces.twist_rate;
+          return forces.parallel_rate;
         case MotionEvent::speed_reversal:
           return state.input_speed;
         case MotionEvent::output_reversal:
@@ -279,7 +283,7 @@ class MotionRun::Steps {
           return contact_hold(*joint_, state, forces);
         case MotionEvent::element_slip: {
           const std::size_t j = n - first_element_;
-          const double change = forces.twist - state.slip->twist;
+          const double change = forces.parallel_twist - state.slip->twist;
           return std::abs(state.slip->torque[j] + (*elements_)[j].stiffness * change) -
                  (*elements_)[j].limit;
         }
@@ -330,8 +334,8 @@ class MotionRun::Steps {
   [[nodiscard]] JointState unpacked(const State& x) const {
     return joint_state(joint_, x, at_.slip, at_.loops);
   }
-  [[nodiscard]] double twist_of(double t, const State& x) const {
-    return joint_rate(joint_, inside(t), unpacked(x)).forces.twist;
+  [[nodiscard]] double parallel_twist(double t, const State& x) const {
+    return joint_rate(joint_, inside(t), unpacked(x)).forces.parallel_twist;
   }
 
   struct StepEnd {
@@ -416,7 +420,7 @@ class MotionRun::Steps {
     at_.slope = trial_->slope;
     at_.guards.swap(guards_at_end_);
     if (at_.slip) {
-      at_.slip = slip_after(joint_.slip_elements, *at_.slip, trial_->forces.twist);
+      at_.slip = slip_after(joint_.slip_elements, *at_.slip, trial_->forces.parallel_twist);
       if (event_) guards_.begin_slip(*event_, *at_.slip);
       guards_.restart(at_.guards, *at_.slip);
       at_.slope = rate(at_.time, at_.state);
@@ -496,6 +500,7 @@ class MotionRun::Steps {
     dx[kOutputSpeed] = r.output_acceleration;
     dx[kHysteresis] = r.hysteresis;
     dx[kSlide] = r.slide;
+    dx[kShift] = r.shift;
     dx[kBristle] = r.bristle;
     dx[kLoadBristle] = r.load_bristle;
     dx[kServo] = r.servo;
@@ -721,6 +726,8 @@ void require_start(const Joint& joint, const JointState& start) {
   if (joint.loops && start.loops) require_memory(*joint.loops, *start.loops);
   finite("bristle", start.bristle, "rad");
   finite("load_bristle", start.load_bristle, "rad");
+  finite("slide", start.slide, "rad");
+  finite("shift", start.shift, "rad");
   finite("servo", start.servo, "rad");
   finite("held_torque", start.held_torque, "N*m");
 }

@@ -26,6 +26,7 @@ enum Entry : std::size_t {
   kLag,  // theta_m/ratio - theta_L, which keeps its digits after many turns
   kLoadSpeed,
   kLoop,
+  kTurnedTwist,
   kDeflection,
   kLoadDeflection,
   kIntegral,
@@ -81,7 +82,7 @@ std::vector<double> tolerances(const Joint& joint, double angle) {
   made[kLoadSpeed] = omega * angle;
   made[kLoop] = K * angle;
   made[kDeflection] = made[kIntegral] = i * angle;
-  made[kLoadDeflection] = angle;
+  made[kLoadDeflection] = made[kTurnedTwist] = angle;
   made[kWork] = made[kLoss] = K * kSmallTwist * angle;
   const auto by_torque = [&](Entry entry, double slope) {  // of the motor's torque
     made[entry] = std::min(made[entry], K * angle / (i * slope));
@@ -153,6 +154,7 @@ class StiffRun::Steps {
     x_[kLag] = start.input_angle / joint_.ratio - start.output_angle;
     x_[kLoadSpeed] = joint_.output_speed ? joint_.output_speed->at(0.0) : start.output_speed;
     x_[kLoop] = start.hysteresis;
+    x_[kTurnedTwist] = start.shift;
     x_[kDeflection] = start.bristle;
     x_[kLoadDeflection] = start.load_bristle;
     x_[kIntegral] = start.servo;
@@ -211,6 +213,7 @@ class StiffRun::Steps {
             .output_angle = x[kMotorAngle] / joint_.ratio - x[kLag],
             .output_speed = x[kLoadSpeed],
             .hysteresis = x[kLoop],
+            .shift = x[kTurnedTwist],
             .bristle = x[kDeflection],
             .load_bristle = x[kLoadDeflection],
             .servo = x[kIntegral],
@@ -231,6 +234,7 @@ class StiffRun::Steps {
     dx[kLag] = x[kMotorSpeed] / joint_.ratio - x[kLoadSpeed];
     dx[kLoadSpeed] = at.output_acceleration;
     dx[kLoop] = at.hysteresis;
+    dx[kTurnedTwist] = at.shift;
     dx[kDeflection] = at.bristle;
     dx[kLoadDeflection] = at.load_bristle;
     dx[kIntegral] = at.servo;
@@ -248,7 +252,7 @@ class StiffRun::Steps {
         case MotionEvent::torque_sense:
           return at.elastic_torque;
         case MotionEvent::twist_reversal:
-          return at.twist_rate;
+          return at.parallel_rate;
         case MotionEvent::speed_reversal:
           return state.input_speed;
         case MotionEvent::output_reversal:
@@ -262,6 +266,7 @@ class StiffRun::Steps {
         case MotionEvent::element_slip:
         case MotionEvent::torque_reversal:
         case MotionEvent::contact_slip:
+        case MotionEvent::contact_release:
           break;  // of memories that this engine refuses
       }
       return 1.0;

@@ -348,14 +348,15 @@ void note_budget(const GearSet& gear, AccuracyReport& report) {
          path, "DY-16", Severity::information,
          "Run strainwave simulate for a motion with " + path + "."});
   }
-  if (gear.drivetrain->load_friction)
+  if (gear.drivetrain->load_friction && (!gear.rating || gear.rating->friction_torque == 0))
     report.notes.push_back(
         {"accuracy.no_load_friction",
          "drivetrain.load_friction is left out; a load that sticks may hold the drive wound up by "
          "this torque",
          "drivetrain.load_friction", "DY-16", Severity::care,
-         "Give the torque as rating.friction_torque, which the hysteresis of the budget "
-         "contains."});
+         "Give the torque as rating.friction_torque for the budget, which contains it as "
+         "hysteresis; a motion takes drivetrain.load_friction, so leave rating.friction_torque out "
+         "there."});
   if (gear.drivetrain->servo)
     report.notes.push_back({"accuracy.no_servo",
                             "the controller is left out, so its lag is not in the budget",

@@ -156,12 +156,13 @@ Note cage_note() {
           .severity = Severity::information};
 }
 
-Note teeth_note(double range) {
+/// @param torque  at which the range was taken [N*m]
+Note teeth_note(double range, double torque) {
   return {.code = "motion.teeth",
           .text = fmt::format(
-              "the deviations of the teeth turn the output by {} from peak to valley at the rated "
-              "torque; what passes within one tooth and deviating balls are left out",
-              shown_quantity(range, "rad", 3)),
+              "the deviations of the teeth turn the output by {} arcmin from peak to valley at {}; "
+              "what passes within one tooth and deviating balls are left out",
+              shown_number(range / units::arcmin, 3), shown_quantity(torque, "N*m", 3)),
           .path = "drivetrain.spring",
           .equation = "MO-58",
           .severity = Severity::information,
@@ -224,7 +225,9 @@ DriveJoint drive_joint(const GearSet& gear, const Progress& progress,
     made.sound_table = std::move(curve.sound);
     made.table = curve.table;
     made.notes.push_back(cage_note());
-    if (curve.table.teeth_range) made.notes.push_back(teeth_note(*curve.table.teeth_range));
+    if (curve.table.teeth_range)
+      made.notes.push_back(teeth_note(
+          *curve.table.teeth_range, std::min(makers_torques(gear).rated, curve.table.most_torque)));
     if (curve.table.rms_share.value_or(0.0) > kLargestShare)
       made.notes.push_back(table_note(curve.table));
   } else if (coupled) {

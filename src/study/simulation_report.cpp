@@ -442,6 +442,52 @@ void note_no_load_speed(const GearSet& gear, std::vector<Note>& notes) {
   }
 }
 
+/// Says that the motor cannot bear the load with which the motion begins.
+void note_too_weak(const Joint& joint, std::vector<Note>& notes) {
+  const auto* const drive = std::get_if<ServoDrive>(&joint.input);
+  if (drive == nullptr) return;
+  Joint held = joint;
+  hold(held, equilibrium(joint));
+  const double needed = std::abs(std::get<ServoDrive>(held.input).holding_torque);
+  for (const auto& [name, limit] : {std::pair{"torque_limit", drive->servo.torque_limit},
+                                    std::pair{"stall_torque", drive->servo.stall_torque}}) {
+    if (!limit || needed <= *limit) continue;
+    notes.push_back(
+        {.code = "motion.weak_motor",
+         .text = fmt::format("the load needs {} of the motor at the start, but the "
+                             "motor has {}, so the load drives it from there",
+                             shown_quantity(needed, "N*m", 4), shown_quantity(*limit, "N*m", 4)),
+         .path = std::string("drivetrain.servo.") + name,
+         .equation = "MO-57",
+         .severity = Severity::care,
+         .next_step = std::string("Raise drivetrain.servo.") + name +
+                      ", or lower the load of the first piece."});
+    return;
+  }
+}
+
+/// Says where friction pushes for a moment.
+void note_pushing_friction(const Joint& joint, std::vector<Note>& notes) {
+  for (const auto& [path, friction] :
+       {std::pair{"drivetrain.friction", &joint.input_friction},
+        std::pair{"drivetrain.load_friction", &joint.output_friction}}) {
+    if (!*friction) continue;
+    const double largest = (*friction)->largest_passive_damping();
+    if ((*friction)->bristle_damping <= largest) continue;
+    notes.push_back(
+        {.code = "motion.pushing_friction",
+         .text = fmt::format("behind a breakaway the friction may push for a moment, because its "
+                             "bristle_damping of {} is above {}, which is viscous over the share "
+                             "by which breakaway is above coulomb",
+                             shown_quantity((*friction)->bristle_damping, "N*m*s/rad", 3),
+                             shown_quantity(largest, "N*m*s/rad", 3)),
+         .path = std::string(path) + ".bristle_damping",
+         .equation = "MO-10",
+         .severity = Severity::care,
+         .next_step = "Lower bristle_damping, unless the motion reverses slowly."});
+  }
+}
+
 /// @param sticks  whether the load has a friction of its own
 Note output_friction_note(bool sticks) {
   Note note{.code = "motion.output_friction",
@@ -544,6 +590,8 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
       orders.push_back(of.order);
       highest = std::max(highest, of.order);
     }
+    // A line without a name must not fall on a named one.
+    highest = std::max(highest, joint.kinematic_error.highest_order());
     const double period = 2 * pi / (std::abs(steady->speed) * highest);
     const double needed = std::ceil(options.output_step * kSamplesPerPeriod / period);
     require(needed * report.duration / options.output_step <= kMostSampled * longer, "manoeuvre",
@@ -626,6 +674,8 @@ SimulationReport simulation_report(const GearSet& gear, const SimulationSettings
         orders_of(named, *steady, *sound.sums(), other != nullptr ? other->sums() : nullptr);
   report.notes = std::move(made.notes);
   note_no_load_speed(gear, report.notes);
+  note_too_weak(joint, report.notes);
+  note_pushing_friction(joint, report.notes);
   if (growing)
     for (Note& note : growing->notes())
       if (std::ranges::find(report.notes, note) == report.notes.end())

@@ -66,11 +66,17 @@ TEST(ErrorTableFile, InputRulesBrokenOnce) {
   refused(with("20.000000", "9.000000"), "above the angle before, 10");
   refused(with("360.000000,-0.000000", "360.000000,0.5"),
           "the last row is the first one a period later");
-  refused(with("10.000000,0.342020", "10.000000,31"), "> -0.5 deg and < 0.5 deg");
+  refused(with("10.000000,0.342020", "10.000000,31"),
+          "less than 0.5 deg from the mean of the errors, 0.8");
   refused("input_angle [deg],error [arcmin]\n0,0\n180,1\n360,0\n", "has 3 rows; give 4 to 8192");
   std::string many = "input_angle [deg],error [arcmin]\n";
   for (int n = 0; n <= 8192; ++n) many += std::to_string(n) + ",0\n";
-  refused(many, "has too many rows; give 4 to 8192");
+  refused(many, "has more than 8192 rows; give 4 to 8192");
+  refused("input_angle [deg],error [arcmin]\n0,0\n", "has 1 row; give 4 to 8192 rows");
+  // Degrees that were meant: 0.36 deg is less than a period of order 1000.
+  refused("input_angle [deg],error [arcmin]\n0,0\n.1,1\n.2,0\n.3,-1\n.35,0\n", "even angles");
+  refused("input_angle [deg],error [arcmin]\n0,0\n.08,1\n.16,0\n.24,-1\n.32,0\n",
+          "an angle at least 1/1000 of a turn above the first one");
 }
 
 TEST(ErrorTableFile, InputOfADrive) {

@@ -184,6 +184,64 @@ TEST(EnergyTable, IdentityACrackGrowsBesideATable) {
   EXPECT_NEAR(table.energy.released, spring.energy.released, 1e-8 * spring.energy.released);
 }
 
+TEST(EnergyTable, CrosscheckOneErrorGivenAsTableAndAsLine) {
+  // (MO-11): an error of the teeth is a twist e(theta_m) of the table at any torque, or a line of
+  // the kinematic error with the other sign.  Damping, hysteresis and slip elements do not brake
+  // either of them, so both motions are one.  The spline through 360 points in a period of the sine
+  // is off by (2 pi/360)^4/384 of it, and its slope by (2 pi/360)^3/24.
+  constexpr double kError = 1e-4;
+  constexpr int kAngles = 720;
+  EnergySamples of_teeth{
+      .rate = 1.0, .period = 2 * pi, .energy = {}, .twist = {}, .compliance = {}};
+  for (int q = 0; q < kAngles; ++q) {
+    const double e = kError * std::sin(2 * (2 * pi * q / kAngles) + 0.4);
+    const double first = even_torques()[24];
+    of_teeth.energy.push_back(e * first + kSoft * first * first / 2);
+    for (const double torque : even_torques()) {
+      of_teeth.twist.push_back(e + kSoft * torque);
+      of_teeth.compliance.push_back(kSoft);
+    }
+  }
+  for (const bool slips : {false, true})
+    for (const double ratio : {-100.0, 101.0}) {
+      Joint line{.ratio = ratio,
+                 .input_inertia = 1e-4,
+                 .output_inertia = 1,
+                 .spring = LinearSpring{1 / kSoft},
+                 .damping = 40,
+                 .kinematic_error = {{{2, kError, 0.4 + pi}}},
+                 .input = GivenTorque{{.time = {0.0, 0.1}, .value = {0.1, 0.5}}},
+                 .output_torque = {.value = {-20.0}}};
+      if (slips)
+        line.slip_elements = {{.stiffness = 5e4, .limit = 2.0}, {.stiffness = 3e4, .limit = 8.0}};
+      else
+        line.hysteresis = dahl(1e5, 3);
+      Joint teeth = line;
+      teeth.kinematic_error.orders.clear();
+      teeth.table = std::make_shared<const EnergyTable>(even_torques(), std::vector{of_teeth}, 0.0);
+      const SimulationOptions options{.duration = 0.3, .output_step = 0.01, .tolerance = 1e-12};
+      // Both begin with the same elastic torque and with no torque of the parallel elements.
+      const JointState start{.input_speed = 60,
+                             .output_angle = kError * std::sin(0.4 + pi),
+                             .output_speed = 60 / ratio};
+      std::vector<MotionSample> expected;
+      const Motion by_line = simulate(
+          line, start, options, [&](const MotionSample& sample) { expected.push_back(sample); });
+      std::size_t n = 0;
+      const Motion by_teeth = simulate(teeth, start, options, [&](const MotionSample& sample) {
+        const MotionSample& is = expected.at(n++);
+        EXPECT_NEAR(sample.state.output_angle, is.state.output_angle, 2e-10);
+        EXPECT_NEAR(sample.state.input_angle, is.state.input_angle, 2e-8);
+        EXPECT_NEAR(sample.forces.torque, is.forces.torque, 1e-4);
+      });
+      ASSERT_TRUE(by_line.converged) << by_line.reason;
+      ASSERT_TRUE(by_teeth.converged) << by_teeth.reason;
+      EXPECT_NEAR(by_teeth.energy.lost, by_line.energy.lost, 1e-7 * by_line.energy.lost);
+      EXPECT_LT(by_teeth.energy.imbalance, 1e-9);
+      EXPECT_GT(by_line.energy.lost, 1e-3);
+    }
+}
+
 TEST(EnergyTable, BehaviourAMotionEndsBeyondTheTable) {
   // (MO-25): the last state is good, and the reason says what to raise.
   Joint joint = tabled(table_of(0.0));

@@ -153,7 +153,8 @@ TEST(Joint, InputEachRuleBrokenOnce) {
         j.output_friction =
             LuGre{.bristle_stiffness = 1, .coulomb = 1, .breakaway = 1, .load_coulomb = 0.1};
       },
-      "output_friction.load_coulomb: and load_breakaway belong to input_friction; leave them out");
+      "output_friction: has load_coulomb or load_breakaway, which only input_friction may have; "
+      "leave them out");
   names([](Joint& j) { j.kinematic_error.orders[1].order = 0; }, "kinematic_error[1].order");
   names([](Joint& j) { j.kinematic_error.orders[1].amplitude = 0.02; }, "amplitude");
   names(

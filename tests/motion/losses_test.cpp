@@ -176,6 +176,41 @@ TEST(Friction, IdentityLoadAddsToBothTorques) {
   EXPECT_EQ(model.sliding(1.0, 0.4), model.sliding(1.0));
 }
 
+TEST(Friction, LimitOfTheDampingThatPushes) {
+  // (MO-10): behind a breakaway the bristles bear s0 u = z g with |z| <= F_s/F_c.  The power that
+  // is lost, w T_f less the rate of s0 u^2/2, is g|w|z^2 + s1 w^2 (1 - z) + s2 w^2; far above w_s
+  // it is negative at some z only if s1 > s2/(F_s/F_c - 1).
+  LuGre model{.bristle_stiffness = 1e3, .viscous = 0.4, .coulomb = 2, .breakaway = 6};
+  EXPECT_EQ(model.largest_passive_damping(), 0.2);
+  const auto least_power = [&](double damping) {
+    model.bristle_damping = damping;
+    double least = 1.0;
+    for (const double w : {-1e4, -30.0, 30.0, 1e4})
+      for (int n = -100; n <= 100; ++n) {
+        const double u = model.breakaway / model.bristle_stiffness * n / 100;
+        const LuGre::At at = model.at(u, w);
+        const double lost = w * at.torque - model.bristle_stiffness * u * at.rate;
+        least = std::min(least, lost / (w * w));
+      }
+    return least;
+  };
+  EXPECT_GE(least_power(0.2), 0.0);
+  EXPECT_LT(least_power(0.201), 0.0);
+  // With the load, the larger of the two drops counts.
+  model.load_coulomb = 0.1;
+  model.load_breakaway = 0.5;
+  test::expect_relative(model.largest_passive_damping(), 0.1, 1e-15);
+  model.load_coulomb = 0.0;
+  EXPECT_EQ(model.largest_passive_damping(), 0.0);
+  model.load_breakaway.reset();
+  model.breakaway = 2;
+  EXPECT_EQ(model.largest_passive_damping(), std::numeric_limits<double>::infinity());
+  model.breakaway = 6;
+  model.thinning = 0.01;
+  model.warming = 30;
+  test::expect_relative(model.largest_passive_damping(), 0.2 * std::exp(-0.3), 1e-15);
+}
+
 TEST(Friction, IdentityEveryPathUnderEveryLoadLosesEnergy) {
   // (MO-40): at constant speed and load the deflection of the bristles and its integral are exact,
   // so the work less the energy stored in the bristles is too.  It is positive in every piece.

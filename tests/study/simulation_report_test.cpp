@@ -229,6 +229,34 @@ TEST(SimulationReport, LimitALoadThatSticks) {
             "whose friction is drivetrain.friction; give it there, or leave it out");
 }
 
+TEST(SimulationReport, BehaviourAMotorThatIsTooWeakForItsLoad) {
+  // (MO-57): the load needs 40 N*m over the ratio at the start.
+  GearSet gear = without_cracks(summed_joint());
+  gear.manoeuvre = {{.duration = 0.2, .input_speed = 0.0, .output_torque = 40.0}};
+  const double needed = 40.0 / gear.drive.ratio;
+  for (const double share : {0.9, 1.1})
+    for (const bool current : {true, false}) {
+      Servo servo{.speed_gain = 0.1};
+      if (current) servo.torque_limit = share * needed;
+      if (!current) servo.stall_torque = share * needed;
+      if (!current) servo.no_load_speed = 80;
+      gear.drivetrain->servo = servo;
+      const SimulationReport report = simulation_report(gear);
+      EXPECT_EQ(has_note(report.notes, "motion.weak_motor"), share < 1) << current;
+    }
+}
+
+TEST(SimulationReport, BehaviourFrictionThatMayPush) {
+  // (MO-10): sigma_1 above sigma_2/(F_s/F_c - 1).
+  GearSet gear = without_cracks(summed_joint());
+  LuGre friction{.bristle_stiffness = 1e4, .viscous = 2, .coulomb = 2, .breakaway = 3};
+  for (const double damping : {3.9, 4.1}) {
+    friction.bristle_damping = damping;
+    gear.drivetrain->load_friction = friction;
+    EXPECT_EQ(has_note(simulation_report(gear).notes, "motion.pushing_friction"), damping > 4);
+  }
+}
+
 TEST(SimulationReport, BehaviourAMotorAtItsVoltage) {
   // (MO-57): a given speed above the no-load speed is not reached, and a note says so.
   GearSet gear = without_cracks(summed_joint());

@@ -81,6 +81,7 @@ struct JointState {
   /// of the friction in the contacts; absent: the twist is that without friction
   std::optional<LoopMemory> loops = {};
   double slide = 0.0;         ///< S of the contacts since then (MO-53) [rad]
+  double shift = 0.0;         ///< phi_0, twist that the turn of the table has added (MO-11) [rad]
   double bristle = 0.0;       ///< u of the input's friction [rad]
   double load_bristle = 0.0;  ///< u of the output's friction [rad]
   double servo = 0.0;         ///< q, integral of the controller's error [rad]
@@ -98,8 +99,11 @@ struct ContactForces {
 
 /// Torques of a joint at one time.
 struct JointForces {
-  double twist = 0.0;                          ///< phi = theta_m/ratio + theta_k - theta_L [rad]
-  double twist_rate = 0.0;                     ///< [rad/s]
+  double twist = 0.0;       ///< phi = theta_m/ratio + theta_k - theta_L [rad]
+  double twist_rate = 0.0;  ///< [rad/s]
+  /// phi - phi_0, which the elements parallel to the spring have [rad]; (MO-11)
+  double parallel_twist = 0.0;
+  double parallel_rate = 0.0;                  ///< its rate [rad/s]
   double elastic_torque = 0.0;                 ///< T_el of the spring or of the table [N*m]
   std::optional<ContactForces> contacts = {};  ///< absent: the joint has no loops
   double torque = 0.0;                         ///< T_el + c phi' + z, on the output [N*m]
@@ -115,6 +119,7 @@ struct JointRate {
   double output_acceleration = 0.0;  ///< [rad/s^2]
   double hysteresis = 0.0;           ///< dz/dt [N*m/s]
   double slide = 0.0;                ///< dS/dt of the contacts [rad/s]
+  double shift = 0.0;                ///< d phi_0/dt [rad/s]
   double bristle = 0.0;              ///< du/dt of the input's friction [rad/s]
   double load_bristle = 0.0;         ///< du/dt of the output's friction [rad/s]
   double servo = 0.0;                ///< rate of the controller's integral [rad/s]

@@ -136,6 +136,8 @@ struct LuGre {
   [[nodiscard]] double viscous_when_warm() const {
     return warming == 0 ? viscous : viscous * std::exp(-thinning * warming);  // (MO-55)
   }
+  /// Largest sigma_1 with which the friction never pushes (MO-10) [N*m*s/rad].
+  [[nodiscard]] double largest_passive_damping() const;
   /// Whether the friction depends on the load.
   [[nodiscard]] bool by_load() const { return load_coulomb > 0 || load_breakaway.value_or(0) > 0; }
   /// g, the torque of the bristles at constant speed (MO-40) [N*m].

@@ -101,10 +101,10 @@ using SampleSink = std::function<void(const MotionSample&)>;
 struct MotionCheckpoint {
   double time = 0.0;  ///< [s]
   /// theta_m [rad], its speed [rad/s], wind-up theta_m/ratio - theta_L [rad], speed of the output
-  /// [rad/s], z [N*m], S, u of input and output, q [rad], held torque [N*m], supplied, lost and
-  /// released energy [J]
-  std::array<double, 13> state = {};
-  std::array<double, 13> slope = {};  ///< of the state, per second
+  /// [rad/s], z [N*m], S, phi_0, u of input and output, q [rad], held torque [N*m], supplied, lost
+  /// and released energy [J]
+  std::array<double, 14> state = {};
+  std::array<double, 14> slope = {};  ///< of the state, per second
   double step = 0.0;                  ///< length of the next trial [s]
   double segment_end = 0.0;           ///< next point of a profile or sample of a controller [s]
   std::uint64_t next_corner = 0;      ///< points of the profiles before the end of the segment [-]
@@ -154,9 +154,9 @@ class MotionRun {
 
 /// Motion of a joint over time (MO-13).
 ///
-/// Steps of Dormand and Prince with an error estimate end exactly at the corners of the spring, at
-/// changes of the sense of torque, at reversals of twist and speed, where an element slips, at the
-/// points of the profiles, and at the samples of a controller.  Cost grows with the time and memory
+/// Steps of Dormand and Prince with an error estimate end at the events of MotionEvent, at the
+/// points of the profiles, and at the samples of a controller; at events of the contacts within the
+/// tolerance, and at all others exactly.  Cost grows with the time and memory
 /// does not.
 ///
 /// A motion that cannot be finished has `converged` false, the reason, and the last good state.

@@ -68,8 +68,9 @@ struct CurveTable {
           &CurveTable::worst_share);
     field({"rms_share", "1", "the same as root mean squares"}, &CurveTable::rms_share);
     field({"teeth_range", "rad",
-           "kinematic error of the teeth at the rated torque from peak to valley, over a turn of "
-           "the output, sound; absent: no tooth deviates"},
+           "kinematic error of the teeth from peak to valley over a turn of the output, sound, at "
+           "the rated torque, or at the largest torque of the table if this is smaller; absent: "
+           "no tooth deviates"},
           &CurveTable::teeth_range);
   }
 };
