@@ -332,6 +332,55 @@ TEST(ComputedCurve, CrosscheckTeethAgainstTheTransmission) {
   EXPECT_LT(worst, 0.06 * report.range);
 }
 
+TEST(ComputedCurve, CrosscheckTeethAgainstTheirLines) {
+  // (MO-11), (MO-58): a slow motion with the table of the teeth against one with the lines that
+  // (DY-17) gives over the angle of the input, so direction, rate and phase of both parts are
+  // tested.  Damping and hysteresis brake neither.  The table has a mean over two phases of the
+  // cage, as above, so the motions differ by up to 12 % of the range; a wrong direction by 150 %.
+  for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
+    GearSet gear = few_teeth();
+    gear.drivetrain->fixed = fixed;
+    Deviations teeth = random_teeth(gear);
+    teeth.balls.clear();
+    teeth.eccentricity = 0.0;
+    teeth = paired(std::move(teeth), gear);
+    const double torque = makers_torques(gear).rated;
+    gear.kinematic_error.clear();
+    gear.drivetrain->gear_damping = 100;
+    gear.drivetrain->hysteresis = dahl(1e5, 1);
+    gear.manoeuvre = {{.duration = 0.2, .input_speed = 20.0, .output_torque = -torque},
+                      {.duration = 2.0, .input_speed = 20.0}};
+    const auto errors = [&](const GearSet& of, const ComputedCurve& curve) {
+      const SimulationReport made =
+          simulation_report(of, {.output_step = 5e-3,
+                                 .tolerance = 1e-10,
+                                 .curve = [&](const GearSet&, const Progress&) { return curve; }});
+      EXPECT_TRUE(made.intact.converged) << made.intact.reason;
+      std::vector<double> kept;
+      for (const SimulationRow& row : made.rows)
+        if (row.time > 0.6) kept.push_back(row.output_error);
+      const double mean =
+          std::accumulate(kept.begin(), kept.end(), 0.0) / static_cast<double>(kept.size());
+      for (double& error : kept) error -= mean;
+      return kept;
+    };
+    const std::vector<double> by_table = errors(gear, computed_curve_of_teeth(gear, teeth));
+    const TransmissionReport report =
+        transmission_report(gear, {.torque = torque, .measured = teeth});
+    for (const TransmissionLine& line : report.lines)
+      gear.kinematic_error.push_back(
+          {.order = line.order, .amplitude = line.amplitude, .phase = line.phase});
+    const std::vector<double> by_lines = errors(gear, computed_curve(gear));
+    double worst = 0.0;
+    ASSERT_EQ(by_table.size(), by_lines.size());
+    for (std::size_t n = 0; n < by_table.size(); ++n)
+      worst = std::max(worst, std::abs(by_table[n] - by_lines[n]));
+    EXPECT_LT(worst, 0.12 * report.range);
+    const auto [least, largest] = std::ranges::minmax(by_table);
+    EXPECT_GT(largest - least, 0.5 * report.range);
+  }
+}
+
 TEST(ComputedCurve, LimitOfTeethThatDoNotDeviate) {
   // (MO-58): teeth without deviations leave the curve of the drive: rounding of the solves.
   const GearSet gear = few_teeth();
