@@ -14,7 +14,7 @@ TEST(NumbersBeside, BehaviourAShiftedErrorTableIsAnother) {
   const auto gear = [](double phase, double value) {
     GearSet made;
     made.error_table = std::make_shared<const ErrorTable>(ErrorTable{
-        .turns = 1.0, .values = {0.0, value}, .lines = {.orders = {{2.0, 1e-4, phase}}}});
+        .values = {0.0, value}, .turns = 1.0, .lines = {.orders = {{2.0, 1e-4, phase}}}});
     return made;
   };
   EXPECT_EQ(numbers_beside(gear(0.3, 1e-4)), numbers_beside(gear(0.3, 1e-4)));
