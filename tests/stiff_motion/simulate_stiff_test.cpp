@@ -180,7 +180,7 @@ TEST(SimulateStiff, CrosscheckFrictionByLoad) {
   joint.gravity_torque = 8;
   joint.input = GivenTorque{{{0.0, 0.1, 0.2, 0.3}, {0.0, 0.6, -0.6, 0.2}}};
   joint.output_torque = {{0.0, 0.05, 0.15, 0.3}, {0.0, -30.0, 25.0, 0.0}};
-  const auto [one, other] = expect_one_motion(joint, {}, 0.3, 1e-13, 1e-14);
+  const auto [one, other] = expect_one_motion(joint, {}, 0.3, 1e-14, 1e-14);
   EXPECT_TRUE(has(other, MotionEvent::load_sense));
 }
 

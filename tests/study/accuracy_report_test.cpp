@@ -404,6 +404,8 @@ TEST(AccuracyReport, BehaviourNotesSayWhatIsMissing) {
   GearSet sticking = gear;
   sticking.drivetrain->load_friction =
       LuGre{.bristle_stiffness = 1e5, .coulomb = 2, .breakaway = 3};
+  EXPECT_FALSE(noted(accuracy_report(sticking, kNoDraws), "accuracy.no_load_friction"));
+  sticking.rating->friction_torque = 0.0;
   EXPECT_TRUE(noted(accuracy_report(sticking, kNoDraws), "accuracy.no_load_friction"));
   EXPECT_TRUE(noted(report, "accuracy.no_breathing"));
   EXPECT_FALSE(noted(report, "accuracy.no_friction"));
