@@ -29,6 +29,29 @@ Joint conservative() {
           .gravity_angle = 0.2};
 }
 
+TEST(Joint, IdentityFastestOrder) {
+  // The highest of each source, over the angle of the input: harmonics count, and an opening over
+  // the output's angle is slower by the ratio.
+  Joint joint = conservative();
+  EXPECT_EQ(fastest_order(joint), 4.0);
+  joint.cracks[0].opening->coefficients = {0.4, 0.3, 0.2, 0.1};
+  EXPECT_EQ(fastest_order(joint), 3 * 2.02);
+  joint.cracks[1].opening->coefficients = {0.4, 0.3, 0.3};
+  joint.cracks[1].opening->order = 500;
+  EXPECT_EQ(fastest_order(joint), 2 * 500 / 100.0);
+}
+
+TEST(Joint, IdentityExcessOfTheAskedTorque) {
+  // (MO-21): the magnitude of k e less the limit, for either sign of the error.
+  const ServoDrive drive{.servo = {.speed_gain = 0.1, .torque_limit = 2.0},
+                         .speed = {.value = {0.0}}};
+  for (const double speed : {-50.0, 50.0}) {
+    const ServoTorque at = servo_torque(drive, 0.0, {.input_speed = speed});
+    test::expect_relative(at.excess, 3.0, 1e-14);
+    EXPECT_EQ(at.torque, std::copysign(2.0, -speed));
+  }
+}
+
 TEST(Joint, IdentityForcesAreTheSlopesOfTheEnergy) {
   // (MO-11, MO-12): J theta'' = -dV/dtheta at rest, by differences of the fourth order of V.
   const Joint joint = conservative();

@@ -157,7 +157,7 @@ TEST(TwistLoops, IdentityThePieceOfTheWidthIsTheWidth) {
 TEST(TwistLoops, IdentityAnEvenSlideOverATurnMayBeDivided) {
   // (MO-53) for elements between their bounds: what is left of an even slide s is
   // s (1 - e^-x)/x, and of a play q_0 e^-x.
-  const double rate = 3.5;
+  const double rate = 0.7;
   const TwistLoops loops(kLoopTorques, std::vector<double>(kLoopTorques.size(), 1.0), rate);
   LoopMemory memory;
   for (std::size_t k = 0; k < memory.play.size(); ++k)
