@@ -278,10 +278,11 @@ EnergyTable::At EnergyTable::Slice::Piece::at(double torque) const {
 
 EnergyTable::Slice::Piece EnergyTable::Slice::piece(std::size_t interval, double in_series) const {
   const auto& torques = table_->torques_;
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
   Piece made{.from = torques[interval == 0 ? 0 : interval - 1],
-             .least = interval == 0 ? -kEndless : torques[interval - 1],
-             .most = interval == torques.size() ? kEndless : torques[interval]};
+             .least = -std::numeric_limits<double>::infinity(),
+             .most = std::numeric_limits<double>::infinity()};
+  if (interval > 0) made.least = torques[interval - 1];
+  if (interval < torques.size()) made.most = torques[interval];
   for (std::size_t k = 0; k < table_->families_.size(); ++k) {
     const Family& of = table_->families_[k];
     const Cell& cell = of.cells[interval * of.angles + cell_[k]];

@@ -78,11 +78,12 @@ double slip_loss(const std::vector<SlipElement>& elements, const SlipState& stat
 }
 
 double LuGre::largest_passive_damping() const {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
   const double more = load_breakaway.value_or(load_coulomb) - load_coulomb;
+  if (more > 0 && load_coulomb == 0) return 0.0;
   double drop = breakaway / coulomb - 1;
-  if (more > 0) drop = load_coulomb > 0 ? std::max(drop, more / load_coulomb) : kAny;
-  return drop > 0 ? viscous_when_warm() / drop : kAny;  // (MO-10)
+  if (more > 0) drop = std::max(drop, more / load_coulomb);
+  if (drop == 0) return std::numeric_limits<double>::infinity();
+  return viscous_when_warm() / drop;  // (MO-10)
 }
 
 double LuGre::sliding(double speed, double load) const {

@@ -179,30 +179,35 @@ TEST(TwistLoops, BehaviourAnElementLeavesItsBoundWhereItFadesFasterThanItSlides)
   const double fading = 4.0;
   const double speed = 150.0;
   const auto loops = even_loops(fading);
-  LoopMemory memory;
-  (void)loops_twist(*loops, memory, 3 * kLoopWidth);
-  for (const double side : memory.side) EXPECT_EQ(side, -1.0);
   const double slide = 5.5 / kPlays * kLoopWidth * fading * speed;
-  const TwistLoops::Rates rates{.torque = 1.0, .slide = slide, .turn = speed};
-  EXPECT_NEAR(loops->hold_margin(memory, rates, 0.0), slide - fading * speed * kLoopWidth, 1e-12);
-  LoopMemory left = memory;
-  EXPECT_TRUE(loops->hold(left, rates, 1e-12, {}));
-  EXPECT_FALSE(loops->hold(left, rates, 1e-12, {}));
-  for (std::size_t k = 0; k < left.side.size(); ++k) EXPECT_EQ(left.side[k], k < 5 ? -1.0 : 0.0);
-  // One that was pushed outward by g_0 at the beginning of a step and by -g_1 at its end left at
-  // the time share g_0/(g_0 + g_1), and is now g_1^2 t/(2 (g_0 + g_1)) inside.
-  const auto after_step = [&](double before) {
-    LoopMemory made = memory;
-    const TwistLoops::Step step{
-        .torque = 0.0, .rates = {.torque = 1.0, .slide = before, .turn = speed}, .length = 1e-3};
-    (void)loops->hold(made, rates, 1e-12, step);
-    return kLoopWidth + made.play.back();
-  };
   const double limit = fading * speed * kLoopWidth;
-  const double g0 = 0.3 * limit;
-  const double g1 = limit - slide;
-  test::expect_relative(after_step(limit + g0), g1 * g1 * 1e-3 / (2 * (g0 + g1)), 1e-9);
-  EXPECT_NEAR(after_step(0.9 * limit), 2e-12, 1e-18);  // it was released before
+  for (const double sense : {1.0, -1.0}) {
+    LoopMemory memory;
+    (void)loops_twist(*loops, memory, sense * 3 * kLoopWidth);
+    for (const double side : memory.side) EXPECT_EQ(side, -sense);
+    const auto rates_of = [&](double of_slide) {
+      return TwistLoops::Rates{.torque = sense, .slide = sense * of_slide, .turn = speed};
+    };
+    const TwistLoops::Rates rates = rates_of(slide);
+    EXPECT_NEAR(loops->hold_margin(memory, rates, 0.0), slide - limit, 1e-12);
+    LoopMemory left = memory;
+    EXPECT_TRUE(loops->hold(left, rates, 1e-12, {}));
+    EXPECT_FALSE(loops->hold(left, rates, 1e-12, {}));
+    for (std::size_t k = 0; k < left.side.size(); ++k)
+      EXPECT_EQ(left.side[k], k < 5 ? -sense : 0.0);
+    // One that was pushed outward by g_0 at the beginning of a step and by -g_1 at its end left at
+    // the time share g_0/(g_0 + g_1), and is now g_1^2 t/(2 (g_0 + g_1)) inside.
+    const auto after_step = [&](double before) {
+      LoopMemory made = memory;
+      const TwistLoops::Step step{.torque = 0.0, .rates = rates_of(before), .length = 1e-3};
+      (void)loops->hold(made, rates, 1e-12, step);
+      return kLoopWidth - std::abs(made.play.back());
+    };
+    const double g0 = 0.3 * limit;
+    const double g1 = limit - slide;
+    test::expect_relative(after_step(limit + g0), g1 * g1 * 1e-3 / (2 * (g0 + g1)), 1e-9);
+    EXPECT_NEAR(after_step(0.9 * limit), 2e-12, 1e-18);  // it was released before
+  }
 }
 
 TEST(TwistLoops, CrosscheckPathWithStandingInput) {
