@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/multiple_angle.hpp"
 
 namespace strainwave {
 
@@ -29,19 +30,12 @@ void require_growth(const Profile& growth, const FieldPath& at) {
 }  // namespace
 
 AngleOpening::At AngleOpening::at(double angle) const {
-  const double argument = order * angle - phase;
-  const double c = std::cos(argument);
-  const double s = std::sin(argument);
-  // cos(k x) and sin(k x) from those of (k - 1) x.
-  double cosine = 1.0;
-  double sine = 0.0;
+  MultipleAngle multiple(order * angle - phase);
   At result{.value = coefficients[0]};
   for (std::size_t k = 1; k < coefficients.size(); ++k) {
-    const double before = cosine;
-    cosine = before * c - sine * s;
-    sine = sine * c + before * s;
-    result.value += coefficients[k] * cosine;                                 // (MO-6)
-    result.slope -= coefficients[k] * static_cast<double>(k) * order * sine;  // (MO-6)
+    multiple.next();
+    result.value += coefficients[k] * multiple.cosine();                                 // (MO-6)
+    result.slope -= coefficients[k] * static_cast<double>(k) * order * multiple.sine();  // (MO-6)
   }
   return result;
 }

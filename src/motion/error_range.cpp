@@ -24,7 +24,7 @@ double largest_value(const KinematicError& error, double sign, double step,
       sign > 0 ? *std::ranges::max_element(values) : -*std::ranges::min_element(values);
   // Between two points the error is above both by at most step^2/8 times its second derivative.
   double bend = 0.0;
-  for (const ErrorOrder& of : error.orders) bend += of.amplitude * of.order * of.order;
+  for (const ErrorOrder& of : error.orders()) bend += of.amplitude * of.order * of.order;
   const double candidate = most - bend * step * step / 8;
   double largest = most;
   for (std::size_t n = 0; n + 1 < values.size(); ++n) {
@@ -43,17 +43,17 @@ double largest_value(const KinematicError& error, double sign, double step,
 AngleRange error_range(const KinematicError& error, double turns) {
   require_constants(error);
   require(turns > 0 && std::isfinite(turns), "turns", turns, "1", "> 0");
-  if (error.orders.empty()) return {};
+  if (error.orders().empty()) return {};
   const double highest = error.highest_order();
   const bool whole = std::ranges::all_of(
-      error.orders, [](const ErrorOrder& of) { return of.order == std::round(of.order); });
+      error.orders(), [](const ErrorOrder& of) { return of.order == std::round(of.order); });
   if (whole) turns = std::min(turns, 1.0);
   const double periods = std::max(1.0, highest * turns);
   require(periods <= kMostPeriods, "order", highest, "1", "at most a million periods in the range");
   const auto points = static_cast<std::size_t>(std::ceil(periods * kPointsPerPeriod)) + 1;
   const double step = 2 * std::numbers::pi * turns / static_cast<double>(points - 1);
   std::vector<double> values(points);
-  for (const ErrorOrder& of : error.orders) {
+  for (const ErrorOrder& of : error.orders()) {
     // Each step turns a phasor by the same angle; it begins anew before its rounding adds up.
     const std::complex<double> next = std::polar(1.0, of.order * step);
     std::complex<double> phasor;
@@ -70,7 +70,7 @@ AngleRange error_range(const KinematicError& error, double turns) {
 
 double sum_of_ranges(const KinematicError& error) {
   double sum = 0.0;
-  for (const ErrorOrder& of : error.orders) sum += 2 * of.amplitude;
+  for (const ErrorOrder& of : error.orders()) sum += 2 * of.amplitude;
   return sum;
 }
 

@@ -256,6 +256,11 @@ JointState after_sample(const ServoDrive& drive, double time, JointState state) 
   return state;
 }
 
+double twist_rate(const Joint& joint, const JointState& x) {
+  const double arm = 1 / joint.ratio + joint.kinematic_error.at(x.input_angle).slope;
+  return arm * x.input_speed - x.output_speed;
+}
+
 JointRate joint_rate(const Joint& joint, double time, const JointState& x) {
   const ElasticState at = elastic_state(joint, x, time);
   const double T = at.torque;

@@ -6,25 +6,62 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/multiple_angle.hpp"
 
 namespace strainwave {
 
+namespace {
+
+// A rotation costs about a tenth of a sine and a cosine: a family ends before a longer gap.
+constexpr double kLongestGap = 8;       // multiples without a line [-]
+constexpr double kWholeWithin = 1e-15;  // of the multiple, whose order is rounded [-]
+
+}  // namespace
+
+KinematicError::KinematicError(std::vector<ErrorOrder> orders) : orders_(std::move(orders)) {
+  std::vector<ErrorOrder> rising = orders_;
+  std::ranges::stable_sort(rising, {}, &ErrorOrder::order);
+  for (const auto& [order, amplitude, phase] : rising) {
+    const auto multiple_in = [&, order = order](const Family& family) -> std::size_t {
+      const double ratio = order / family.order;
+      const double whole = std::round(ratio);
+      const bool member = std::abs(ratio - whole) <= kWholeWithin * whole &&
+                          whole <= static_cast<double>(family.lines.size()) + kLongestGap;
+      return member ? static_cast<std::size_t>(whole) : 0;
+    };
+    auto family = std::ranges::find_if(families_, multiple_in);
+    if (family == families_.end()) family = families_.insert(family, {.order = order});
+    const std::size_t multiple = std::max<std::size_t>(multiple_in(*family), 1);
+    if (family->lines.size() < multiple) family->lines.resize(multiple);
+    family->lines[multiple - 1].sine += amplitude * std::cos(phase);
+    family->lines[multiple - 1].cosine += amplitude * std::sin(phase);
+  }
+}
+
 KinematicError::At KinematicError::at(double input_angle) const {
   At result;
-  for (const auto& [order, amplitude, phase] : orders) {
-    const double argument = order * input_angle + phase;
-    result.value += amplitude * std::sin(argument);          // (MO-4)
-    result.slope += amplitude * order * std::cos(argument);  // (MO-4)
+  for (const auto& [order, lines] : families_) {
+    MultipleAngle multiple(order * input_angle);
+    double slope = 0.0;
+    double number = 0.0;
+    for (const auto& [sine, cosine] : lines) {
+      multiple.next();
+      number += 1;
+      result.value += sine * multiple.sine() + cosine * multiple.cosine();      // (MO-4)
+      slope += number * (sine * multiple.cosine() - cosine * multiple.sine());  // (MO-4)
+    }
+    result.slope += order * slope;
   }
   return result;
 }
 
 double KinematicError::highest_order() const {
   double highest = 0.0;
-  for (const ErrorOrder& line : orders) highest = std::max(highest, line.order);
+  for (const ErrorOrder& line : orders_) highest = std::max(highest, line.order);
   return highest;
 }
 
@@ -69,8 +106,8 @@ ErrorLines error_lines(const std::vector<double>& values, double turns) {
 
 void require_constants(const KinematicError& error) {
   const FieldPath at("kinematic_error");
-  for (std::size_t i = 0; i < error.orders.size(); ++i) {
-    const auto& [order, amplitude, phase] = error.orders[i];
+  for (std::size_t i = 0; i < error.orders().size(); ++i) {
+    const auto& [order, amplitude, phase] = error.orders()[i];
     require(order > 0 && order <= kLargestOrder, (at[i] / "order").text(), order, "1",
             "> 0 and <= 1000");
     require(amplitude >= 0 && amplitude < kLargestError, (at[i] / "amplitude").text(), amplitude,

@@ -56,19 +56,21 @@ constexpr double kLeastTurn = 0.1;     // of the tolerance: twist of a path that
 
 JointState joint_state(const Joint& joint, const State& x, const std::optional<SlipState>& slip,
                        const std::optional<LoopMemory>& loops) {
-  return {.input_angle = x[kInputAngle],
-          .input_speed = x[kInputSpeed],
-          .output_angle = x[kInputAngle] / joint.ratio - x[kWindUp],
-          .output_speed = x[kOutputSpeed],
-          .hysteresis = x[kHysteresis],
-          .slip = slip,
-          .loops = loops,
-          .slide = x[kSlide],
-          .shift = x[kShift],
-          .bristle = x[kBristle],
-          .load_bristle = x[kLoadBristle],
-          .servo = x[kServo],
-          .held_torque = x[kHeldTorque]};
+  JointState s{.input_angle = x[kInputAngle],
+               .input_speed = x[kInputSpeed],
+               .output_angle = x[kInputAngle] / joint.ratio - x[kWindUp],
+               .output_speed = x[kOutputSpeed],
+               .hysteresis = x[kHysteresis],
+               .slide = x[kSlide],
+               .shift = x[kShift],
+               .bristle = x[kBristle],
+               .load_bristle = x[kLoadBristle],
+               .servo = x[kServo],
+               .held_torque = x[kHeldTorque]};
+  // A copy of the large memories costs time even if they are absent.
+  if (slip) s.slip = slip;
+  if (loops) s.loops = loops;
+  return s;
 }
 
 State packed(const Joint& joint, const JointState& s) {
@@ -290,6 +292,22 @@ class MotionRun::Steps {
       }
       return 0.0;
     }
+    /// The same at a state whose torques are not known: most functions do not need all of them.
+    [[nodiscard]] double value(std::size_t n, double time, const JointState& state) const {
+      switch (events_[n]) {
+        case MotionEvent::twist_reversal:
+          if (!joint_->table) return twist_rate(*joint_, state);  // nothing shifts the twist
+          break;
+        case MotionEvent::speed_reversal:
+        case MotionEvent::output_reversal:
+        case MotionEvent::torque_limit:
+        case MotionEvent::voltage_limit:
+          return value(n, time, {}, state);
+        default:
+          break;
+      }
+      return value(n, time, joint_rate(*joint_, time, state).forces, state);
+    }
     /// Puts the element whose event it is exactly on its limit.
     void begin_slip(std::size_t event, SlipState& slip) const {
       if (event < first_element_) return;
@@ -486,7 +504,7 @@ class MotionRun::Steps {
 
   /// At the end of a segment of a profile, the slope before the corner holds.
   [[nodiscard]] double inside(double t) const {
-    return std::min(t, std::nextafter(at_.segment_end, 0.0));
+    return t < at_.segment_end ? t : std::nextafter(at_.segment_end, 0.0);
   }
 
   [[nodiscard]] State rate(double t, const State& x) {
@@ -552,8 +570,7 @@ class MotionRun::Steps {
   }
 
   [[nodiscard]] double guard(std::size_t n, double time, const State& x) const {
-    const JointState s = unpacked(x);
-    return guards_.value(n, inside(time), joint_rate(joint_, inside(time), s).forces, s);
+    return guards_.value(n, inside(time), unpacked(x));
   }
 
   /// Shortens the step to the first event in it, and leaves the guards at its end.

@@ -45,14 +45,15 @@ SpringState CatalogueSpring::in_series(double twist, double compliance) const {
   double left = std::abs(twist);
   SpringState at;  // at the beginning of a piece
   for (std::size_t i = 0; i < stiffness.size(); ++i) {
-    const double own = 1 / stiffness[i];
-    const double more = left / (own + compliance);
+    const double in_series = 1 + compliance * stiffness[i];
+    const double own = left / in_series;
+    const double more = own * stiffness[i];
     if (i == torque.size() || at.torque + more <= torque[i])
       return {.torque = std::copysign(at.torque + more, twist),  // (MO-1, MO-2)
-              .twist = std::copysign(at.twist + more * own, twist)};
-    const double whole = torque[i] - at.torque;
-    left -= whole * (own + compliance);
-    at = {.torque = torque[i], .twist = at.twist + whole * own};
+              .twist = std::copysign(at.twist + own, twist)};
+    const double whole = (torque[i] - at.torque) / stiffness[i];
+    left -= whole * in_series;
+    at = {.torque = torque[i], .twist = at.twist + whole};
   }
   return at;
 }

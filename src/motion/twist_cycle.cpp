@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "strainwave/core/multiple_angle.hpp"
 #include "strainwave/core/roots.hpp"
 
 namespace strainwave {
@@ -202,16 +203,13 @@ double ElasticCurve::twist_under(double torque) const {
 }
 
 TwistSeries::At TwistSeries::at(double angle) const {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  double cosine = 1.0;
-  double sine = 0.0;
+  MultipleAngle multiple(angle);
   At sum{.value = coefficients(0)};
   const Eigen::Index terms = even ? coefficients.size() - 1 : (coefficients.size() - 1) / 2;
   for (Eigen::Index k = 1; k <= terms; ++k) {
-    const double before = cosine;
-    cosine = before * c - sine * s;
-    sine = sine * c + before * s;
+    multiple.next();
+    const double cosine = multiple.cosine();
+    const double sine = multiple.sine();
     const double a = coefficients(even ? k : 2 * k - 1);
     const double b = even ? 0.0 : coefficients(2 * k);
     const auto order = static_cast<double>(k);
@@ -326,16 +324,11 @@ TwistCycle::TwistCycle(const ElasticCurve& elastic, const std::optional<BoucWen>
 Eigen::VectorXd TwistCycle::basis(double angle) const {
   Eigen::VectorXd row(size_);
   row(0) = 1.0;
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  double cosine = 1.0;
-  double sine = 0.0;
+  MultipleAngle multiple(angle);
   for (Eigen::Index k = 1; k <= harmonics_; ++k) {
-    const double before = cosine;
-    cosine = before * c - sine * s;
-    sine = sine * c + before * s;
-    row(even_ ? k : 2 * k - 1) = cosine;
-    if (!even_) row(2 * k) = sine;
+    multiple.next();
+    row(even_ ? k : 2 * k - 1) = multiple.cosine();
+    if (!even_) row(2 * k) = multiple.sine();
   }
   return row;
 }
@@ -574,17 +567,12 @@ void TwistCycle::fill_basis() {
   basis_.resize(rows, size_);
   for (Eigen::Index n = 0; n < rows; ++n) {
     const double angle = nodes_[static_cast<std::size_t>(n)].angle;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    double cosine = 1.0;
-    double sine = 0.0;
+    MultipleAngle multiple(angle);
     basis_(n, 0) = 1.0;
     for (Eigen::Index k = 1; k <= harmonics_; ++k) {
-      const double before = cosine;
-      cosine = before * c - sine * s;
-      sine = sine * c + before * s;
-      basis_(n, even_ ? k : 2 * k - 1) = cosine;
-      if (!even_) basis_(n, 2 * k) = sine;
+      multiple.next();
+      basis_(n, even_ ? k : 2 * k - 1) = multiple.cosine();
+      if (!even_) basis_(n, 2 * k) = multiple.sine();
     }
   }
 }

@@ -246,7 +246,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   }
   if (gear.drivetrain && draft.corrected()) made.sections.push_back(backbone_chapter(draft));
   if (!gear.manoeuvre.empty() && draft.corrected()) made.sections.push_back(motion_chapter(draft));
-  if (gear.drivetrain && !kinematic_error_of(gear).orders.empty() && draft.corrected())
+  if (gear.drivetrain && !kinematic_error_of(gear).orders().empty() && draft.corrected())
     made.sections.push_back(budget_chapter(draft));
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));

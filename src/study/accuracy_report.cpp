@@ -8,6 +8,7 @@
 #include <complex>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "drawn_drive.hpp"
 #include "strainwave/core/counter_random.hpp"
@@ -145,10 +146,10 @@ struct GainsAt {
 
 std::vector<GainsAt> gains_of(const GearSet& gear, const BudgetAt& at) {
   const KinematicError error = kinematic_error_of(gear);
-  const std::vector<std::complex<double>> rigid(error.orders.size(), 1.0);
+  const std::vector<std::complex<double>> rigid(error.orders().size(), 1.0);
   if (at.speed == 0 || rigid.empty()) return {{.gains = rigid}};
   std::vector<double> frequencies;
-  for (const ErrorOrder& of : error.orders)
+  for (const ErrorOrder& of : error.orders())
     frequencies.push_back(of.order * std::abs(at.speed) / (2 * pi));
   std::vector<GainsAt> made;
   for (const double torque : linear_about(gear, at.torque)) {
@@ -176,17 +177,17 @@ double judged_turns(const GearSet& gear) {
 
 /// The kinematic error as the load shows it (DY-14).
 AngleRange error_at_load(const GearSet& gear, const std::vector<std::complex<double>>& gains) {
-  KinematicError error = kinematic_error_of(gear);
+  std::vector<ErrorOrder> orders = kinematic_error_of(gear).orders();
   for (std::size_t n = 0; n < gains.size(); ++n) {
-    error.orders[n].amplitude *= std::abs(gains[n]);
-    error.orders[n].phase += std::arg(gains[n]);
-    if (!(error.orders[n].amplitude < kLargestError))
+    orders[n].amplitude *= std::abs(gains[n]);
+    orders[n].phase += std::arg(gains[n]);
+    if (!(orders[n].amplitude < kLargestError))
       throw SolverError(fmt::format(
           "the kinematic error of the order {} moves the load by more than 0.5 deg at this speed; "
           "choose another speed, or give drivetrain.gear_damping",
-          shown_number(error.orders[n].order, 4)));
+          shown_number(orders[n].order, 4)));
   }
-  return error_range(error, judged_turns(gear));
+  return error_range(std::move(orders), judged_turns(gear));
 }
 
 DriveBudget budget_of(const GearSet& gear, const BudgetAt& at) {
@@ -198,7 +199,7 @@ DriveBudget budget_of(const GearSet& gear, const BudgetAt& at) {
   const TorqueRange torques = torques_over_turn(gear, at.torque);
   budget.wind_up = {output_twist(gear, assembled, torques.least),
                     output_twist(gear, assembled, torques.largest)};
-  budget.gains.assign(kinematic_error_of(gear).orders.size(), 0.0);
+  budget.gains.assign(kinematic_error_of(gear).orders().size(), 0.0);
   bool first = true;
   for (const GainsAt& here : gains_of(gear, at)) {
     for (std::size_t n = 0; n < here.gains.size(); ++n)
@@ -315,7 +316,7 @@ std::optional<AccuracyBands> bands_of(const GearSet& gear, const AccuracyOptions
 }
 
 void note_budget(const GearSet& gear, AccuracyReport& report) {
-  if (kinematic_error_of(gear).orders.empty())
+  if (kinematic_error_of(gear).orders().empty())
     report.notes.push_back(
         {"accuracy.no_kinematic_error",
          "the file gives no kinematic error, so the budget has none; makers state about 1 arcmin "
@@ -433,8 +434,8 @@ AccuracyReport accuracy_report(const GearSet& gear, const AccuracyOptions& optio
                              .cracked = cracked ? std::optional(cracked->of(item)) : std::nullopt,
                              .tool_radius = options.tool_radius});
   }
-  for (std::size_t n = 0; n < error.orders.size(); ++n) {
-    const ErrorOrder& of = error.orders[n];
+  for (std::size_t n = 0; n < error.orders().size(); ++n) {
+    const ErrorOrder& of = error.orders()[n];
     report.orders.push_back(
         {.order = of.order,
          .amplitude = of.amplitude,

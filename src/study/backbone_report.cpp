@@ -144,7 +144,7 @@ void note_left_out(const GearSet& gear, std::vector<Note>& notes) {
   if (gear.drivetrain->contact_friction == ContactFriction::computed)
     left_out("the loops of the contacts, which hold a vibration with a standing input back",
              "drivetrain.contact_friction");
-  if (!kinematic_error_of(gear).orders.empty())
+  if (!kinematic_error_of(gear).orders().empty())
     left_out("the kinematic error, because the drive does not turn on average", "kinematic_error");
   if (gear.drivetrain->friction)
     left_out("the friction of the input, because the drive does not turn on average",

@@ -89,8 +89,8 @@ TEST(ErrorTableFile, InputOfADrive) {
   };
   const GearSet gear = read_gear_set(text, "drive.toml", attached(error_csv()));
   const KinematicError error = kinematic_error_of(gear);
-  ASSERT_EQ(error.orders.size(), gear.kinematic_error.size() + 1);
-  EXPECT_EQ(error.orders.back().order, 2.0);
+  ASSERT_EQ(error.orders().size(), gear.kinematic_error.size() + 1);
+  EXPECT_EQ(error.orders().back().order, 2.0);
   try {
     (void)read_gear_set(text, "drive.toml", Attachments());
     ADD_FAILURE() << "accepted a drive without its table";

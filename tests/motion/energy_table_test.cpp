@@ -217,7 +217,7 @@ TEST(EnergyTable, CrosscheckOneErrorGivenAsTableAndAsLine) {
       else
         line.hysteresis = dahl(1e5, 3);
       Joint teeth = line;
-      teeth.kinematic_error.orders.clear();
+      teeth.kinematic_error = {};
       teeth.table = std::make_shared<const EnergyTable>(even_torques(), std::vector{of_teeth}, 0.0);
       const SimulationOptions options{.duration = 0.3, .output_step = 0.01, .tolerance = 1e-12};
       // Both begin with the same elastic torque and with no torque of the parallel elements.

@@ -125,6 +125,23 @@ TEST(Joint, IdentityGivenSpeedNeedsTheTorqueThatWouldGiveIt) {
   test::expect_relative(joint_rate(joint, 1.0, x).input_acceleration, 20.0, 1e-10);
 }
 
+TEST(Joint, IdentityRateOfTheTwist) {
+  // (MO-11): the rate alone is that of the equations of motion, and the difference of the twist
+  // over a short time; the tolerance of the latter is the curvature of the kinematic error.
+  const Joint joint = conservative();
+  constexpr double kTime = 1e-7;
+  for (const double angle : {0.0, 0.7, 31.0}) {
+    const JointState x{.input_angle = angle, .input_speed = 150, .output_speed = -1.4};
+    EXPECT_DOUBLE_EQ(twist_rate(joint, x), joint_rate(joint, 0.0, x).forces.twist_rate);
+    JointState later = x;
+    later.input_angle += kTime * x.input_speed;
+    later.output_angle += kTime * x.output_speed;
+    const double change =
+        joint_rate(joint, 0.0, later).forces.twist - joint_rate(joint, 0.0, x).forces.twist;
+    EXPECT_NEAR(change / kTime, twist_rate(joint, x), 2e-6);
+  }
+}
+
 TEST(Joint, BehaviourOfProfiles) {
   const Profile profile{.time = {1.0, 2.0, 4.0}, .value = {3.0, 5.0, 1.0}};
   EXPECT_EQ(profile.at(0.0), 3.0);
@@ -178,11 +195,15 @@ TEST(Joint, InputEachRuleBrokenOnce) {
       },
       "output_friction: has load_coulomb or load_breakaway, which only input_friction may have; "
       "leave them out");
-  names([](Joint& j) { j.kinematic_error.orders[1].order = 0; }, "kinematic_error[1].order");
-  names([](Joint& j) { j.kinematic_error.orders[1].amplitude = 0.02; }, "amplitude");
   names(
       [](Joint& j) {
-        j.kinematic_error.orders[0].phase = std::numeric_limits<double>::quiet_NaN();
+        j.kinematic_error = {{{1, 3e-5, 0}, {0, 2e-4, 0}}};
+      },
+      "kinematic_error[1].order");
+  names([](Joint& j) { j.kinematic_error = {{{2, 0.02, 0}}}; }, "amplitude");
+  names(
+      [](Joint& j) {
+        j.kinematic_error = {{{2, 1e-4, std::numeric_limits<double>::quiet_NaN()}}};
       },
       "phase");
   names([](Joint& j) { j.cracks[0].compliance = -1; }, "crack[0].compliance");

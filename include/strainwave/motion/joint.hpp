@@ -130,6 +130,9 @@ struct JointRate {
   double released = 0.0;  ///< part of `lost` that the growing cracks release (MO-50) [W]
 };
 
+/// d phi/dt of a joint (MO-11) [rad/s].
+[[nodiscard]] double twist_rate(const Joint& joint, const JointState& state);
+
 /// Equations of motion of a joint (MO-11).
 [[nodiscard]] JointRate joint_rate(const Joint& joint, double time, const JointState& state);
 

@@ -46,8 +46,14 @@ struct ErrorOrder {
 
 /// Kinematic error theta_k = sum of A sin(o theta_m + p), angle of the output beyond that of an
 /// ideal gear (MO-4).
-struct KinematicError {
-  std::vector<ErrorOrder> orders = {};
+class KinematicError {
+ public:
+  KinematicError() = default;
+  /// A braced list of lines is a kinematic error.
+  /// @param orders  lines in any order
+  KinematicError(std::vector<ErrorOrder> orders);  // NOLINT(google-explicit-constructor)
+
+  [[nodiscard]] const std::vector<ErrorOrder>& orders() const { return orders_; }
 
   struct At {
     double value = 0.0;  ///< theta_k [rad]
@@ -57,6 +63,21 @@ struct KinematicError {
   [[nodiscard]] At at(double input_angle) const;
   /// The highest order; 0: no order [-].
   [[nodiscard]] double highest_order() const;
+
+ private:
+  /// A cos p and A sin p of a line; 0: there is no line of this multiple [rad].
+  struct Line {
+    double sine = 0.0;    ///< of sin(o theta_m)
+    double cosine = 0.0;  ///< of cos(o theta_m)
+  };
+  /// Lines whose orders are multiples of the first one: they share one sine and one cosine.
+  struct Family {
+    double order = 0.0;  ///< of the first line [-]
+    std::vector<Line> lines = {};
+  };
+
+  std::vector<ErrorOrder> orders_ = {};
+  std::vector<Family> families_ = {};
 };
 
 /// The lines of a kinematic error that is given at even angles (MO-56).

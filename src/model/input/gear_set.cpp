@@ -58,11 +58,11 @@ const Material& material_of(const GearSet& gear, std::string_view name, std::str
 }
 
 KinematicError kinematic_error_of(const GearSet& gear) {
-  KinematicError error{gear.kinematic_error};
+  std::vector<ErrorOrder> orders = gear.kinematic_error;
   if (gear.error_table)
-    error.orders.insert(error.orders.end(), gear.error_table->lines.orders.begin(),
-                        gear.error_table->lines.orders.end());
-  return error;
+    orders.insert(orders.end(), gear.error_table->lines.orders.begin(),
+                  gear.error_table->lines.orders.end());
+  return orders;
 }
 
 void drop_lost_paths(GearSet& gear, const GearSet& before) {
