@@ -82,6 +82,14 @@ std::map<std::string, ListedCode> listed_codes() {
 TEST(NoteCodes, IdentityNotesOfTheExamplesHaveTheListedSeverity) {
   const auto listed = listed_codes();
   std::map<std::string, int> seen;
+#ifdef STRAINWAVE_SANITIZED
+  // The sanitizers take ten times as long, so they see every third example of each command; the
+  // release sees whether each code is reached.
+  constexpr std::size_t kEvery = 3;
+#else
+  constexpr std::size_t kEvery = 1;
+#endif
+  std::size_t n = 0;
   for (const auto& [command, options] : test::trial_options()) {
     // These commands repeat the notes of stiffness, sensitivity and torsion.
     if (command_named(commands(), command).takes == Takes::nothing || command == "solve" ||
@@ -89,6 +97,7 @@ TEST(NoteCodes, IdentityNotesOfTheExamplesHaveTheListedSeverity) {
         command == "transmission")
       continue;
     for (const auto& [name, drive] : test::example_drives()) {
+      if (n++ % kEvery != 0) continue;
       try {
         const Answer answer = test::run_command(command, drive, options);
         for (const Note& note : answer.evidence().notes) {
@@ -103,7 +112,7 @@ TEST(NoteCodes, IdentityNotesOfTheExamplesHaveTheListedSeverity) {
     }
   }
   for (const auto& [code, row] : listed)
-    EXPECT_TRUE(row.reached != "example" || seen.contains(code)) << code;
+    EXPECT_TRUE(kEvery > 1 || row.reached != "example" || seen.contains(code)) << code;
 }
 
 /// How many notes of an answer carry a code.
