@@ -52,15 +52,15 @@ constexpr double kSolidSeconds = 7.5;  ///< at kSolidUnknowns [s]
 constexpr double kSolidSecondsExponent = 1.36;
 constexpr double kSolidBytes = 1.1e9;  ///< at kSolidUnknowns [byte]
 constexpr double kSolidBytesExponent = 1.34;
-/// Three crack sizes under both senses of torque.
-constexpr std::size_t kTubeSolutions = 6;
-/// Number of solutions; fields of a cup add the sound cup for each sense.
+/// Three crack sizes, each with one factorisation for both senses of torque.
+constexpr std::size_t kTubeSolutions = 3;
+/// Number of solutions; fields of a cup add the sound cup.
 std::size_t tube_solutions(const gear_fem::TubeWithThroughCrack& tube, RunFields fields) {
-  return kTubeSolutions + (tube.ends.any() && fields != RunFields::none ? 2 : 0);
+  return kTubeSolutions + (tube.ends.any() && fields != RunFields::none ? 1 : 0);
 }
 /// Solutions of a surface crack; a fully closed crack needs fewer, because it is not compared with
 /// its neighbours.
-constexpr std::size_t kSurfaceSolutions = 6;
+constexpr std::size_t kSurfaceSolutions = 3;
 
 /// Memory of one solution of a solid by (FE-44) [byte].
 double solid_memory(double dofs) {
@@ -417,10 +417,8 @@ fem::FieldRequest fields_of(RunFields fields, int divisions) {
 }
 
 /// A crack of the wall under both senses of torque.
-template <class Run, class Tube, class Solve>
-Run both_senses(const WallCrack<Tube>& crack, const RunOptions& options, std::size_t solutions,
-                const Solve& solve) {
-  Run done{.path = crack.path, .tube = crack.tube, .positive = {}, .negative = {}};
+template <class Run, class Tube>
+Run both_senses(const WallCrack<Tube>& crack, const RunOptions& options, std::size_t solutions) {
   Tube tube = crack.tube;
   tube.fields = fields_of(options.fields, 2 * tube.order);
   std::size_t solution = 0;
@@ -428,14 +426,15 @@ Run both_senses(const WallCrack<Tube>& crack, const RunOptions& options, std::si
     ++solution;
     if (!options.progress) return;
     options.progress(fmt::format(
-        "{}, torque {:+.6g} N*m: solution {} of at most {}, {:.0f} k unknowns, {:.1f} s",
-        crack.path, tube.sense == TorqueSense::positive ? tube.torque : -tube.torque, solution,
-        solutions, static_cast<double>(solid.dofs) / 1e3, seconds));
+        "{}, torque +-{:.6g} N*m: solution {} of at most {}, {:.0f} k unknowns, {:.1f} s",
+        crack.path, tube.torque, solution, solutions, static_cast<double>(solid.dofs) / 1e3,
+        seconds));
   };
-  done.positive = solve(tube);
-  tube.sense = TorqueSense::negative;
-  done.negative = solve(tube);
-  return done;
+  auto [positive, negative] = gear_fem::solve_both_senses(tube);
+  return {.path = crack.path,
+          .tube = crack.tube,
+          .positive = std::move(positive),
+          .negative = std::move(negative)};
 }
 
 }  // namespace
@@ -457,11 +456,10 @@ RunResult run(const GearSet& gear, const RunOptions& options, const Ranks& ranks
   // waiting.
   for (const auto& crack : work.wall_cracks)
     result.flexspline.cracks.emplace_back(
-        both_senses<TubeCrackRun>(crack, options, tube_solutions(crack.tube, options.fields),
-                                  gear_fem::solve_tube_with_through_crack));
+        both_senses<TubeCrackRun>(crack, options, tube_solutions(crack.tube, options.fields)));
   for (const auto& crack : work.surface_cracks)
-    result.flexspline.cracks.emplace_back(both_senses<SurfaceCrackRun>(
-        crack, options, kSurfaceSolutions, gear_fem::solve_tube_with_surface_crack));
+    result.flexspline.cracks.emplace_back(
+        both_senses<SurfaceCrackRun>(crack, options, kSurfaceSolutions));
   if (!ranks.first()) return result;
   const int order = options.order.value_or(kSectionOrder);
   const fem::SectionOptions section{.order = order, .fields = fields_of(options.fields, order)};

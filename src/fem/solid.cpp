@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "solid/assembly.hpp"
 #include "solid/contact.hpp"
@@ -27,9 +28,8 @@ struct FaceWork {
   double volume = 0;  ///< volume between the faces [m^3]
 };
 
-FaceWork face_work(const Space& space, const Vector& u) {
-  const SolidProblem& problem = space.problem;
-  const dealii::QGauss<2> rule(static_cast<unsigned>(problem.order) + 3);
+FaceWork face_work(const Space& space, const SolidLoad& load, const Vector& u) {
+  const dealii::QGauss<2> rule(static_cast<unsigned>(space.problem.order) + 3);
   dealii::FEFaceValues<3> values(space.body.mapping, space.scalar, rule,
                                  dealii::update_values | dealii::update_normal_vectors |
                                      dealii::update_quadrature_points | dealii::update_JxW_values);
@@ -42,8 +42,8 @@ FaceWork face_work(const Space& space, const Vector& u) {
       const Tensor<1, 3> moved = displacement.at(values, q);
       const Tensor<1, 3>& n = values.normal_vector(q);
       result.volume -= moved * n * values.JxW(q);
-      if (!problem.stress_without_crack) continue;
-      const auto s = problem.stress_without_crack(to_array(values.quadrature_point(q)));
+      if (!load.stress_without_crack) continue;
+      const auto s = load.stress_without_crack(to_array(values.quadrature_point(q)));
       for (unsigned i = 0; i < 3; ++i)
         result.work -= (s[i][0] * n[0] + s[i][1] * n[1] + s[i][2] * n[2]) * moved[i] *
                        values.JxW(q);  // (FE-26)
@@ -66,9 +66,17 @@ double equilibrium_residual(Vector residual, const Vector& load, const Contact* 
   return largest / load.linfty_norm();  // (FE-21)
 }
 
+/// A body under one load.
+struct LoadedBody {
+  Vector load;  ///< nodal forces [N]
+  Vector u;     ///< [m]
+  std::optional<Contact> contact;
+};
+
 }  // namespace
 
-SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
+std::vector<SolidResult> solve_solid(const HexMesh& mesh, const SolidProblem& problem,
+                                     std::span<const SolidLoad> loads) {
   const Elasticity& m = problem.material;
   require(m.youngs_modulus > 0 && std::isfinite(m.youngs_modulus), "youngs_modulus",
           m.youngs_modulus, "Pa", "youngs_modulus > 0");
@@ -78,48 +86,61 @@ SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
   require(problem.fields.divisions >= 0 && problem.fields.divisions <= 8, "divisions",
           problem.fields.divisions, "1", "0 <= divisions <= 8");
   if (mesh.cells.empty()) throw InputError("mesh", "has no cells");
+  if (loads.empty()) throw InputError("loads", "must have at least one load");
 
   const Space space(mesh, problem);
-  const Vector load = nodal_loads(space);
-  SolidResult result;
-  result.worst_jacobian = space.jacobian;
-  result.dofs = space.dofs.n_dofs();
-  result.cells = mesh.cells.size();
+  SolidResult of_body;
+  of_body.worst_jacobian = space.jacobian;
+  of_body.dofs = space.dofs.n_dofs();
+  of_body.cells = mesh.cells.size();
 
   const Clock::time_point start = Clock::now();
   const Constraints constraints = support_constraints(space);
-  Vector u;
-  std::optional<Contact> contact;
+  std::vector<LoadedBody> loaded;
   {  // this scope frees the factorisation, which takes most of the memory
     Equations equations(space, constraints);
-    u = equations.displacements(load);
-    if (problem.crack_faces == CrackFaces::contact)
-      contact = close_crack(space, constraints, equations, load, u);
-    result.assembly_seconds = seconds(equations.assembled() - start);
-    result.solver_seconds = seconds(Clock::now() - equations.assembled());
-    result.factor_megabytes = equations.solver().megabytes();
-    result.factor_operations = equations.solver().operations();
-  }
-  if (contact) {
-    u = contact->u;
-    result.contact_share = contact->share;
-    result.contact_iterations = contact->iterations;
-    result.contact_overlap = contact->overlap;
+    std::optional<FaceContact> faces;
+    if (problem.crack_faces == CrackFaces::contact) faces.emplace(space, constraints, equations);
+    for (const SolidLoad& load : loads) {
+      LoadedBody& of = loaded.emplace_back();
+      of.load = nodal_loads(space, load);
+      of.u = equations.displacements(of.load);
+      if (faces) of.contact = faces->close(of.load, of.u);
+      if (of.contact) of.u = of.contact->u;
+    }
+    of_body.assembly_seconds = seconds(equations.assembled() - start);
+    of_body.solver_seconds = seconds(Clock::now() - equations.assembled());
+    of_body.factor_megabytes = equations.solver().megabytes();
+    of_body.factor_operations = equations.solver().operations();
   }
 
-  const Contact* const touching = contact ? &*contact : nullptr;
-  const InternalForces inner = internal_forces(space, u);
-  result.strain_energy = inner.energy;
-  result.work = load * u;
-  result.equilibrium_residual = equilibrium_residual(inner.forces, load, touching, constraints);
-  result.energy_balance = std::abs(result.work / (2 * inner.energy) - 1);
-  const FaceWork faces = face_work(space, u);
-  result.added_work = faces.work;
-  result.crack_volume = faces.volume;
-  for (std::size_t f = 0; f < mesh.fronts; ++f)
-    result.fronts.push_back(evaluate_front(space, u, touching, f));
-  if (problem.fields.divisions > 0) result.fields = sampled_fields(space, u);
-  return result;
+  std::vector<SolidResult> results;
+  for (std::size_t n = 0; n < loads.size(); ++n) {
+    const auto& [load, u, contact] = loaded[n];
+    SolidResult& result = results.emplace_back(of_body);
+    if (contact) {
+      result.contact_share = contact->share;
+      result.contact_iterations = contact->iterations;
+      result.contact_overlap = contact->overlap;
+    }
+    const Contact* const touching = contact ? &*contact : nullptr;
+    const InternalForces inner = internal_forces(space, u);
+    result.strain_energy = inner.energy;
+    result.work = load * u;
+    result.equilibrium_residual = equilibrium_residual(inner.forces, load, touching, constraints);
+    result.energy_balance = std::abs(result.work / (2 * inner.energy) - 1);
+    const FaceWork faces = face_work(space, loads[n], u);
+    result.added_work = faces.work;
+    result.crack_volume = faces.volume;
+    for (std::size_t f = 0; f < mesh.fronts; ++f)
+      result.fronts.push_back(evaluate_front(space, u, touching, f));
+    if (problem.fields.divisions > 0) result.fields = sampled_fields(space, loads[n], u);
+  }
+  return results;
+}
+
+SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem, const SolidLoad& load) {
+  return std::move(solve_solid(mesh, problem, std::span(&load, 1)).front());
 }
 
 double check_jacobians(const HexMesh& mesh) { return worst_jacobian(mesh, Body(mesh, 1)); }

@@ -23,29 +23,6 @@ void check_positive(const char* field, double value) {
   require(value > 0 && std::isfinite(value), field, value, "m", "> 0");
 }
 
-/// Adds the loads of both kinds of block, which are in equilibrium.
-void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress, double width) {
-  const auto add = [&](int tag, const fem::Point3& t) {
-    problem.tractions.push_back({.tag = tag, .value = [t](const fem::Point3&) { return t; }});
-  };
-  if (load == BlockLoad::tension) {
-    add(kTop, {0, stress, 0});
-    add(kBottom, {0, -stress, 0});
-  } else if (load == BlockLoad::bending) {
-    for (const int tag : {kTop, kBottom}) {
-      const double outward = tag == kTop ? 1.0 : -1.0;
-      problem.tractions.push_back({.tag = tag, .value = [=](const fem::Point3& p) {
-                                     return fem::Point3{0, outward * stress * p[0] / width, 0};
-                                   }});
-    }
-  } else {
-    add(kTop, {stress, 0, 0});
-    add(kBottom, {-stress, 0, 0});
-    add(kRight, {0, stress, 0});
-    add(kLeft, {0, -stress, 0});
-  }
-}
-
 /// Stress of the block without its crack.
 std::function<std::array<fem::Point3, 3>(const fem::Point3&)> far_stress(BlockLoad load,
                                                                          double stress,
@@ -58,6 +35,31 @@ std::function<std::array<fem::Point3, 3>(const fem::Point3&)> far_stress(BlockLo
       s[1][1] = load == BlockLoad::bending ? stress * p[0] / width : stress;
     return s;
   };
+}
+
+/// The loads of both kinds of block, which are in equilibrium.
+fem::SolidLoad loads_of(BlockLoad load, double stress, double width) {
+  fem::SolidLoad made{.tractions = {}, .stress_without_crack = far_stress(load, stress, width)};
+  const auto add = [&](int tag, const fem::Point3& t) {
+    made.tractions.push_back({.tag = tag, .value = [t](const fem::Point3&) { return t; }});
+  };
+  if (load == BlockLoad::tension) {
+    add(kTop, {0, stress, 0});
+    add(kBottom, {0, -stress, 0});
+  } else if (load == BlockLoad::bending) {
+    for (const int tag : {kTop, kBottom}) {
+      const double outward = tag == kTop ? 1.0 : -1.0;
+      made.tractions.push_back({.tag = tag, .value = [=](const fem::Point3& p) {
+                                  return fem::Point3{0, outward * stress * p[0] / width, 0};
+                                }});
+    }
+  } else {
+    add(kTop, {stress, 0, 0});
+    add(kBottom, {-stress, 0, 0});
+    add(kRight, {0, stress, 0});
+    add(kLeft, {0, -stress, 0});
+  }
+  return made;
 }
 
 }  // namespace
@@ -134,9 +136,7 @@ fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
                                 if (p[1] > H - tiny) held = {{1, 0, 0}};
                                 return held;
                               }});
-  add_loads(problem, block.load, block.stress, W);
-  problem.stress_without_crack = far_stress(block.load, block.stress, W);
-  return fem::solve_solid(mesh, problem);
+  return fem::solve_solid(mesh, problem, loads_of(block.load, block.stress, W));
 }
 
 fem::SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
@@ -199,9 +199,7 @@ fem::SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
                                   held.push_back({0, 0, 1});
                                 return held;
                               }});
-  add_loads(problem, block.load, block.stress, X);
-  problem.stress_without_crack = far_stress(block.load, block.stress, X);
-  return fem::solve_solid(mesh, problem);
+  return fem::solve_solid(mesh, problem, loads_of(block.load, block.stress, X));
 }
 
 }  // namespace strainwave::gear_fem

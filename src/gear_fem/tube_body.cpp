@@ -114,23 +114,25 @@ fem::Traction end_torque(double mean_radius, double wall_thickness, double torqu
           }};
 }
 
-fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
-                               const fem::Elasticity& material, double torque) {
+fem::SolidProblem clamped_tube(const fem::Elasticity& material) {
   fem::SolidProblem problem;
   problem.material = material;
   problem.crack_tag = kTubeCrack;
   problem.supports.push_back({.tag = kTubeClamp, .directions = [](const fem::Point3&) {
                                 return std::vector<fem::Point3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
                               }});
-  problem.tractions.push_back(end_torque(mean_radius, wall_thickness, torque));
-  const double rate = torque / tube_polar_moment(mean_radius, wall_thickness);
-  problem.stress_without_crack = [rate](const fem::Point3& p) {
-    std::array<fem::Point3, 3> s{};
-    s[0][2] = s[2][0] = -rate * p[1];
-    s[1][2] = s[2][1] = rate * p[0];
-    return s;
-  };
   return problem;
+}
+
+fem::SolidLoad tube_torsion(double mean_radius, double wall_thickness, double torque) {
+  const double rate = torque / tube_polar_moment(mean_radius, wall_thickness);
+  return {.tractions = {end_torque(mean_radius, wall_thickness, torque)},
+          .stress_without_crack = [rate](const fem::Point3& p) {
+            std::array<fem::Point3, 3> s{};
+            s[0][2] = s[2][0] = -rate * p[1];
+            s[1][2] = s[2][1] = rate * p[0];
+            return s;
+          }};
 }
 
 void judge(TubeCrackResult& result, bool derivative, bool overlap) {

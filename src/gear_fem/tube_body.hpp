@@ -44,9 +44,15 @@ struct TubeBody {
 /// Traction of a torque on the end of a tube with this wall, tau = T r/J.
 [[nodiscard]] fem::Traction end_torque(double mean_radius, double wall_thickness, double torque);
 
-/// The problem of a tube clamped at z = 0 with the traction of a torque at z = length.
-[[nodiscard]] fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
-                                             const fem::Elasticity& material, double torque);
+/// The problem of a tube clamped at z = 0.
+[[nodiscard]] fem::SolidProblem clamped_tube(const fem::Elasticity& material);
+/// The traction of a torque at z = length, with the stress of the tube without a crack.
+[[nodiscard]] fem::SolidLoad tube_torsion(double mean_radius, double wall_thickness, double torque);
+inline constexpr std::array kBothSenses = {TorqueSense::positive, TorqueSense::negative};
+/// Sign of a torque about +z.
+[[nodiscard]] constexpr double sign_of(TorqueSense sense) {
+  return sense == TorqueSense::positive ? 1.0 : -1.0;
+}
 
 /// Polar moment J = pi/2 (ro^4 - ri^4) [m^4].
 [[nodiscard]] double tube_polar_moment(double mean_radius, double wall_thickness);

@@ -8,6 +8,9 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "ellipse_template.hpp"
 #include "strainwave/core/error.hpp"
@@ -98,36 +101,44 @@ double swept(const TubeWithSurfaceCrack& tube, const fem::PointMap& map, double 
   return cross_norm(growth, along);
 }
 
-/// Results for one size of the crack.
+/// Results for one size of the crack under one sense of the torque.
 struct SolvedSurfaceCrack {
   fem::SolidResult solid;
   double sweep{};    ///< dA/ds [m^2]
   double release{};  ///< int G v_n dl per unit of size [J]
 };
 
-SolvedSurfaceCrack solve_surface_crack(const TubeWithSurfaceCrack& tube, double size) {
+/// @return a result for each sense
+std::vector<SolvedSurfaceCrack> solve_surface_crack(const TubeWithSurfaceCrack& tube, double size,
+                                                    std::span<const TorqueSense> senses) {
   const auto start = std::chrono::steady_clock::now();
   const MeshedSurfaceCrack meshed = mesh_surface_crack(tube, size);
-  const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
-  fem::SolidProblem problem =
-      tube_torsion(tube.mean_radius, tube.wall_thickness, tube.material, torque);
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  std::vector<fem::SolidLoad> loads;
+  for (const TorqueSense sense : senses)
+    loads.push_back(
+        tube_torsion(tube.mean_radius, tube.wall_thickness, sign_of(sense) * tube.torque));
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
   if (size == 1) problem.fields = tube.fields;
-  SolvedSurfaceCrack result{.solid = fem::solve_solid(meshed.mesh, problem)};
+  std::vector<SolvedSurfaceCrack> results;
+  for (fem::SolidResult& solid : fem::solve_solid(meshed.mesh, problem, loads))
+    results.push_back({.solid = std::move(solid)});
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (tube.solved) tube.solved(result.solid, taken.count());
-  // G is quadratic over each segment, so Simpson's rule is used with dA of the analytic map.
-  const auto& stations = result.solid.fronts.at(0).stations;
-  const double step = pi / static_cast<double>(stations.size() - 1);
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const bool end = i == 0 || i + 1 == stations.size();
-    const double weight = step / 3 * (end ? 1 : i % 2 == 1 ? 4 : 2);
-    const double sweep = weight * swept(tube, meshed.map, size, step * static_cast<double>(i));
-    result.sweep += sweep;
-    result.release += sweep * stations[i].energy_release_rate;  // (FE-34)
+  if (tube.solved) tube.solved(results.front().solid, taken.count());
+  for (SolvedSurfaceCrack& result : results) {
+    // G is quadratic over each segment, so Simpson's rule is used with dA of the analytic map.
+    const auto& stations = result.solid.fronts.at(0).stations;
+    const double step = pi / static_cast<double>(stations.size() - 1);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const bool end = i == 0 || i + 1 == stations.size();
+      const double weight = step / 3 * (end ? 1 : i % 2 == 1 ? 4 : 2);
+      const double sweep = weight * swept(tube, meshed.map, size, step * static_cast<double>(i));
+      result.sweep += sweep;
+      result.release += sweep * stations[i].energy_release_rate;  // (FE-34)
+    }
   }
-  return result;
+  return results;
 }
 
 /// Checks the values and chooses those that were left open.
@@ -177,57 +188,89 @@ fem::HexMesh mesh_tube_with_surface_crack(const TubeWithSurfaceCrack& tube) {
   return mesh_surface_crack(completed(tube), 1).mesh;
 }
 
-TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack& tube_given) {
-  const TubeWithSurfaceCrack tube = completed(tube_given);
+namespace {
+
+/// Solves each size of the crack once for all senses.
+std::vector<TubeSurfaceCrackResult> solve_senses(const TubeWithSurfaceCrack& tube,
+                                                 std::span<const TorqueSense> senses) {
   const double a = tube.depth;
-  const double c = tube.half_length;
   const double E = tube.material.youngs_modulus;
   const double J = tube_polar_moment(tube.mean_radius, tube.wall_thickness);
   const double T2 = tube.torque * tube.torque;
-  TubeSurfaceCrackResult result;
-  result.nominal_shear = tube.torque * tube.mean_radius / J;
-  result.compliance_without = tube.length / (tube.material.shear_modulus() * J);
-  result.closed_release_rate = 1e-3 * result.nominal_shear * result.nominal_shear * pi * a / E;
-  result.area = pi / 2 * a * c;
-
-  SolvedSurfaceCrack now = solve_surface_crack(tube, 1);
-  result.solid = std::move(now.solid);
-  result.added_compliance = result.solid.added_work / T2;
-  result.compliance = result.compliance_without + result.added_compliance;
-  result.energy_release_rate = now.release / now.sweep;
-  const fem::CrackFront& front = result.solid.fronts.at(0);
-  const FrontFaces faces = faces_along(front);
-  result.closed = faces.closed;
-  result.deepest = front.stations[front.stations.size() / 2];
-
-  // Faces that touch everywhere and release no energy do not allow a comparison.
-  const bool nothing =
-      std::abs(result.energy_release_rate) < result.closed_release_rate &&
-      std::abs(result.solid.added_work) < 2 * result.closed_release_rate * result.area;
-  if (tube.check_growth && !nothing) {
-    constexpr double kStep = 0.01;
-    const SolvedSurfaceCrack less = solve_surface_crack(tube, 1 - kStep);
-    const SolvedSurfaceCrack more = solve_surface_crack(tube, 1 + kStep);
-    result.derivative_release_rate = (more.solid.added_work - less.solid.added_work) /
-                                     (2 * 2 * kStep * now.sweep);  // (FE-28), (FE-34)
-    result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
+  std::vector<TubeSurfaceCrackResult> results;
+  std::vector<double> sweeps;
+  std::vector<FrontFaces> faces;
+  std::vector<std::size_t> compared;  // numbers of those that are compared with other sizes
+  for (SolvedSurfaceCrack& now : solve_surface_crack(tube, 1, senses)) {
+    TubeSurfaceCrackResult& result = results.emplace_back();
+    result.nominal_shear = tube.torque * tube.mean_radius / J;
+    result.compliance_without = tube.length / (tube.material.shear_modulus() * J);
+    result.closed_release_rate = 1e-3 * result.nominal_shear * result.nominal_shear * pi * a / E;
+    result.area = pi / 2 * a * tube.half_length;
+    result.solid = std::move(now.solid);
+    result.added_compliance = result.solid.added_work / T2;
+    result.compliance = result.compliance_without + result.added_compliance;
+    result.energy_release_rate = now.release / now.sweep;
+    sweeps.push_back(now.sweep);
+    const fem::CrackFront& front = result.solid.fronts.at(0);
+    faces.push_back(faces_along(front));
+    result.closed = faces.back().closed;
+    result.deepest = front.stations[front.stations.size() / 2];
+    // Faces that touch everywhere and release no energy do not allow a comparison.
+    const bool nothing =
+        std::abs(result.energy_release_rate) < result.closed_release_rate &&
+        std::abs(result.solid.added_work) < 2 * result.closed_release_rate * result.area;
+    if (!nothing) compared.push_back(results.size() - 1);
   }
-  if (tube.check_sizes && !nothing) {
+  std::vector<TorqueSense> again;
+  for (const std::size_t n : compared) again.push_back(senses[n]);
+  if (tube.check_growth && !again.empty()) {
+    constexpr double kStep = 0.01;
+    const std::vector<SolvedSurfaceCrack> less = solve_surface_crack(tube, 1 - kStep, again);
+    const std::vector<SolvedSurfaceCrack> more = solve_surface_crack(tube, 1 + kStep, again);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      TubeSurfaceCrackResult& result = results[compared[k]];
+      result.derivative_release_rate = (more[k].solid.added_work - less[k].solid.added_work) /
+                                       (2 * 2 * kStep * sweeps[compared[k]]);  // (FE-28), (FE-34)
+      result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
+    }
+  }
+  if (tube.check_sizes && !again.empty()) {
     // Gauss points for the weight s^2, because the energy release starts like s^2.
     constexpr std::array<double, 3> kSize{0.2949977901115016, 0.6529962339616481,
                                           0.9270059759268503};
     constexpr std::array<double, 3> kWeight{0.0299507030085807, 0.1462462692598660,
                                             0.1571363610648866};
-    for (std::size_t i = 0; i < kSize.size(); ++i)
-      result.compliance_by_sizes += 2 / T2 * kWeight[i] / (kSize[i] * kSize[i]) *
-                                    solve_surface_crack(tube, kSize[i]).release;  // (FE-35)
-    result.sizes_check = result.compliance_by_sizes / result.added_compliance - 1;
+    for (std::size_t i = 0; i < kSize.size(); ++i) {
+      const std::vector<SolvedSurfaceCrack> smaller = solve_surface_crack(tube, kSize[i], again);
+      for (std::size_t k = 0; k < again.size(); ++k)
+        results[compared[k]].compliance_by_sizes +=
+            2 / T2 * kWeight[i] / (kSize[i] * kSize[i]) * smaller[k].release;  // (FE-35)
+    }
+    for (const std::size_t n : compared)
+      results[n].sizes_check = results[n].compliance_by_sizes / results[n].added_compliance - 1;
   }
-  const double share = front.closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
-  if (share > kClosedShare)
-    result.reason = fmt::format("at touching faces the integrals leave {:.2g} of K0 as K_I", share);
-  judge(result, tube.check_growth, faces.overlap);
-  return result;
+  for (std::size_t n = 0; n < senses.size(); ++n) {
+    TubeSurfaceCrackResult& result = results[n];
+    const double share =
+        result.solid.fronts.at(0).closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
+    if (share > kClosedShare)
+      result.reason =
+          fmt::format("at touching faces the integrals leave {:.2g} of K0 as K_I", share);
+    judge(result, tube.check_growth, faces[n].overlap);
+  }
+  return results;
+}
+
+}  // namespace
+
+TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack& tube) {
+  return std::move(solve_senses(completed(tube), std::span(&tube.sense, 1)).front());
+}
+
+BothSenses<TubeSurfaceCrackResult> solve_both_senses(const TubeWithSurfaceCrack& tube) {
+  std::vector<TubeSurfaceCrackResult> results = solve_senses(completed(tube), kBothSenses);
+  return {.positive = std::move(results[0]), .negative = std::move(results[1])};
 }
 
 std::vector<EllipsePoint> TubeSurfaceCrackResult::front() const {

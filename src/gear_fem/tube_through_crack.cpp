@@ -9,7 +9,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "confocal_plan.hpp"
 #include "crack_plan.hpp"
@@ -40,9 +42,10 @@ constexpr double kClosedShare = 0.02;
 /// Largest relative difference of the sound cup's compliance between solid and section [-].
 constexpr double kSoundTolerance = 0.005;
 
+/// One size of the crack under the torques of several senses.
 struct Solved {
-  fem::SolidResult solid;
-  double area;  ///< area of the crack
+  std::vector<fem::SolidResult> solids;  ///< one for each sense
+  double area;                           ///< area of the crack
 };
 
 CupSection cup_of(const TubeWithThroughCrack& tube) {
@@ -127,40 +130,47 @@ fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = W
 }
 
 /// Adds the energy density without the crack, computed with the same cells, to each point of a
-/// cup's fields.
-void add_sound_energy(fem::SampledFields& fields, const TubeWithThroughCrack& tube,
-                      fem::SolidProblem problem) {
+/// cup's fields under each load.
+void add_sound_energy(std::vector<fem::SolidResult>& solids, const TubeWithThroughCrack& tube,
+                      fem::SolidProblem problem, std::span<const fem::SolidLoad> loads) {
   problem.crack_tag = 0;
   problem.crack_faces = fem::CrackFaces::free;
   problem.fields.every_cell = true;  // the ranks may own other cells in this mesh
   const auto start = std::chrono::steady_clock::now();
-  const fem::SolidResult sound =
-      fem::solve_solid(mesh_size(tube, tube.half_length, Wall::sound), problem);
-  for (fem::FieldCell& cell : fields.cells)
-    for (std::size_t i = 0; i < cell.points.size(); ++i)
-      cell.points[i].energy_density_without_crack =
-          sound.fields.cells.at(cell.cell).points.at(i).energy_density;
+  const std::vector<fem::SolidResult> sound =
+      fem::solve_solid(mesh_size(tube, tube.half_length, Wall::sound), problem, loads);
+  for (std::size_t n = 0; n < loads.size(); ++n)
+    for (fem::FieldCell& cell : solids[n].fields.cells)
+      for (std::size_t i = 0; i < cell.points.size(); ++i)
+        cell.points[i].energy_density_without_crack =
+            sound[n].fields.cells.at(cell.cell).points.at(i).energy_density;
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (tube.solved) tube.solved(sound, taken.count());
+  if (tube.solved) tube.solved(sound.front(), taken.count());
 }
 
-Solved solve_size(const TubeWithThroughCrack& tube, double a) {
+fem::SolidLoad load_of(const TubeWithThroughCrack& tube, TorqueSense sense) {
+  const double torque = sign_of(sense) * tube.torque;
+  fem::SolidLoad load = tube_torsion(tube.mean_radius, tube.wall_thickness, torque);
+  if (const auto& rim = tube.ends.rim)
+    load.tractions = {
+        end_torque((rim->outer_diameter - rim->wall_thickness) / 2, rim->wall_thickness, torque)};
+  return load;
+}
+
+Solved solve_size(const TubeWithThroughCrack& tube, double a, std::span<const TorqueSense> senses) {
   const auto start = std::chrono::steady_clock::now();
   const fem::HexMesh mesh = mesh_size(tube, a);
-  const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
-  fem::SolidProblem problem =
-      tube_torsion(tube.mean_radius, tube.wall_thickness, tube.material, torque);
-  if (const auto& rim = tube.ends.rim)
-    problem.tractions = {
-        end_torque((rim->outer_diameter - rim->wall_thickness) / 2, rim->wall_thickness, torque)};
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  std::vector<fem::SolidLoad> loads;
+  for (const TorqueSense sense : senses) loads.push_back(load_of(tube, sense));
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
   if (a == tube.half_length) problem.fields = tube.fields;
-  Solved done{fem::solve_solid(mesh, problem), 2 * a * tube.wall_thickness};
+  Solved done{fem::solve_solid(mesh, problem, loads), 2 * a * tube.wall_thickness};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (tube.solved) tube.solved(done.solid, taken.count());
+  if (tube.solved) tube.solved(done.solids.front(), taken.count());
   if (tube.ends.any() && problem.fields.divisions > 0)
-    add_sound_energy(done.solid.fields, tube, problem);
+    add_sound_energy(done.solids, tube, problem, loads);
   return done;
 }
 
@@ -222,64 +232,103 @@ fem::HexMesh mesh_tube_with_through_crack(const TubeWithThroughCrack& tube) {
   return mesh_size(completed(tube), tube.half_length);
 }
 
-TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_given) {
-  const TubeWithThroughCrack tube = completed(tube_given);
-  const double a = tube.half_length;
-  const double torque = tube.torque;
-  Solved now = solve_size(tube, a);
-  TubeCrackResult result;
-  result.solid = std::move(now.solid);
-  fem::SolidResult& solid = result.solid;
-  const double mu = tube.material.youngs_modulus / (2 * (1 + tube.material.poissons_ratio));
-  const double J = tube_polar_moment(tube.mean_radius, tube.wall_thickness);
-  result.nominal_shear = torque * tube.mean_radius / J;
-  result.compliance_without = tube.length / (mu * J);
-  result.added_compliance = solid.added_work / (torque * torque);
-  if (tube.ends.any()) {
-    const CupResult cup = solve_cup(cup_of(tube), tube.material);
-    if (!cup.usable) result.reason = "the sound cup: " + cup.reason;
-    result.compliance_without = cup.compliance;
-    result.sound_check =
-        (solid.work / (torque * torque) - result.added_compliance) / cup.compliance - 1;  // (FE-50)
-    if (result.reason.empty() && !(std::abs(result.sound_check) <= kSoundTolerance))
-      result.reason = fmt::format(
-          "without the crack, the compliance of the solid differs by {:.2g} from that of the body "
-          "of revolution",
-          result.sound_check);
-  }
-  result.compliance = result.compliance_without + result.added_compliance;
+namespace {
+
+/// Fracture quantities over the fronts of a crack.
+struct OverFronts {
+  double energy_release_rate = 0.0;  ///< [J/m^2]
+  double closed_K_I = 0.0;           ///< largest that touching faces leave [Pa*m^0.5]
+  bool closed = true;
+  bool overlap = false;  ///< the faces pass through each other at a station
+};
+
+OverFronts over_fronts(const fem::SolidResult& solid) {
+  OverFronts over;
   double length = 0;
   double release = 0;
   double largest_K = 0;
   double least_K_I = 0;
-  double closed_K_I = 0;
-  result.closed = true;
   for (const fem::CrackFront& front : solid.fronts) {
     release += front.release;
     length += front.length;
-    closed_K_I = std::max(closed_K_I, front.closed_K_I);
+    over.closed_K_I = std::max(over.closed_K_I, front.closed_K_I);
     for (const fem::FrontStation& s : front.stations) {
-      result.closed = result.closed && s.closed;
+      over.closed = over.closed && s.closed;
       largest_K = std::max(largest_K, std::hypot(s.K_I, s.K_II, s.K_III));
       least_K_I = std::min(least_K_I, s.K_I);
     }
   }
-  result.energy_release_rate = release / length;
+  over.energy_release_rate = release / length;
+  over.overlap = least_K_I < -0.01 * largest_K;
+  return over;
+}
+
+/// Solves each size of the crack once for all senses.
+std::vector<TubeCrackResult> solve_senses(const TubeWithThroughCrack& tube,
+                                          std::span<const TorqueSense> senses) {
+  const double a = tube.half_length;
+  const double torque = tube.torque;
+  const double mu = tube.material.shear_modulus();
+  const double J = tube_polar_moment(tube.mean_radius, tube.wall_thickness);
+  Solved now = solve_size(tube, a, senses);
+  std::optional<CupResult> cup;
+  if (tube.ends.any()) cup = solve_cup(cup_of(tube), tube.material);
+  std::optional<Solved> less;
+  std::optional<Solved> more;
   if (tube.check_growth) {
     constexpr double kStep = 0.01;
-    const Solved less = solve_size(tube, a * (1 - kStep));
-    const Solved more = solve_size(tube, a * (1 + kStep));
-    result.derivative_release_rate =
-        (more.solid.added_work - less.solid.added_work) / 2 / (more.area - less.area);  // (FE-28)
-    result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
+    less = solve_size(tube, a * (1 - kStep), senses);
+    more = solve_size(tube, a * (1 + kStep), senses);
   }
-  result.closed_release_rate = 1e-3 * std::pow(result.nominal_shear, 2) * std::numbers::pi * a /
-                               tube.material.youngs_modulus;
-  const double share = closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
-  if (result.reason.empty() && !(share <= kClosedShare))
-    result.reason = fmt::format("at touching faces the integrals leave {:.2g} of K0 as K_I", share);
-  judge(result, tube.check_growth, least_K_I < -0.01 * largest_K);
-  return result;
+  std::vector<TubeCrackResult> results;
+  for (std::size_t n = 0; n < senses.size(); ++n) {
+    TubeCrackResult& result = results.emplace_back();
+    result.solid = std::move(now.solids[n]);
+    const fem::SolidResult& solid = result.solid;
+    result.nominal_shear = torque * tube.mean_radius / J;
+    result.compliance_without = tube.length / (mu * J);
+    result.added_compliance = solid.added_work / (torque * torque);
+    if (cup) {
+      if (!cup->usable) result.reason = "the sound cup: " + cup->reason;
+      result.compliance_without = cup->compliance;
+      result.sound_check =
+          (solid.work / (torque * torque) - result.added_compliance) / cup->compliance -
+          1;  // (FE-50)
+      if (result.reason.empty() && !(std::abs(result.sound_check) <= kSoundTolerance))
+        result.reason = fmt::format(
+            "without the crack, the compliance of the solid differs by {:.2g} from that of the "
+            "body of revolution",
+            result.sound_check);
+    }
+    result.compliance = result.compliance_without + result.added_compliance;
+    const OverFronts over = over_fronts(solid);
+    result.closed = over.closed;
+    result.energy_release_rate = over.energy_release_rate;
+    if (less && more) {
+      result.derivative_release_rate = (more->solids[n].added_work - less->solids[n].added_work) /
+                                       2 / (more->area - less->area);  // (FE-28)
+      result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
+    }
+    result.closed_release_rate =
+        1e-3 * std::pow(result.nominal_shear, 2) * pi * a / tube.material.youngs_modulus;
+    const double share = over.closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
+    if (result.reason.empty() && !(share <= kClosedShare))
+      result.reason =
+          fmt::format("at touching faces the integrals leave {:.2g} of K0 as K_I", share);
+    judge(result, tube.check_growth, over.overlap);
+  }
+  return results;
+}
+
+}  // namespace
+
+TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube) {
+  return std::move(solve_senses(completed(tube), std::span(&tube.sense, 1)).front());
+}
+
+BothSenses<TubeCrackResult> solve_both_senses(const TubeWithThroughCrack& tube) {
+  std::vector<TubeCrackResult> results = solve_senses(completed(tube), kBothSenses);
+  return {.positive = std::move(results[0]), .negative = std::move(results[1])};
 }
 
 bool TubeCrackResult::releases() const {

@@ -37,12 +37,13 @@ SolidResult pulled_box(int divisions) {
                          if (std::abs(p[0]) < 1e-9) held.push_back({1, 0, 0});
                          return held;
                        }}};
-  problem.tractions = {{.tag = 2, .value = [](const Point3&) { return Point3{0, 0, 1e6}; }}};
-  problem.stress_without_crack = [](const Point3&) {  // half of it
+  SolidLoad load;
+  load.tractions = {{.tag = 2, .value = [](const Point3&) { return Point3{0, 0, 1e6}; }}};
+  load.stress_without_crack = [](const Point3&) {  // half of it
     return std::array<Point3, 3>{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0.5e6}}};
   };
   problem.fields = {.divisions = divisions};
-  return solve_solid(make_hex_mesh({cell}, body), problem);
+  return solve_solid(make_hex_mesh({cell}, body), problem, load);
 }
 
 // (FE-38): sigma^2/2E everywhere; points i/n of the cell, the first coordinate fastest.

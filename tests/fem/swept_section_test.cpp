@@ -62,19 +62,18 @@ TEST(SweptSection, CrosscheckTorsionOfAShoulderWithAFillet) {
   const double expected = solve_section(section, SectionLoad::torsion, kSweptSteel).compliance;
   const HexMesh mesh = solid_of(section, full_turn(8));
   EXPECT_GT(check_jacobians(mesh), 0.3);
-  SolidProblem problem{.material = kSweptSteel,
-                       .supports = {},
-                       .tractions = {},
-                       .order = 3,
-                       .stress_without_crack = {}};
+  SolidProblem problem{.material = kSweptSteel, .supports = {}, .order = 3};
   problem.supports.push_back({.tag = 1, .directions = [](const Point3&) {
                                 return std::vector<Point3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
                               }});
   const double J = pi / 2 * (std::pow(kNarrow, 4) - std::pow(kBore, 4));
-  problem.tractions.push_back({.tag = 2, .value = [J](const Point3& p) {
-                                 return Point3{-p[1] / J, p[0] / J, 0};
-                               }});
-  const SolidResult solid = solve_solid(mesh, problem);
+  const SolidLoad torque{.tractions = {{.tag = 2,
+                                        .value =
+                                            [J](const Point3& p) {
+                                              return Point3{-p[1] / J, p[0] / J, 0};
+                                            }}},
+                         .stress_without_crack = {}};
+  const SolidResult solid = solve_solid(mesh, problem, torque);
   // The tolerance is the discretisation at order 3; a solid converges from below.
   test::expect_relative(solid.work, expected, 2e-3);
   EXPECT_LT(solid.work, expected);

@@ -97,6 +97,25 @@ TEST(TubeSurfaceCrack, CrosscheckBlockAndGrowthFromNothing) {
               1e-9);
 }
 
+// Both senses with one factorisation are the same as each sense alone.  At -45 degrees the first
+// sense closes the crack, so only the second one is compared with other sizes.  Tolerance:
+// rounding.
+TEST(TubeSurfaceCrack, IdentityBothSensesAreEachAlone) {
+  TubeWithSurfaceCrack tube = surface_cracked(-45);
+  tube.check_growth = true;
+  const BothSenses<TubeSurfaceCrackResult> both = solve_both_senses(tube);
+  EXPECT_TRUE(both.positive.closed);
+  EXPECT_EQ(both.positive.growth_check, 0.0);
+  EXPECT_FALSE(both.negative.closed);
+  tube.sense = TorqueSense::negative;
+  const TubeSurfaceCrackResult alone = solve_tube_with_surface_crack(tube);
+  test::expect_relative(both.negative.energy_release_rate, alone.energy_release_rate, 1e-9);
+  test::expect_relative(both.negative.added_compliance, alone.added_compliance, 1e-9);
+  EXPECT_NE(alone.growth_check, 0.0);
+  EXPECT_NEAR(both.negative.growth_check, alone.growth_check, 1e-7);
+  EXPECT_EQ(both.negative.usable, alone.usable);
+}
+
 // Cost of order 3 for a shallow and for a long crack; the mesh is not tangled at any angle.
 TEST(TubeSurfaceCrack, LimitSizeOfTheProblem) {
   TubeWithSurfaceCrack tube = surface_cracked(45);

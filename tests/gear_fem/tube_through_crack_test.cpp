@@ -99,6 +99,29 @@ TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   EXPECT_LT(std::abs(closed.added_compliance), 1e-4 * overlap.added_compliance);
 }
 
+// Both senses with one factorisation are the same as each sense alone, open and pressed together;
+// the tolerance is rounding.
+TEST(TubeThroughCrack, IdentityBothSensesAreEachAlone) {
+  TubeWithThroughCrack tube = flexspline(10e-3, 30, 2);
+  tube.check_growth = true;
+  const BothSenses<TubeCrackResult> both = solve_both_senses(tube);
+  for (const TorqueSense sense : {TorqueSense::positive, TorqueSense::negative}) {
+    tube.sense = sense;
+    const TubeCrackResult alone = solve_tube_with_through_crack(tube);
+    const TubeCrackResult& of = sense == TorqueSense::positive ? both.positive : both.negative;
+    EXPECT_EQ(of.faces(), alone.faces());
+    EXPECT_EQ(of.closed, sense == TorqueSense::negative);
+    test::expect_relative(of.energy_release_rate, alone.energy_release_rate, 1e-9);
+    test::expect_relative(of.added_compliance, alone.added_compliance, 1e-9);
+    EXPECT_NEAR(of.growth_check, alone.growth_check, 1e-7);
+    EXPECT_EQ(of.usable, alone.usable);
+    const auto& stations = of.solid.fronts[0].stations;
+    for (std::size_t i = 0; i < stations.size(); ++i)
+      EXPECT_NEAR(stations[i].K_II, alone.solid.fronts[0].stations[i].K_II,
+                  1e-9 * of.nominal_shear);
+  }
+}
+
 // (FE-30), (FE-31): away from 45 degrees closed faces slide.  A crack much shorter than sqrt(r t) =
 // 13 mm is one in a flat sheet: K_I = max(0, tau sin 2 beta) sqrt(pi a) and K_II = -+ tau cos 2
 // beta sqrt(pi a) in the middle of the wall, where the sheet is nearly in plane strain.

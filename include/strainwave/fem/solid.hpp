@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "strainwave/fem/elasticity.hpp"
@@ -30,16 +31,21 @@ enum class CrackFaces {
   contact,  ///< the faces touch without friction instead of passing through each other
 };
 
-struct SolidProblem {
-  Elasticity material;  ///< nu in [0, 0.5)
-  std::vector<Support> supports;
+/// What acts on a body.
+struct SolidLoad {
   std::vector<Traction> tractions;
-  int order = 3;  ///< p of the displacements; 1 to 6; with cracks, 2 to 4 are useful
-  CrackFaces crack_faces = CrackFaces::free;
-  int crack_tag = 0;  ///< tag of the crack faces; 0: no crack
   /// Stress of the body without the crack at a place of the crack [Pa], rows of the tensor; used
   /// for `added_work`.  With `fields`, it must accept any place.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
+};
+
+/// A body and how it is held.
+struct SolidProblem {
+  Elasticity material;  ///< nu in [0, 0.5)
+  std::vector<Support> supports;
+  int order = 3;  ///< p of the displacements; 1 to 6; with cracks, 2 to 4 are useful
+  CrackFaces crack_faces = CrackFaces::free;
+  int crack_tag = 0;         ///< tag of the crack faces; 0: no crack
   FieldRequest fields = {};  ///< content of SolidResult::fields; empty if left out
 };
 
@@ -88,15 +94,18 @@ struct SolidResult {
   double energy_balance{};        ///< |work/(2 strain_energy) - 1| [-]
   std::size_t cells{};
   std::size_t dofs{};
-  double assembly_seconds{};
-  double solver_seconds{};
+  double assembly_seconds{};   ///< of all loads together
+  double solver_seconds{};     ///< likewise
   double factor_megabytes{};   ///< memory of the factorisation over all ranks [MB]
   double factor_operations{};  ///< floating-point operations of the last elimination
   /// as SolidProblem::fields requests, for the cells of this rank or for all cells
   SampledFields fields;
 };
 
-/// Solves a problem of linear elasticity on mapped hexahedra and evaluates its crack fronts.
+/// Solves a problem of linear elasticity on mapped hexahedra under several loads, and evaluates its
+/// crack fronts.
+///
+/// One factorisation serves all loads, also where the faces of the crack touch (FE-30).
 ///
 /// The displacements are continuous polynomials of order p in each unit coordinate.  The geometry
 /// has order max(p, 4) through points of the analytic maps.  MUMPS factorises by Cholesky.  Every
@@ -104,9 +113,16 @@ struct SolidResult {
 /// the result by rounding only.  An MpiSession must exist.
 ///
 /// Accuracy (theory manual, chapter FE): 0.3 % of G with the ring templates of gear_fem at p = 3.
+/// @param loads  one or more
+/// @return the result of each load, in the same sequence
 /// @throws InputError   if a value is out of range, or the mesh has a Jacobian determinant <= 0
 /// @throws SolverError  if factorisation or contact fails
-[[nodiscard]] SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem);
+[[nodiscard]] std::vector<SolidResult> solve_solid(const HexMesh& mesh, const SolidProblem& problem,
+                                                   std::span<const SolidLoad> loads);
+
+/// The same under one load.
+[[nodiscard]] SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem,
+                                      const SolidLoad& load);
 
 /// The smallest scaled Jacobian determinant over corners and Gauss points [-].  A mesh that is
 /// tangled or left-handed anywhere is refused (FE-22).

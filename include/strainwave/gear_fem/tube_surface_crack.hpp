@@ -39,8 +39,8 @@ struct TubeWithSurfaceCrack {
   /// Also solve three smaller cracks of the same shape, and integrate G over their growth.
   bool check_sizes = false;
   fem::FieldRequest fields = {};  ///< fields at the given size; no fields if left out
-  /// Called after each solution with the solution and its time including the mesh [s]; may be
-  /// empty.
+  /// Called after the solution of each mesh with one of its loads, and the time of all loads
+  /// including the mesh [s]; may be empty.
   std::function<void(const fem::SolidResult&, double)> solved = {};
 };
 
@@ -98,6 +98,11 @@ struct TubeSurfaceCrackResult : TubeCrackResult {
 /// @throws InputError   if a value is out of range, or the crack crosses an end of the tube
 /// @throws SolverError  on the same conditions as solve_solid
 [[nodiscard]] TubeSurfaceCrackResult solve_tube_with_surface_crack(
+    const TubeWithSurfaceCrack& tube);
+
+/// The same for both senses of the torque, with one factorisation for each size of the crack.
+/// `sense` is not read.
+[[nodiscard]] BothSenses<TubeSurfaceCrackResult> solve_both_senses(
     const TubeWithSurfaceCrack& tube);
 
 }  // namespace strainwave::gear_fem

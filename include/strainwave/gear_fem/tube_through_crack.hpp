@@ -53,8 +53,8 @@ struct TubeWithThroughCrack {
   int layers = 0;  ///< layers of cells through the wall [-]; 1 to 8, 0: by a/t
   /// Also solve sizes 1 % smaller and larger, and compare G with dC/dA.
   bool check_growth = true;
-  /// Called after each solution with the solution and its time including the mesh [s]; may be
-  /// empty.
+  /// Called after the solution of each mesh with one of its loads, and the time of all loads
+  /// including the mesh [s]; may be empty.
   std::function<void(const fem::SolidResult&, double)> solved = {};
   fem::FieldRequest fields = {};  ///< fields at the given size; no fields if left out
 };
@@ -180,5 +180,16 @@ inline constexpr double kClearOfJoint = 2.5;
 /// @throws InputError   on the same conditions as mesh_tube_with_through_crack
 /// @throws SolverError  on the same conditions as solve_solid
 [[nodiscard]] TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube);
+
+/// Results under positive and under negative torque.
+template <class Result>
+struct BothSenses {
+  Result positive;
+  Result negative;
+};
+
+/// The same for both senses of the torque, with one factorisation for each size of the crack.
+/// `sense` is not read.
+[[nodiscard]] BothSenses<TubeCrackResult> solve_both_senses(const TubeWithThroughCrack& tube);
 
 }  // namespace strainwave::gear_fem

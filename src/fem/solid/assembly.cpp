@@ -61,17 +61,16 @@ Eigen::MatrixXd stiffness(const dealii::FEValues<3>& values, const Lame& lame) {
 
 }  // namespace
 
-Vector nodal_loads(const Space& space) {
-  const SolidProblem& problem = space.problem;
+Vector nodal_loads(const Space& space, const SolidLoad& of) {
   Vector load(space.dofs.n_dofs());
-  const dealii::QGauss<2> rule(static_cast<unsigned>(problem.order) + 3);
+  const dealii::QGauss<2> rule(static_cast<unsigned>(space.problem.order) + 3);
   dealii::FEFaceValues<3> values(
       space.body.mapping, space.scalar, rule,
       dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
   for (const Cell& cell : space.dofs.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     for (const unsigned f : cell->face_indices())
-      for (const Traction& traction : problem.tractions) {
+      for (const Traction& traction : of.tractions) {
         if (!space.has_tag(cell, f, traction.tag)) continue;
         Space::reinit(values, cell, f);
         const std::vector<Index> indices = space.indices(cell);

@@ -10,8 +10,8 @@
 
 namespace strainwave::fem::solid {
 
-/// Nodal forces of the problem's tractions [N].
-[[nodiscard]] Vector nodal_loads(const Space& space);
+/// Nodal forces of the tractions of a load [N].
+[[nodiscard]] Vector nodal_loads(const Space& space, const SolidLoad& of);
 
 /// Constraints from the supports of the problem.
 [[nodiscard]] Constraints support_constraints(const Space& space);

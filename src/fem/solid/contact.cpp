@@ -62,121 +62,6 @@ Complementarity solve_complementarity(const Eigen::MatrixXd& M, const Eigen::Vec
       fmt::format("the contact of the crack faces did not converge in {} steps", most));
 }
 
-/// The dofs of the crack's two sides at one place.
-struct Pair {
-  Node upper;
-  Node lower;
-  Tensor<1, 3> normal;                        ///< normal from lower to upper
-  double area;                                ///< the node's share of the crack [m^2]
-  std::vector<std::pair<Index, double>> row;  ///< gap of the pair as a sum over unconstrained dofs
-};
-
-/// Nodes that can touch, and nodes that cannot because both sides share them.
-struct Faces {
-  std::vector<Pair> pairs;
-  std::set<Index> on_front;  ///< first dofs of the nodes that both sides share
-};
-
-/// The gap of a pair as a sum over unconstrained dofs.
-std::vector<std::pair<Index, double>> gap_row(const Pair& pair, const Constraints& constraints) {
-  std::map<Index, double> row;
-  const auto add = [&](Index i, double value) {
-    if (!constraints.is_constrained(i)) {
-      row[i] += value;
-      return;
-    }
-    for (const auto& [j, factor] : *constraints.get_constraint_entries(i)) row[j] += factor * value;
-  };
-  for (unsigned k = 0; k < 3; ++k) {
-    add(pair.upper[k], pair.normal[k]);
-    add(pair.lower[k], -pair.normal[k]);
-  }
-  return {row.begin(), row.end()};
-}
-
-Faces find_faces(const Space& space, const Constraints& constraints) {
-  const dealii::QGauss<2> rule(static_cast<unsigned>(space.problem.order) + 2);
-  dealii::FEFaceValues<3> values(
-      space.body.mapping, space.scalar, rule,
-      dealii::update_values | dealii::update_normal_vectors | dealii::update_JxW_values);
-  std::map<Node, std::pair<Point<3>, Tensor<1, 3>>> upper;
-  std::map<Node, Point<3>> lower;
-  double size = 0;
-  space.visit_crack_faces([&](const Cell& cell, unsigned f) {
-    Space::reinit(values, cell, f);
-    size = std::max(size, cell->diameter());
-    space.visit_face_nodes(cell, f, [&](unsigned a, const Node& node) {
-      const Point<3> place =
-          to_point(space.source(cell).map(to_array(space.scalar.unit_support_point(a))));
-      if (space.source(cell).side < 0) {
-        lower[node] = place;
-        return;
-      }
-      auto& entry = upper[node];
-      entry.first = place;
-      for (const unsigned q : values.quadrature_point_indices())
-        entry.second -= values.shape_value(a, q) * values.JxW(q) * values.normal_vector(q);
-    });
-  });
-  Faces faces;
-  for (const auto& [node, at] : upper) {
-    if (lower.count(node)) {
-      faces.on_front.insert(node[0]);
-      continue;
-    }
-    for (const auto& [twin, place] : lower)
-      if (!upper.count(twin) && place.distance(at.first) < 1e-9 * size)
-        faces.pairs.push_back({node, twin, at.second / at.second.norm(), at.second.norm(), {}});
-  }
-  for (Pair& pair : faces.pairs) pair.row = gap_row(pair, constraints);
-  return faces;
-}
-
-/// Normal distance of the two sides at each pair; < 0 means that the sides pass through each other.
-Eigen::VectorXd gaps(const std::vector<Pair>& pairs, const Vector& u) {
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    for (unsigned k = 0; k < 3; ++k)
-      gap[static_cast<Eigen::Index>(i)] +=
-          (u[pairs[i].upper[k]] - u[pairs[i].lower[k]]) * pairs[i].normal[k];
-  return gap;
-}
-
-double largest_jump(const std::vector<Pair>& pairs, const Vector& u) {
-  double jump = 0;
-  for (const Pair& pair : pairs) {
-    double square = 0;
-    for (unsigned k = 0; k < 3; ++k) square += std::pow(u[pair.upper[k]] - u[pair.lower[k]], 2);
-    jump = std::max(jump, std::sqrt(square));
-  }
-  return jump;
-}
-
-/// Gap of pair i under a unit pressure at pair j, that is, under a pair of forces equal to its
-/// area.
-Eigen::MatrixXd contact_flexibility(const std::vector<Pair>& pairs, Equations& equations) {
-  constexpr std::size_t kBlock = 64;
-  const std::vector<int>& number = equations.numbering().number;
-  const auto n = static_cast<Eigen::Index>(pairs.size());
-  const auto unknowns = static_cast<std::size_t>(equations.numbering().unknowns);
-  Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(n, n);
-  for (std::size_t first = 0; first < pairs.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, pairs.size() - first);
-    std::vector<double> columns(count * unknowns, 0.0);
-    for (std::size_t j = 0; j < count; ++j)
-      for (const auto& [dof, value] : pairs[first + j].row)
-        columns[j * unknowns + static_cast<std::size_t>(number[dof])] +=
-            value * pairs[first + j].area;
-    columns = equations.solver().solve(std::move(columns), static_cast<int>(count));
-    for (std::size_t j = 0; j < count; ++j)
-      for (Eigen::Index i = 0; i < n; ++i)
-        for (const auto& [dof, value] : pairs[static_cast<std::size_t>(i)].row)
-          flexibility(i, static_cast<Eigen::Index>(first + j)) +=
-              value * columns[j * unknowns + static_cast<std::size_t>(number[dof])];
-  }
-  return flexibility;
-}
-
 /// At a front both sides share their nodes, so no pair gives a pressure there; the pressure of the
 /// neighbour on the face is used.
 void extend_pressure_to_fronts(const Space& space, Contact& contact) {
@@ -200,28 +85,132 @@ void extend_pressure_to_fronts(const Space& space, Contact& contact) {
 
 }  // namespace
 
-std::optional<Contact> close_crack(const Space& space, const Constraints& constraints,
-                                   Equations& equations, const Vector& load, const Vector& u) {
+FaceContact::FaceContact(const Space& space, const Constraints& constraints, Equations& equations)
+    : space_(space), constraints_(constraints), equations_(equations) {
+  find_pairs();
+  if (pairs_.empty()) throw InputError("mesh", "has no crack faces that could touch");
+  area_.resize(static_cast<Eigen::Index>(pairs_.size()));
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    pairs_[i].row = gap_row(pairs_[i]);
+    area_[static_cast<Eigen::Index>(i)] = pairs_[i].area;
+  }
+}
+
+/// Nodes that can touch, and nodes that cannot because both sides share them.
+void FaceContact::find_pairs() {
+  const dealii::QGauss<2> rule(static_cast<unsigned>(space_.problem.order) + 2);
+  dealii::FEFaceValues<3> values(
+      space_.body.mapping, space_.scalar, rule,
+      dealii::update_values | dealii::update_normal_vectors | dealii::update_JxW_values);
+  std::map<Node, std::pair<Point<3>, Tensor<1, 3>>> upper;
+  std::map<Node, Point<3>> lower;
+  double size = 0;
+  space_.visit_crack_faces([&](const Cell& cell, unsigned f) {
+    Space::reinit(values, cell, f);
+    size = std::max(size, cell->diameter());
+    space_.visit_face_nodes(cell, f, [&](unsigned a, const Node& node) {
+      const Point<3> place =
+          to_point(space_.source(cell).map(to_array(space_.scalar.unit_support_point(a))));
+      if (space_.source(cell).side < 0) {
+        lower[node] = place;
+        return;
+      }
+      auto& entry = upper[node];
+      entry.first = place;
+      for (const unsigned q : values.quadrature_point_indices())
+        entry.second -= values.shape_value(a, q) * values.JxW(q) * values.normal_vector(q);
+    });
+  });
+  for (const auto& [node, at] : upper) {
+    if (lower.count(node)) {
+      on_front_.insert(node[0]);
+      continue;
+    }
+    for (const auto& [twin, place] : lower)
+      if (!upper.count(twin) && place.distance(at.first) < 1e-9 * size)
+        pairs_.push_back({node, twin, at.second / at.second.norm(), at.second.norm(), {}});
+  }
+}
+
+/// The gap of a pair as a sum over unconstrained dofs.
+std::vector<std::pair<Index, double>> FaceContact::gap_row(const Pair& pair) const {
+  std::map<Index, double> row;
+  const auto add = [&](Index i, double value) {
+    if (!constraints_.is_constrained(i)) {
+      row[i] += value;
+      return;
+    }
+    for (const auto& [j, factor] : *constraints_.get_constraint_entries(i))
+      row[j] += factor * value;
+  };
+  for (unsigned k = 0; k < 3; ++k) {
+    add(pair.upper[k], pair.normal[k]);
+    add(pair.lower[k], -pair.normal[k]);
+  }
+  return {row.begin(), row.end()};
+}
+
+/// Normal distance of the two sides at each pair; < 0 means that the sides pass through each other.
+Eigen::VectorXd FaceContact::gaps(const Vector& u) const {
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(area_.size());
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    for (unsigned k = 0; k < 3; ++k)
+      gap[static_cast<Eigen::Index>(i)] +=
+          (u[pairs_[i].upper[k]] - u[pairs_[i].lower[k]]) * pairs_[i].normal[k];
+  return gap;
+}
+
+double FaceContact::largest_jump(const Vector& u) const {
+  double jump = 0;
+  for (const Pair& pair : pairs_) {
+    double square = 0;
+    for (unsigned k = 0; k < 3; ++k) square += std::pow(u[pair.upper[k]] - u[pair.lower[k]], 2);
+    jump = std::max(jump, std::sqrt(square));
+  }
+  return jump;
+}
+
+/// Gap of pair i under a unit pressure at pair j, that is, under a pair of forces equal to its
+/// area.
+Eigen::MatrixXd FaceContact::flexibility() const {
+  constexpr std::size_t kBlock = 64;
+  const std::vector<int>& number = equations_.numbering().number;
+  const auto n = static_cast<Eigen::Index>(pairs_.size());
+  const auto unknowns = static_cast<std::size_t>(equations_.numbering().unknowns);
+  Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t first = 0; first < pairs_.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, pairs_.size() - first);
+    std::vector<double> columns(count * unknowns, 0.0);
+    for (std::size_t j = 0; j < count; ++j)
+      for (const auto& [dof, value] : pairs_[first + j].row)
+        columns[j * unknowns + static_cast<std::size_t>(number[dof])] +=
+            value * pairs_[first + j].area;
+    columns = equations_.solver().solve(std::move(columns), static_cast<int>(count));
+    for (std::size_t j = 0; j < count; ++j)
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (const auto& [dof, value] : pairs_[static_cast<std::size_t>(i)].row)
+          flexibility(i, static_cast<Eigen::Index>(first + j)) +=
+              value * columns[j * unknowns + static_cast<std::size_t>(number[dof])];
+  }
+  return flexibility;
+}
+
+std::optional<Contact> FaceContact::close(const Vector& load, const Vector& u) {
   constexpr double kNothing = 1e-5;  // share of the largest jump
-  const Faces faces = find_faces(space, constraints);
-  const std::vector<Pair>& pairs = faces.pairs;
-  if (pairs.empty()) throw InputError("mesh", "has no crack faces that could touch");
-  const double jump = largest_jump(pairs, u);
-  const Eigen::VectorXd free_gap = gaps(pairs, u);
+  const double jump = largest_jump(u);
+  const Eigen::VectorXd free_gap = gaps(u);
   if (free_gap.minCoeff() >= -kNothing * jump) return std::nullopt;
-  Eigen::VectorXd area(free_gap.size());
-  for (Eigen::Index i = 0; i < area.size(); ++i) area[i] = pairs[static_cast<std::size_t>(i)].area;
-  const Complementarity answer = solve_complementarity(
-      area.asDiagonal() * contact_flexibility(pairs, equations), area.asDiagonal() * free_gap);
+  if (flexibility_.size() == 0) flexibility_ = area_.asDiagonal() * flexibility();
+  const Complementarity answer = solve_complementarity(flexibility_, area_.asDiagonal() * free_gap);
   Contact contact{.u = {},
-                  .forces = Vector(space.dofs.n_dofs()),
-                  .pressure = std::vector<double>(space.dofs.n_dofs(), 0.0),
-                  .on_front = faces.on_front,
+                  .forces = Vector(space_.dofs.n_dofs()),
+                  .pressure = std::vector<double>(space_.dofs.n_dofs(), 0.0),
+                  .on_front = on_front_,
                   .iterations = answer.steps};
   double touching = 0;
   double whole = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Pair& pair = pairs[i];
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& pair = pairs_[i];
     const double p = answer.x[static_cast<Eigen::Index>(i)];
     whole += pair.area;
     if (!(p > 0)) continue;
@@ -235,9 +224,9 @@ std::optional<Contact> close_crack(const Space& space, const Constraints& constr
   contact.share = touching / whole;
   Vector forces = load;
   forces += contact.forces;
-  contact.u = equations.displacements(std::move(forces));
-  contact.overlap = std::max(0.0, -gaps(pairs, contact.u).minCoeff()) / jump;
-  extend_pressure_to_fronts(space, contact);
+  contact.u = equations_.displacements(std::move(forces));
+  contact.overlap = std::max(0.0, -gaps(contact.u).minCoeff()) / jump;
+  extend_pressure_to_fronts(space_, contact);
   return contact;
 }
 

@@ -101,12 +101,12 @@ std::vector<CrackFacePatch> crack_face_patches(const Space& space, const Vector&
 
 }  // namespace
 
-SampledFields sampled_fields(const Space& space, const Vector& u) {
+SampledFields sampled_fields(const Space& space, const SolidLoad& load, const Vector& u) {
   const SolidProblem& problem = space.problem;
   const FieldRequest& request = problem.fields;
   SampledFields fields{.dimension = 3,
                        .divisions = request.divisions,
-                       .without_crack = static_cast<bool>(problem.stress_without_crack),
+                       .without_crack = static_cast<bool>(load.stress_without_crack),
                        .cells = {},
                        .crack_faces = {}};
   const dealii::Quadrature<3> points = sample_points<3>(request.divisions);
@@ -138,7 +138,7 @@ SampledFields sampled_fields(const Space& space, const Vector& u) {
       p.stress = {s[0][0], s[1][1], s[2][2], s[1][2], s[0][2], s[0][1]};
       p.energy_density = energy_of_stress(s, problem.material);
       if (fields.without_crack) {
-        const auto sound = problem.stress_without_crack(p.place);
+        const auto sound = load.stress_without_crack(p.place);
         Tensor2 s0;
         for (unsigned i = 0; i < 3; ++i) s0[i] = to_tensor(sound[i]);
         p.energy_density_without_crack = energy_of_stress(s0, problem.material);

@@ -5,7 +5,8 @@
 
 namespace strainwave::fem::solid {
 
-/// The fields that the problem requests, for this rank's cells or for all cells.
-[[nodiscard]] SampledFields sampled_fields(const Space& space, const Vector& u);
+/// The fields that the problem requests under a load, for this rank's cells or for all cells.
+[[nodiscard]] SampledFields sampled_fields(const Space& space, const SolidLoad& load,
+                                           const Vector& u);
 
 }  // namespace strainwave::fem::solid
