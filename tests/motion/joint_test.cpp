@@ -139,6 +139,7 @@ TEST(Joint, IdentityRateOfTheTwist) {
     const double change =
         joint_rate(joint, 0.0, later).forces.twist - joint_rate(joint, 0.0, x).forces.twist;
     EXPECT_NEAR(change / kTime, twist_rate(joint, x), 2e-6);
+    EXPECT_EQ(joint_rate(joint, 0.0, x).bristle, 0.0);  // no friction bends a bristle
   }
 }
 
