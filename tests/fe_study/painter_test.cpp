@@ -105,6 +105,22 @@ TEST(Painter, IdentityOverlappingPolygonsLeaveNoHole) {
       << painter.svg();
 }
 
+// Polygons without an edge share the style of a group; what lies between them ends the group.
+TEST(DepthPainter, IdentityPolygonsWithoutAnEdgeShareAGroup) {
+  const std::vector<PaperPoint> square = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  DepthPainter painter;
+  painter.polygon(1, square, "#102030");
+  painter.polygon(2, square, "#405060");
+  painter.polygon(3, square, "#708090", "mesh");
+  painter.finished(4, "<text/>\n");
+  painter.polygon(5, square, "#a0b0c0");
+  const std::string path = " d=\"M0 0l10 0 0 10 -10 0z\"/>\n";
+  EXPECT_EQ(painter.svg(),
+            "<g class=\"solid\">\n<path color=\"#102030\"" + path + "<path color=\"#405060\"" +
+                path + "</g>\n<path class=\"mesh\" fill=\"#708090\"" + path +
+                "<text/>\n<g class=\"solid\">\n<path color=\"#a0b0c0\"" + path + "</g>\n");
+}
+
 TEST(OutputFiles, IdentityStemOfAPath) {
   EXPECT_EQ(file_stem("flexspline.crack[10]"), "flexspline_crack_10");
   EXPECT_EQ(file_stem("output_shaft.crack[0]"), "output_shaft_crack_0");
