@@ -218,6 +218,15 @@ TEST(ContactLosses, IdentityOfTheMemoryAngle) {
   EXPECT_EQ(made.losses.teeth_in_contact, teeth);
   test::expect_relative(made.losses.memory_angle, pi * teeth / curve.teeth / 2 / 1.01, 1e-12);
   test::expect_relative(made.loops->fading(), 1 / made.losses.memory_angle, 1e-12);
+  // The width at the rated torque is the mean of the distances of the envelopes (TC-16).  Pairs of
+  // teeth that begin to touch make steps, which the points of the torque follow to 2 %.
+  double width = 0.0;
+  for (const double sense : {-1.0, 1.0})
+    width += sliding_curve(AssembledDrive(gear), std::array{sense * rated / 2, sense * rated})
+                 .width[1]
+                 .total() /
+             2;
+  test::expect_relative(made.losses.width_at_rated, width, 2e-2);
   gear.drivetrain->fixed = FixedMember::flexspline;
   const DriveContacts turned = drive_contacts(gear);
   test::expect_relative(turned.losses.memory_angle, pi * teeth / curve.teeth / 2, 1e-12);
