@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kMPaRootMetre = 1e6;
 
-std::string verdict(bool usable, const std::string& reason) {
-  return usable ? "usable" : fmt::format("NOT usable: {}", reason);
-}
-
 std::string line(std::string_view name, double value, std::string_view unit) {
   return fmt::format("  {:<44} {:>13.6g} {}\n", name, value, unit);
 }
@@ -136,6 +132,12 @@ void write_crack(std::string& text, const SurfaceCrackRun& crack) {
   write_senses(text, crack);
 }
 
+}  // namespace
+
+std::string verdict(bool usable, const std::string& reason) {
+  return usable ? "usable" : fmt::format("NOT usable: {}", reason);
+}
+
 std::string plan_text(const std::vector<RunSize>& sizes) {
   std::string text = "Plan, with estimates:\n";
   for (const RunSize& size : sizes)
@@ -143,8 +145,6 @@ std::string plan_text(const std::vector<RunSize>& sizes) {
                         size.dofs, size.solutions, size.memory / 1e9, size.seconds);
   return text;
 }
-
-}  // namespace
 
 std::string run_text(const RunResult& result, const GearSet& gear) {
   if (!result.calculated) return plan_text(result.plan);

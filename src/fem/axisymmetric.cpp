@@ -9,8 +9,6 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
@@ -28,28 +26,19 @@
 #include <utility>
 
 #include "condensed_solver.hpp"
+#include "section/grid.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {
 namespace {
 
 using dealii::Triangulation;
+using namespace section;
 using dealii::types::global_dof_index;
 using std::numbers::pi;
 using Matrix = Eigen::MatrixXd;
 using Column = Eigen::VectorXd;
 using Array = Eigen::ArrayXd;
-
-constexpr dealii::types::boundary_id kHeld = 1;
-constexpr dealii::types::boundary_id kLoaded = 2;
-constexpr dealii::types::boundary_id kAxis = 3;
-
-double extent_of(const SectionMesh& mesh) {
-  double extent = 0.0;
-  for (const SectionPoint& p : mesh.points)
-    extent = std::max({extent, p.r, std::abs(p.z - mesh.points.front().z)});
-  return extent;
-}
 
 void check_input(const SectionMesh& mesh, SectionLoad load, const Elasticity& elasticity,
                  const SectionOptions& options) {
@@ -73,67 +62,6 @@ void check_input(const SectionMesh& mesh, SectionLoad load, const Elasticity& el
     if (std::ranges::find(mesh.roles, role, &RoleEdge::role) == mesh.roles.end())
       throw InputError("mesh.roles",
                        role == EdgeRole::held ? "no edge is held" : "no edge is loaded");
-}
-
-/// Halves the cells that touch a point, `rings` times.
-void refine_towards(Triangulation<2>& grid, const SectionPoint& point, int rings, double extent) {
-  const dealii::Point<2> centre(point.r, point.z);
-  for (int n = 0; n < rings; ++n) {
-    for (const auto& cell : grid.active_cell_iterators())
-      for (const unsigned v : cell->vertex_indices())
-        if (cell->vertex(v).distance(centre) < 1e-9 * extent) cell->set_refine_flag();
-    grid.execute_coarsening_and_refinement();
-  }
-}
-
-void make_grid(Triangulation<2>& grid, const SectionMesh& mesh, const SectionOptions& options) {
-  std::vector<dealii::Point<2>> points;
-  for (const SectionPoint& p : mesh.points) points.emplace_back(p.r, p.z);
-  std::vector<dealii::CellData<2>> cells;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    dealii::CellData<2> cell;
-    const auto& v = mesh.cells[c];
-    cell.vertices = {static_cast<unsigned>(v[0]), static_cast<unsigned>(v[1]),
-                     static_cast<unsigned>(v[3]), static_cast<unsigned>(v[2])};
-    cell.material_id = static_cast<dealii::types::material_id>(mesh.part[c]);
-    cells.push_back(cell);
-  }
-  // Two cells must see their common edge in the same direction.  Otherwise deal.II joins unknowns
-  // of order 3 and more crosswise without a message.
-  dealii::GridTools::consistently_order_cells(cells);
-  grid.create_triangulation(points, cells, dealii::SubCellData());
-
-  const double extent = extent_of(mesh);
-  std::map<std::pair<unsigned, unsigned>, EdgeRole> roles;
-  std::map<std::pair<unsigned, unsigned>, std::size_t> arcs;
-  const auto key = [](std::size_t a, std::size_t b) {
-    return std::pair(static_cast<unsigned>(std::min(a, b)), static_cast<unsigned>(std::max(a, b)));
-  };
-  for (const RoleEdge& e : mesh.roles) roles[key(e.first, e.second)] = e.role;
-  for (std::size_t n = 0; n < mesh.arcs.size(); ++n)
-    arcs[key(mesh.arcs[n].first, mesh.arcs[n].second)] = n;
-  for (const auto& cell : grid.active_cell_iterators())
-    for (const unsigned f : cell->face_indices()) {
-      const auto face = cell->face(f);
-      const auto ends = key(face->vertex_index(0), face->vertex_index(1));
-      if (face->at_boundary()) {
-        const auto role = roles.find(ends);
-        if (role != roles.end())
-          face->set_boundary_id(role->second == EdgeRole::held ? kHeld : kLoaded);
-        else if (std::max(face->vertex(0)[0], face->vertex(1)[0]) < 1e-12 * extent)
-          face->set_boundary_id(kAxis);
-      }
-      const auto arc = arcs.find(ends);
-      if (arc != arcs.end())
-        face->set_manifold_id(static_cast<dealii::types::manifold_id>(arc->second));
-    }
-  for (std::size_t n = 0; n < mesh.arcs.size(); ++n)
-    grid.set_manifold(static_cast<dealii::types::manifold_id>(n),
-                      dealii::SphericalManifold<2>({mesh.arcs[n].centre.r, mesh.arcs[n].centre.z}));
-  grid.refine_global(static_cast<unsigned>(options.halvings));
-  for (const SectionPoint& corner : mesh.corners)
-    refine_towards(grid, corner, options.corner_rings, extent);
-  if (mesh.crack) refine_towards(grid, mesh.crack->tip, options.tip_rings, extent);
 }
 
 /// Shape functions at quadrature points: rows are points, columns functions.
@@ -218,7 +146,10 @@ class Solver {
         // p+2 points make the weak form of torsion exact in cells with straight sides.
         quadrature_(p_ + 2),
         dofs_(grid_) {
-    make_grid(grid_, mesh, options);
+    make_grid(grid_, mesh,
+              {.halvings = options.halvings,
+               .corner_rings = options.corner_rings,
+               .tip_rings = options.tip_rings});
     dofs_.distribute_dofs(element_);
     for (unsigned i = 0; i < element_.n_dofs_per_cell(); ++i)
       place_.push_back(element_.system_to_component_index(i));
@@ -248,7 +179,7 @@ class Solver {
                       "that an edge of the section is held",
                       dofs_.n_dofs()));
     solution_.reinit(dofs_.n_dofs());
-    std::ranges::copy(*x, solution_.begin());
+    std::ranges::copy(x->col(0), solution_.begin());
     constraints_.distribute(solution_);
     return evaluate();
   }

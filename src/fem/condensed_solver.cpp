@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "condensed_solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <utility>
+
+#include "direct_solver.hpp"
+#include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {
 namespace {
@@ -17,8 +20,7 @@ using Column = Eigen::VectorXd;
 struct Inner {
   std::vector<Index> alone;   ///< numbers of the unknowns that belong to this element alone
   std::vector<Index> shared;  ///< numbers of the other unknowns
-  Eigen::LLT<Matrix> factor;
-  Matrix coupling;  ///< rows: alone, columns: shared
+  CondensedMatrix matrix;     ///< without its `outer`
 };
 
 /// True if no pivot vanishes in rounding.
@@ -28,78 +30,118 @@ bool is_safe(const Column& pivots, const Column& diagonal) {
 
 }  // namespace
 
-std::optional<Column> solve_condensed(const std::vector<std::vector<Index>>& elements,
-                                      const std::function<Matrix(std::size_t)>& matrix,
-                                      const Column& load) {
-  std::vector<int> holders(static_cast<std::size_t>(load.size()), 0);
+struct CondensedEquations::Parts {
+  Index unknowns = 0;
+  std::vector<Index> number;  ///< index of an unknown in the sparse equations; -1: not there
+  Index shared = 0;           ///< size of the sparse equations
+  std::vector<Inner> inner;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+
+  [[nodiscard]] std::vector<Index> places(const Inner& cell) const {
+    std::vector<Index> places;
+    for (const Index i : cell.shared) places.push_back(number[static_cast<std::size_t>(i)]);
+    return places;
+  }
+};
+
+CondensedEquations::CondensedEquations(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+CondensedEquations::~CondensedEquations() = default;
+CondensedEquations::CondensedEquations(CondensedEquations&&) noexcept = default;
+CondensedEquations& CondensedEquations::operator=(CondensedEquations&&) noexcept = default;
+
+std::optional<CondensedEquations> CondensedEquations::factor(
+    const std::vector<std::vector<Index>>& elements,
+    const std::function<Matrix(std::size_t)>& matrix, Index unknowns) {
+  auto made = std::make_unique<Parts>();
+  Parts& parts = *made;
+  parts.unknowns = unknowns;
+  std::vector<int> holders(static_cast<std::size_t>(unknowns), 0);
   for (const auto& element : elements)
     for (const Index i : element) ++holders[static_cast<std::size_t>(i)];
-  std::vector<Index> number(holders.size(), -1);  // index in the sparse equations
-  Index shared = 0;
+  parts.number.assign(holders.size(), -1);
   for (std::size_t i = 0; i < holders.size(); ++i)
-    if (holders[i] > 1) number[i] = shared++;
+    if (holders[i] > 1) parts.number[i] = parts.shared++;
 
-  std::vector<Inner> inner;
   std::vector<Eigen::Triplet<double>> entries;
   std::size_t count = 0;
   for (const auto& element : elements) count += element.size() * (element.size() + 1) / 2;
   entries.reserve(count);
-  Column forces = Column::Zero(shared);
-  Column diagonal = forces;
-  for (std::size_t i = 0; i < holders.size(); ++i)
-    if (number[i] >= 0) forces(number[i]) = load(static_cast<Index>(i));
+  Column diagonal = Column::Zero(parts.shared);
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const Matrix k = matrix(e).selfadjointView<Eigen::Lower>();
-    std::vector<Index> inside;  // indices in the element
+    std::vector<Index> order;  // indices in the element, its own unknowns first
     std::vector<Index> outside;
-    Inner& cell = inner.emplace_back();
+    Inner& cell = parts.inner.emplace_back();
     for (Index i = 0; i < k.rows(); ++i) {
       const Index unknown = elements[e][static_cast<std::size_t>(i)];
-      const bool alone = number[static_cast<std::size_t>(unknown)] < 0;
-      (alone ? inside : outside).push_back(i);
+      const bool alone = parts.number[static_cast<std::size_t>(unknown)] < 0;
+      (alone ? order : outside).push_back(i);
       (alone ? cell.alone : cell.shared).push_back(unknown);
     }
-    Matrix rest = k(outside, outside);
-    std::vector<Index> places;
-    for (const Index i : cell.shared) places.push_back(number[static_cast<std::size_t>(i)]);
-    diagonal(places) += rest.diagonal();
-    if (!inside.empty()) {
-      cell.factor.compute(k(inside, inside));
-      if (cell.factor.info() != Eigen::Success ||
-          !is_safe(cell.factor.matrixLLT().diagonal().cwiseAbs2(), k.diagonal()(inside)))
-        return std::nullopt;
-      cell.coupling = k(inside, outside);
-      const Matrix half = cell.factor.matrixL().solve(cell.coupling);
-      rest.noalias() -= half.transpose() * half;
-      const Column own = load(cell.alone);
-      forces(places) -= half.transpose() * cell.factor.matrixL().solve(own);
+    order.insert(order.end(), outside.begin(), outside.end());
+    const std::vector<Index> places = parts.places(cell);
+    const Matrix sorted = k(order, order);
+    const auto own = static_cast<Index>(cell.alone.size());
+    diagonal(places) += sorted.diagonal().tail(sorted.rows() - own);
+    try {
+      cell.matrix = condense(sorted, own);
+    } catch (const SolverError&) {
+      return std::nullopt;
     }
+    if (!is_safe(cell.matrix.factor.diagonal().cwiseAbs2(), sorted.diagonal().head(own)))
+      return std::nullopt;
+    const Matrix rest = std::exchange(cell.matrix.outer, Matrix());
     for (Index j = 0; j < rest.cols(); ++j)
       for (Index i = 0; i < rest.rows(); ++i) {
         const Index row = places[static_cast<std::size_t>(i)];
         const Index column = places[static_cast<std::size_t>(j)];
-        if (row >= column) entries.emplace_back(row, column, rest(i, j));
+        if (row >= column) entries.emplace_back(row, column, rest(std::max(i, j), std::min(i, j)));
       }
   }
-
-  Column x = Column::Zero(load.size());
-  if (shared > 0) {
-    Eigen::SparseMatrix<double> sum(shared, shared);
+  if (parts.shared > 0) {
+    Eigen::SparseMatrix<double> sum(parts.shared, parts.shared);
     sum.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(sum);
-    if (solver.info() != Eigen::Success) return std::nullopt;
-    if (!is_safe(solver.vectorD(), solver.permutationP() * diagonal)) return std::nullopt;
-    const Column found = solver.solve(forces);
-    for (std::size_t i = 0; i < number.size(); ++i)
-      if (number[i] >= 0) x(static_cast<Index>(i)) = found(number[i]);
+    parts.solver.compute(sum);
+    if (parts.solver.info() != Eigen::Success) return std::nullopt;
+    if (!is_safe(parts.solver.vectorD(), parts.solver.permutationP() * diagonal))
+      return std::nullopt;
   }
-  for (const Inner& cell : inner) {
+  return CondensedEquations(std::move(made));
+}
+
+Matrix CondensedEquations::solve(const Matrix& loads) const {
+  const Parts& parts = *parts_;
+  Matrix forces = Matrix::Zero(parts.shared, loads.cols());
+  for (std::size_t i = 0; i < parts.number.size(); ++i)
+    if (parts.number[i] >= 0) forces.row(parts.number[i]) = loads.row(static_cast<Index>(i));
+  std::vector<Matrix> own;  // L^-1 f of the unknowns of each element alone
+  for (const Inner& cell : parts.inner) {
+    Matrix& f = own.emplace_back(loads(cell.alone, Eigen::all));
+    cell.matrix.factor.triangularView<Eigen::Lower>().solveInPlace(f);
+    forces(parts.places(cell), Eigen::all) -= cell.matrix.coupling.transpose() * f;
+  }
+  Matrix x = Matrix::Zero(parts.unknowns, loads.cols());
+  if (parts.shared > 0) {
+    const Matrix found = parts.solver.solve(forces);
+    for (std::size_t i = 0; i < parts.number.size(); ++i)
+      if (parts.number[i] >= 0) x.row(static_cast<Index>(i)) = found.row(parts.number[i]);
+  }
+  for (std::size_t e = 0; e < parts.inner.size(); ++e) {
+    const Inner& cell = parts.inner[e];
     if (cell.alone.empty()) continue;
-    const Column rest = load(cell.alone) - cell.coupling * x(cell.shared);
-    const Column found = cell.factor.solve(rest);
-    x(cell.alone) = found;
+    Matrix rest = own[e] - cell.matrix.coupling * x(cell.shared, Eigen::all);
+    cell.matrix.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(rest);
+    x(cell.alone, Eigen::all) = rest;
   }
   return x;
+}
+
+std::optional<Matrix> solve_condensed(const std::vector<std::vector<Index>>& elements,
+                                      const std::function<Matrix(std::size_t)>& matrix,
+                                      const Matrix& loads) {
+  const auto equations = CondensedEquations::factor(elements, matrix, loads.rows());
+  if (!equations) return std::nullopt;
+  return equations->solve(loads);
 }
 
 }  // namespace strainwave::fem

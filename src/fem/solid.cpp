@@ -43,10 +43,7 @@ FaceWork face_work(const Space& space, const SolidLoad& load, const Vector& u) {
       const Tensor<1, 3>& n = values.normal_vector(q);
       result.volume -= moved * n * values.JxW(q);
       if (!load.stress_without_crack) continue;
-      const auto s = load.stress_without_crack(to_array(values.quadrature_point(q)));
-      for (unsigned i = 0; i < 3; ++i)
-        result.work -= (s[i][0] * n[0] + s[i][1] * n[1] + s[i][2] * n[2]) * moved[i] *
-                       values.JxW(q);  // (FE-26)
+      result.work += released_traction(load, values, q) * moved * values.JxW(q);  // (FE-26)
     }
   });
   result.work = dealii::Utilities::MPI::sum(result.work, MPI_COMM_WORLD);
@@ -87,6 +84,9 @@ std::vector<SolidResult> solve_solid(const HexMesh& mesh, const SolidProblem& pr
           problem.fields.divisions, "1", "0 <= divisions <= 8");
   if (mesh.cells.empty()) throw InputError("mesh", "has no cells");
   if (loads.empty()) throw InputError("loads", "must have at least one load");
+  for (const SolidLoad& load : loads)
+    if (load.released && !load.stress_without_crack)
+      throw InputError("loads", "must have a stress without the crack where the crack releases it");
 
   const Space space(mesh, problem);
   SolidResult of_body;
@@ -133,7 +133,7 @@ std::vector<SolidResult> solve_solid(const HexMesh& mesh, const SolidProblem& pr
     result.added_work = faces.work;
     result.crack_volume = faces.volume;
     for (std::size_t f = 0; f < mesh.fronts; ++f)
-      result.fronts.push_back(evaluate_front(space, u, touching, f));
+      result.fronts.push_back(evaluate_front(space, loads[n], u, touching, f));
     if (problem.fields.divisions > 0) result.fields = sampled_fields(space, loads[n], u);
   }
   return results;

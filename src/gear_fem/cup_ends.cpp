@@ -16,24 +16,6 @@ namespace {
 /// varies with the inverse square of the radius.
 constexpr double kDiaphragmStep = 0.3;
 
-/// A rectangle cut along lines of one direction.
-template <double fem::SectionRectangle::*from, double fem::SectionRectangle::*to>
-std::vector<fem::SectionRectangle> cut(const std::vector<fem::SectionRectangle>& boxes,
-                                       const std::vector<double>& lines) {
-  std::vector<fem::SectionRectangle> pieces;
-  for (fem::SectionRectangle rest : boxes) {
-    const double tiny = 1e-9 * (rest.*to - rest.*from);
-    for (const double line : lines) {
-      if (line < rest.*from + tiny || line > rest.*to - tiny) continue;
-      fem::SectionRectangle piece = rest;
-      piece.*to = rest.*from = line;
-      pieces.push_back(piece);
-    }
-    pieces.push_back(rest);
-  }
-  return pieces;
-}
-
 }  // namespace
 
 MeshedEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii) {
@@ -85,9 +67,7 @@ MeshedEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii
   }
   std::ranges::sort(columns);
   std::ranges::sort(rows);
-  using Box = fem::SectionRectangle;
-  drawn.shape.rectangles =
-      cut<&Box::z_from, &Box::z_to>(cut<&Box::r_from, &Box::r_to>(boxes, columns), rows);
+  drawn.shape.rectangles = cut_along_z(cut_along_r(boxes, columns), rows);
   ends.section = fem::mesh_section(drawn.shape, drawn.spacing);
   draw_profile(ends.section, cup);
   for (fem::SectionPoint& point : ends.section.points) point.z -= start;

@@ -70,7 +70,35 @@ void check(const CupSection& cup) {
           ">= 0, and less than a third of the diaphragm's width and of the boss's length");
 }
 
+/// Rectangles cut along lines of one direction.
+template <double fem::SectionRectangle::*from, double fem::SectionRectangle::*to>
+std::vector<fem::SectionRectangle> cut(const std::vector<fem::SectionRectangle>& boxes,
+                                       const std::vector<double>& lines) {
+  std::vector<fem::SectionRectangle> pieces;
+  for (fem::SectionRectangle rest : boxes) {
+    const double tiny = 1e-9 * (rest.*to - rest.*from);
+    for (const double line : lines) {
+      if (line < rest.*from + tiny || line > rest.*to - tiny) continue;
+      fem::SectionRectangle piece = rest;
+      piece.*to = rest.*from = line;
+      pieces.push_back(piece);
+    }
+    pieces.push_back(rest);
+  }
+  return pieces;
+}
+
 }  // namespace
+
+std::vector<fem::SectionRectangle> cut_along_r(const std::vector<fem::SectionRectangle>& rectangles,
+                                               const std::vector<double>& lines) {
+  return cut<&fem::SectionRectangle::r_from, &fem::SectionRectangle::r_to>(rectangles, lines);
+}
+
+std::vector<fem::SectionRectangle> cut_along_z(const std::vector<fem::SectionRectangle>& rectangles,
+                                               const std::vector<double>& lines) {
+  return cut<&fem::SectionRectangle::z_from, &fem::SectionRectangle::z_to>(rectangles, lines);
+}
 
 void draw_profile(fem::SectionMesh& mesh, const CupSection& cup) {
   if (!cup.diaphragm || cup.diaphragm->profile.empty()) return;

@@ -20,6 +20,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/fem/swept_section.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
+#include "through_crack_mesh.hpp"
 #include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
@@ -48,6 +49,8 @@ struct Solved {
   double area;                           ///< area of the crack
 };
 
+}  // namespace
+
 CupSection cup_of(const TubeWithThroughCrack& tube) {
   return {.barrel = {.outer_diameter = 2 * tube.mean_radius + tube.wall_thickness,
                      .wall_thickness = tube.wall_thickness,
@@ -57,13 +60,7 @@ CupSection cup_of(const TubeWithThroughCrack& tube) {
           .boss = tube.ends.boss};
 }
 
-/// Treatment of the crack in a mesh.
-enum class Wall {
-  cracked,
-  sound,  ///< the same cells, joined along the crack
-};
-
-fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = Wall::cracked) {
+fem::HexMesh mesh_at_size(const TubeWithThroughCrack& tube, double a, Wall wall) {
   const double R = tube.mean_radius;
   const double t = tube.wall_thickness;
   const std::vector<double> layers = wall_lines(t, tube.layers);
@@ -129,6 +126,8 @@ fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = W
   return mesh;
 }
 
+namespace {
+
 /// Adds the energy density without the crack, computed with the same cells, to each point of a
 /// cup's fields under each load.
 void add_sound_energy(std::vector<fem::SolidResult>& solids, const TubeWithThroughCrack& tube,
@@ -138,7 +137,7 @@ void add_sound_energy(std::vector<fem::SolidResult>& solids, const TubeWithThrou
   problem.fields.every_cell = true;  // the ranks may own other cells in this mesh
   const auto start = std::chrono::steady_clock::now();
   const std::vector<fem::SolidResult> sound =
-      fem::solve_solid(mesh_size(tube, tube.half_length, Wall::sound), problem, loads);
+      fem::solve_solid(mesh_at_size(tube, tube.half_length, Wall::sound), problem, loads);
   for (std::size_t n = 0; n < loads.size(); ++n)
     for (fem::FieldCell& cell : solids[n].fields.cells)
       for (std::size_t i = 0; i < cell.points.size(); ++i)
@@ -159,7 +158,7 @@ fem::SolidLoad load_of(const TubeWithThroughCrack& tube, TorqueSense sense) {
 
 Solved solve_size(const TubeWithThroughCrack& tube, double a, std::span<const TorqueSense> senses) {
   const auto start = std::chrono::steady_clock::now();
-  const fem::HexMesh mesh = mesh_size(tube, a);
+  const fem::HexMesh mesh = mesh_at_size(tube, a);
   fem::SolidProblem problem = clamped_tube(tube.material);
   std::vector<fem::SolidLoad> loads;
   for (const TorqueSense sense : senses) loads.push_back(load_of(tube, sense));
@@ -195,7 +194,8 @@ void check_joints(const TubeWithThroughCrack& tube) {
   check(tube.ends.rim.has_value(), "rim", tube.length - tube.place);
 }
 
-/// Checks the values and chooses those that were left open.
+}  // namespace
+
 TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
   if (tube.place == 0) tube.place = tube.length / 2;
@@ -226,10 +226,8 @@ TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   return tube;
 }
 
-}  // namespace
-
 fem::HexMesh mesh_tube_with_through_crack(const TubeWithThroughCrack& tube) {
-  return mesh_size(completed(tube), tube.half_length);
+  return mesh_at_size(completed(tube), tube.half_length);
 }
 
 namespace {

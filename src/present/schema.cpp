@@ -43,6 +43,11 @@ class SchemaWriter : public TypeVisitor {
     open_.back()["required"].push_back("kind");
   }
   void column(const Field& field) override {
+    if (what_ == SchemaOf::options) {
+      place({{"type", "array"},
+             {"items", {{"type", field.unit == "1" ? Json("number") : Json("string")}}}});
+      return;
+    }
     Json properties = Json::object();
     if (!field.unit.empty() && field.unit != kUnitBeside)
       properties["unit"] = {{"const", field.unit}};

@@ -62,11 +62,11 @@ Eigen::MatrixXd sum_of(const std::vector<std::vector<Index>>& elements) {
   return sum;
 }
 
-std::optional<Eigen::VectorXd> solved(const std::vector<std::vector<Index>>& elements,
-                                      const Eigen::VectorXd& load) {
+std::optional<Eigen::MatrixXd> solved(const std::vector<std::vector<Index>>& elements,
+                                      const Eigen::MatrixXd& loads) {
   return solve_condensed(
       elements, [&](std::size_t e) { return matrix_of(e, static_cast<Index>(elements[e].size())); },
-      load);
+      loads);
 }
 
 // Against the dense sum: one element, a strip, a block, two separate blocks, odd elements.
@@ -81,10 +81,11 @@ TEST(SolveCondensed, CrosscheckDenseSum) {
   more.insert(more.begin() + 1, {{}, {0, 8}, {3}});  // without unknowns, without own unknowns
   for (const auto& elements : {grid(1, 1), grid(1, 6), grid(5, 4), two, more}) {
     const Index n = unknowns_of(elements);
-    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(n, -1, 2);
-    const auto x = solved(elements, load);
+    Eigen::MatrixXd loads(n, 2);  // two columns that differ
+    loads << Eigen::VectorXd::LinSpaced(n, -1, 2), Eigen::VectorXd::LinSpaced(n, 3, 1);
+    const auto x = solved(elements, loads);
     ASSERT_TRUE(x);
-    const Eigen::VectorXd dense = sum_of(elements).ldlt().solve(load);
+    const Eigen::MatrixXd dense = sum_of(elements).ldlt().solve(loads);
     EXPECT_LT((*x - dense).norm() / dense.norm(), 1e-10) << n;  // rounding
   }
 }
@@ -97,9 +98,9 @@ TEST(SolveCondensed, IdentityUnknownOfNoElementIsZero) {
   const Eigen::VectorXd load = Eigen::VectorXd::Ones(n + 2);
   const auto x = solved(elements, load);
   ASSERT_TRUE(x);
-  EXPECT_EQ((*x)(3), 0);
-  EXPECT_EQ((*x)(4), 0);
-  EXPECT_NE((*x)(2), 0);
+  EXPECT_EQ((*x)(3, 0), 0);
+  EXPECT_EQ((*x)(4, 0), 0);
+  EXPECT_NE((*x)(2, 0), 0);
 }
 
 TEST(SolveCondensed, InputNotPositiveDefiniteGivesNothing) {
@@ -121,7 +122,7 @@ TEST(SolveCondensed, InputNotPositiveDefiniteGivesNothing) {
   EXPECT_FALSE(solve_condensed(chain, held(-0.5), load));
   const auto x = solve_condensed(chain, held(1e-10), load);  // held weakly
   ASSERT_TRUE(x);
-  EXPECT_NEAR((*x)(0) * 1e-10 / 3, 1, 1e-5);  // the sum of the load; 1e-16/1e-10
+  EXPECT_NEAR((*x)(0, 0) * 1e-10 / 3, 1, 1e-5);  // the sum of the load; 1e-16/1e-10
 }
 
 }  // namespace

@@ -37,6 +37,9 @@ struct SolidLoad {
   /// Stress of the body without the crack at a place of the crack [Pa], rows of the tensor; used
   /// for `added_work`.  With `fields`, it must accept any place.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
+  /// The crack releases `stress_without_crack` on its faces, in place of loads that cause it.  The
+  /// displacements are then those that the crack adds (FE-54).
+  bool released = false;
 };
 
 /// A body and how it is held.

@@ -14,6 +14,7 @@ struct Checks {
   std::optional<double> growth_check = {};  ///< dC/dA over 2G, - 1 [-]
   /// G from the displacement of the faces over G, - 1 [-]
   std::optional<double> displacement_check = {};
+  std::optional<double> mode_check = {};  ///< G of the factors K over G, - 1 [-]
   /// compliance of the sound solid over the body of revolution, - 1 [-]
   std::optional<double> sound_check = {};
   /// compliance at order p-1 over compliance at p, - 1 [-]
@@ -33,6 +34,8 @@ struct Checks {
     add("displacement_check",
         "G from the displacement of the faces over G from the domain integral, minus 1",
         &Checks::displacement_check);
+    add("mode_check", "G of the stress intensity factors over G from the domain integral, minus 1",
+        &Checks::mode_check);
     add("sound_check",
         "compliance without the crack over compliance of the body of revolution, minus 1",
         &Checks::sound_check);

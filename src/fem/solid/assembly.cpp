@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
@@ -61,26 +62,44 @@ Eigen::MatrixXd stiffness(const dealii::FEValues<3>& values, const Lame& lame) {
 
 }  // namespace
 
+Tensor<1, 3> released_traction(const SolidLoad& of, const dealii::FEFaceValues<3>& values,
+                               unsigned q) {
+  const auto s = of.stress_without_crack(to_array(values.quadrature_point(q)));
+  const Tensor<1, 3>& n = values.normal_vector(q);
+  Tensor<1, 3> t;
+  for (unsigned i = 0; i < 3; ++i) t[i] = -(s[i][0] * n[0] + s[i][1] * n[1] + s[i][2] * n[2]);
+  return t;
+}
+
 Vector nodal_loads(const Space& space, const SolidLoad& of) {
   Vector load(space.dofs.n_dofs());
   const dealii::QGauss<2> rule(static_cast<unsigned>(space.problem.order) + 3);
-  dealii::FEFaceValues<3> values(
-      space.body.mapping, space.scalar, rule,
-      dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+  dealii::FEFaceValues<3> values(space.body.mapping, space.scalar, rule,
+                                 dealii::update_values | dealii::update_quadrature_points |
+                                     dealii::update_JxW_values | dealii::update_normal_vectors);
   for (const Cell& cell : space.dofs.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    for (const unsigned f : cell->face_indices())
+    const std::vector<Index> indices = space.indices(cell);
+    const auto add = [&](const auto& traction) {
+      for (const unsigned q : values.quadrature_point_indices()) {
+        const Tensor<1, 3> t = traction(q);
+        for (unsigned a = 0; a < space.scalar.n_dofs_per_cell(); ++a)
+          for (unsigned i = 0; i < 3; ++i)
+            load[indices[space.node_of[i][a]]] += t[i] * values.shape_value(a, q) * values.JxW(q);
+      }
+    };
+    for (const unsigned f : cell->face_indices()) {
       for (const Traction& traction : of.tractions) {
         if (!space.has_tag(cell, f, traction.tag)) continue;
         Space::reinit(values, cell, f);
-        const std::vector<Index> indices = space.indices(cell);
-        for (const unsigned q : values.quadrature_point_indices()) {
-          const Point3 t = traction.value(to_array(values.quadrature_point(q)));
-          for (unsigned a = 0; a < space.scalar.n_dofs_per_cell(); ++a)
-            for (unsigned i = 0; i < 3; ++i)
-              load[indices[space.node_of[i][a]]] += t[i] * values.shape_value(a, q) * values.JxW(q);
-        }
+        add([&](unsigned q) {
+          return to_tensor(traction.value(to_array(values.quadrature_point(q))));
+        });
       }
+      if (!of.released || !space.is_crack_face(cell, f)) continue;
+      Space::reinit(values, cell, f);
+      add([&](unsigned q) { return released_traction(of, values, q); });  // (FE-54)
+    }
   }
   sum_over_ranks(load);
   return load;
@@ -270,38 +289,70 @@ SymmetricEntries Equations::assemble_together() {
 }
 
 Vector Equations::displacements(Vector forces) {
+  std::vector<Vector> one;
+  one.push_back(std::move(forces));
+  return std::move(displacements(std::move(one)).front());
+}
+
+std::vector<Vector> Equations::displacements(std::vector<Vector> forces) {
+  constexpr std::size_t kBlock = 64;
+  std::vector<Vector> found;
+  for (std::size_t first = 0; first < forces.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, forces.size() - first);
+    for (Vector& u : block_displacements(std::span(forces).subspan(first, count)))
+      found.push_back(std::move(u));
+  }
+  return found;
+}
+
+/// The displacements under nodal forces, which it changes.
+std::vector<Vector> Equations::block_displacements(std::span<Vector> forces) {
   const std::vector<int>& number = numbering_.number;
-  constraints_.condense(forces);
-  std::vector<double> rhs(static_cast<std::size_t>(numbering_.unknowns));
-  std::vector<double> inner_rhs(rhs.size(), 0.0);
-  std::vector<Eigen::VectorXd> inner_forces;  // L^-1 f_i, cell by cell
+  const auto unknowns = static_cast<std::size_t>(numbering_.unknowns);
+  const auto count = static_cast<Eigen::Index>(forces.size());
+  for (Vector& f : forces) constraints_.condense(f);
+  std::vector<double> rhs(unknowns * forces.size(), 0.0);
+  std::vector<Eigen::MatrixXd> inner_forces;  // L^-1 f_i, cell by cell
   for (const CondensedCell& cell : cells_) {
-    Eigen::VectorXd& f = inner_forces.emplace_back(static_cast<Eigen::Index>(cell.inner.size()));
-    for (Eigen::Index i = 0; i < f.size(); ++i) f(i) = forces[cell.inner[i]];
+    Eigen::MatrixXd& f =
+        inner_forces.emplace_back(static_cast<Eigen::Index>(cell.inner.size()), count);
+    for (Eigen::Index n = 0; n < count; ++n)
+      for (Eigen::Index i = 0; i < f.rows(); ++i)
+        f(i, n) = forces[static_cast<std::size_t>(n)][cell.inner[i]];
     if (!f.any()) continue;
     cell.matrix.factor.triangularView<Eigen::Lower>().solveInPlace(f);
-    const Eigen::VectorXd left = cell.matrix.coupling.transpose() * f;
-    for (Eigen::Index i = 0; i < left.size(); ++i) inner_rhs[cell.outer[i]] -= left(i);
+    const Eigen::MatrixXd left = cell.matrix.coupling.transpose() * f;
+    for (Eigen::Index n = 0; n < count; ++n)
+      for (Eigen::Index i = 0; i < left.rows(); ++i)
+        rhs[static_cast<std::size_t>(n) * unknowns + static_cast<std::size_t>(cell.outer[i])] -=
+            left(i, n);
   }
-  dealii::Utilities::MPI::sum(inner_rhs, MPI_COMM_WORLD, inner_rhs);
-  for (Index i = 0; i < number.size(); ++i)
-    if (number[i] >= 0) rhs[static_cast<std::size_t>(number[i])] = forces[i];
-  for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] += inner_rhs[i];
-  const std::vector<double> x = solver_->solve(std::move(rhs));
-  Vector u(space_.dofs.n_dofs());
+  sum_over_ranks(rhs);
+  for (std::size_t n = 0; n < forces.size(); ++n)
+    for (Index i = 0; i < number.size(); ++i)
+      if (number[i] >= 0) rhs[n * unknowns + static_cast<std::size_t>(number[i])] += forces[n][i];
+  const std::vector<double> x = solver_->solve(std::move(rhs), static_cast<int>(count));
+  std::vector<Vector> found(forces.size(), Vector(space_.dofs.n_dofs()));
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const CondensedCell& cell = cells_[c];
-    Eigen::VectorXd outer(static_cast<Eigen::Index>(cell.outer.size()));
-    for (Eigen::Index i = 0; i < outer.size(); ++i) outer(i) = x[cell.outer[i]];
-    Eigen::VectorXd inner = inner_forces[c] - cell.matrix.coupling * outer;
+    Eigen::MatrixXd outer(static_cast<Eigen::Index>(cell.outer.size()), count);
+    for (Eigen::Index n = 0; n < count; ++n)
+      for (Eigen::Index i = 0; i < outer.rows(); ++i)
+        outer(i, n) =
+            x[static_cast<std::size_t>(n) * unknowns + static_cast<std::size_t>(cell.outer[i])];
+    Eigen::MatrixXd inner = inner_forces[c] - cell.matrix.coupling * outer;
     cell.matrix.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(inner);
-    for (Eigen::Index i = 0; i < inner.size(); ++i) u[cell.inner[i]] = inner(i);
+    for (Eigen::Index n = 0; n < count; ++n)
+      for (Eigen::Index i = 0; i < inner.rows(); ++i)
+        found[static_cast<std::size_t>(n)][cell.inner[i]] = inner(i, n);
   }
-  sum_over_ranks(u);
-  for (Index i = 0; i < number.size(); ++i)
-    if (number[i] >= 0) u[i] = x[static_cast<std::size_t>(number[i])];
-  constraints_.distribute(u);
-  return u;
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    sum_over_ranks(found[n]);
+    for (Index i = 0; i < number.size(); ++i)
+      if (number[i] >= 0) found[n][i] = x[n * unknowns + static_cast<std::size_t>(number[i])];
+    constraints_.distribute(found[n]);
+  }
+  return found;
 }
 
 }  // namespace strainwave::fem::solid

@@ -3,12 +3,17 @@
 
 #include <chrono>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "direct_solver.hpp"
 #include "space.hpp"
 
 namespace strainwave::fem::solid {
+
+/// Traction on a face of the crack that takes away the stress without the crack [Pa].
+[[nodiscard]] Tensor<1, 3> released_traction(const SolidLoad& of,
+                                             const dealii::FEFaceValues<3>& values, unsigned q);
 
 /// Nodal forces of the tractions of a load [N].
 [[nodiscard]] Vector nodal_loads(const Space& space, const SolidLoad& of);
@@ -44,6 +49,8 @@ class Equations {
 
   /// The displacements under nodal forces [m].
   [[nodiscard]] Vector displacements(Vector forces);
+  /// The same under several nodal forces.
+  [[nodiscard]] std::vector<Vector> displacements(std::vector<Vector> forces);
 
   [[nodiscard]] const Numbering& numbering() const { return numbering_; }
   [[nodiscard]] DirectSolver& solver() { return *solver_; }
@@ -60,6 +67,7 @@ class Equations {
   /// Rows of a cell's stiffness, grouped by kind.
   struct CellRows;
 
+  [[nodiscard]] std::vector<Vector> block_displacements(std::span<Vector> forces);
   [[nodiscard]] SymmetricEntries assemble();
   [[nodiscard]] SymmetricEntries assemble_together();
   [[nodiscard]] CellRows rows_of(const Cell& cell) const;

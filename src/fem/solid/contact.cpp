@@ -1,108 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/fem/complementarity.hpp"
 
 namespace strainwave::fem::solid {
-namespace {
-
-struct Complementarity {
-  Eigen::VectorXd x;
-  int steps;
-};
-
-/// Solves x >= 0 with M x + b >= 0 where in each row x or M x + b is zero; M is symmetric, positive
-/// definite.
-///
-/// Uses principal pivoting.  All wrong signs are changed at once while their number falls, else
-/// only the last one (Murty), which ends after a finite number of steps.
-Complementarity solve_complementarity(const Eigen::MatrixXd& M, const Eigen::VectorXd& b) {
-  constexpr int kPatience = 5;
-  const Eigen::Index n = b.size();
-  const int most = 200 + 20 * static_cast<int>(n);
-  std::vector<bool> active(static_cast<std::size_t>(n), true);
-  Eigen::Index fewest = n + 1;
-  int patience = kPatience;
-  for (int steps = 1; steps <= most; ++steps) {
-    std::vector<Eigen::Index> set;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (active[static_cast<std::size_t>(i)]) set.push_back(i);
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
-    const Eigen::MatrixXd part = M(set, set);
-    const Eigen::VectorXd load = -b(set);
-    const Eigen::VectorXd found = part.llt().solve(load);
-    x(set) = found;
-    const Eigen::VectorXd slack = M * x + b;
-    const double nothing_x = 1e-9 * x.cwiseAbs().maxCoeff();
-    const double nothing_slack = 1e-9 * b.cwiseAbs().maxCoeff();
-    std::vector<Eigen::Index> wrong;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (active[static_cast<std::size_t>(i)] ? x[i] < -nothing_x : slack[i] < -nothing_slack)
-        wrong.push_back(i);
-    const auto count = static_cast<Eigen::Index>(wrong.size());
-    if (count == 0) return {x.cwiseMax(0.0), steps};
-    if (count < fewest) {
-      fewest = count;
-      patience = kPatience;
-    } else {
-      --patience;
-    }
-    if (patience < 0) wrong = {wrong.back()};
-    for (const Eigen::Index i : wrong)
-      active[static_cast<std::size_t>(i)] = !active[static_cast<std::size_t>(i)];
-  }
-  throw SolverError(
-      fmt::format("the contact of the crack faces did not converge in {} steps", most));
-}
-
-/// At a front both sides share their nodes, so no pair gives a pressure there; the pressure of the
-/// neighbour on the face is used.
-void extend_pressure_to_fronts(const Space& space, Contact& contact) {
-  space.visit_crack_faces([&](const Cell& cell, unsigned f) {
-    std::vector<std::pair<Point<3>, Index>> shared;
-    std::vector<std::pair<Point<3>, Index>> paired;
-    space.visit_face_nodes(cell, f, [&](unsigned a, const Node& node) {
-      (contact.on_front.count(node[0]) ? shared : paired)
-          .push_back({space.scalar.unit_support_point(a), node[0]});
-    });
-    for (const auto& [place, dof] : shared) {
-      double nearest = 2;
-      for (const auto& [other, twin] : paired)
-        if (std::abs(other[2] - place[2]) < 1e-9 && other.distance(place) < nearest) {
-          nearest = other.distance(place);
-          contact.pressure[dof] = contact.pressure[twin];
-        }
-    }
-  });
-}
-
-}  // namespace
-
 FaceContact::FaceContact(const Space& space, const Constraints& constraints, Equations& equations)
     : space_(space), constraints_(constraints), equations_(equations) {
-  find_pairs();
-  if (pairs_.empty()) throw InputError("mesh", "has no crack faces that could touch");
-  area_.resize(static_cast<Eigen::Index>(pairs_.size()));
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    pairs_[i].row = gap_row(pairs_[i]);
-    area_[static_cast<Eigen::Index>(i)] = pairs_[i].area;
-  }
+  find_places();
+  if (rows_.empty()) throw InputError("mesh", "has no crack faces that could touch");
+  area_.resize(static_cast<Eigen::Index>(pairs()));
+  for (std::size_t i = 0; i < pairs(); ++i) area_[static_cast<Eigen::Index>(i)] = places_[i].area;
 }
 
 /// Nodes that can touch, and nodes that cannot because both sides share them.
-void FaceContact::find_pairs() {
+void FaceContact::find_places() {
   const dealii::QGauss<2> rule(static_cast<unsigned>(space_.problem.order) + 2);
   dealii::FEFaceValues<3> values(
       space_.body.mapping, space_.scalar, rule,
       dealii::update_values | dealii::update_normal_vectors | dealii::update_JxW_values);
-  std::map<Node, std::pair<Point<3>, Tensor<1, 3>>> upper;
+  struct Upper {
+    Point<3> at;
+    Tensor<1, 3> area;    // integral of the node's function, times the normal
+    Tensor<1, 3> normal;  // integral of its square, which is positive also at a front
+  };
+  std::map<Node, Upper> upper;
   std::map<Node, Point<3>> lower;
   double size = 0;
   space_.visit_crack_faces([&](const Cell& cell, unsigned f) {
@@ -115,25 +43,33 @@ void FaceContact::find_pairs() {
         lower[node] = place;
         return;
       }
-      auto& entry = upper[node];
-      entry.first = place;
-      for (const unsigned q : values.quadrature_point_indices())
-        entry.second -= values.shape_value(a, q) * values.JxW(q) * values.normal_vector(q);
+      Upper& entry = upper[node];
+      entry.at = place;
+      for (const unsigned q : values.quadrature_point_indices()) {
+        const double value = values.shape_value(a, q);
+        entry.area -= value * values.JxW(q) * values.normal_vector(q);
+        entry.normal -= value * value * values.JxW(q) * values.normal_vector(q);
+      }
     });
   });
-  for (const auto& [node, at] : upper) {
+  std::vector<FacePlace> at_fronts;
+  for (const auto& [node, one] : upper) {
     if (lower.count(node)) {
+      const Tensor<1, 3> normal = one.normal / one.normal.norm();
       on_front_.insert(node[0]);
+      at_fronts.push_back({node, node, one.at, normal, one.area * normal});
       continue;
     }
     for (const auto& [twin, place] : lower)
-      if (!upper.count(twin) && place.distance(at.first) < 1e-9 * size)
-        pairs_.push_back({node, twin, at.second / at.second.norm(), at.second.norm(), {}});
+      if (!upper.count(twin) && place.distance(one.at) < 1e-9 * size)
+        places_.push_back({node, twin, one.at, one.area / one.area.norm(), one.area.norm()});
   }
+  for (const FacePlace& pair : places_) rows_.push_back(gap_row(pair));
+  places_.insert(places_.end(), at_fronts.begin(), at_fronts.end());
 }
 
 /// The gap of a pair as a sum over unconstrained dofs.
-std::vector<std::pair<Index, double>> FaceContact::gap_row(const Pair& pair) const {
+FaceContact::Row FaceContact::gap_row(const FacePlace& pair) const {
   std::map<Index, double> row;
   const auto add = [&](Index i, double value) {
     if (!constraints_.is_constrained(i)) {
@@ -153,46 +89,83 @@ std::vector<std::pair<Index, double>> FaceContact::gap_row(const Pair& pair) con
 /// Normal distance of the two sides at each pair; < 0 means that the sides pass through each other.
 Eigen::VectorXd FaceContact::gaps(const Vector& u) const {
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(area_.size());
-  for (std::size_t i = 0; i < pairs_.size(); ++i)
+  for (std::size_t i = 0; i < pairs(); ++i)
     for (unsigned k = 0; k < 3; ++k)
       gap[static_cast<Eigen::Index>(i)] +=
-          (u[pairs_[i].upper[k]] - u[pairs_[i].lower[k]]) * pairs_[i].normal[k];
+          (u[places_[i].upper[k]] - u[places_[i].lower[k]]) * places_[i].normal[k];
   return gap;
 }
 
 double FaceContact::largest_jump(const Vector& u) const {
   double jump = 0;
-  for (const Pair& pair : pairs_) {
+  for (std::size_t i = 0; i < pairs(); ++i) {
     double square = 0;
-    for (unsigned k = 0; k < 3; ++k) square += std::pow(u[pair.upper[k]] - u[pair.lower[k]], 2);
+    for (unsigned k = 0; k < 3; ++k)
+      square += std::pow(u[places_[i].upper[k]] - u[places_[i].lower[k]], 2);
     jump = std::max(jump, std::sqrt(square));
   }
   return jump;
 }
 
-/// Gap of pair i under a unit pressure at pair j, that is, under a pair of forces equal to its
-/// area.
-Eigen::MatrixXd FaceContact::flexibility() const {
+/// Solves for a unit pressure at each pair and calls visit(pair, unknowns) for each.
+template <class Visit>
+void FaceContact::solve_pressures(const Visit& visit) const {
   constexpr std::size_t kBlock = 64;
   const std::vector<int>& number = equations_.numbering().number;
-  const auto n = static_cast<Eigen::Index>(pairs_.size());
   const auto unknowns = static_cast<std::size_t>(equations_.numbering().unknowns);
-  Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(n, n);
-  for (std::size_t first = 0; first < pairs_.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, pairs_.size() - first);
+  for (std::size_t first = 0; first < pairs(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, pairs() - first);
     std::vector<double> columns(count * unknowns, 0.0);
     for (std::size_t j = 0; j < count; ++j)
-      for (const auto& [dof, value] : pairs_[first + j].row)
+      for (const auto& [dof, value] : rows_[first + j])
         columns[j * unknowns + static_cast<std::size_t>(number[dof])] +=
-            value * pairs_[first + j].area;
+            value * places_[first + j].area;
     columns = equations_.solver().solve(std::move(columns), static_cast<int>(count));
     for (std::size_t j = 0; j < count; ++j)
-      for (Eigen::Index i = 0; i < n; ++i)
-        for (const auto& [dof, value] : pairs_[static_cast<std::size_t>(i)].row)
-          flexibility(i, static_cast<Eigen::Index>(first + j)) +=
-              value * columns[j * unknowns + static_cast<std::size_t>(number[dof])];
+      visit(static_cast<Eigen::Index>(first + j),
+            std::span<const double>(columns).subspan(j * unknowns, unknowns));
   }
-  return flexibility;
+}
+
+const Eigen::MatrixXd& FaceContact::flexibility() {
+  if (flexibility_.size() == 0) (void)displacements({});
+  return flexibility_;
+}
+
+Eigen::MatrixXd FaceContact::displacements(const std::vector<Index>& at) {
+  const std::vector<int>& number = equations_.numbering().number;
+  const auto n = static_cast<Eigen::Index>(pairs());
+  Eigen::MatrixXd displaced(static_cast<Eigen::Index>(at.size()), n);
+  flexibility_ = Eigen::MatrixXd::Zero(n, n);
+  solve_pressures([&](Eigen::Index j, std::span<const double> u) {
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (const auto& [dof, value] : rows_[static_cast<std::size_t>(i)])
+        flexibility_(i, j) += value * u[static_cast<std::size_t>(number[dof])];
+    for (Eigen::Index i = 0; i < displaced.rows(); ++i)
+      displaced(i, j) = u[static_cast<std::size_t>(number[at[static_cast<std::size_t>(i)]])];
+  });
+  return displaced;
+}
+
+std::map<Index, Index> FaceContact::neighbours_of_fronts() const {
+  std::map<Index, Index> neighbour;
+  space_.visit_crack_faces([&](const Cell& cell, unsigned f) {
+    std::vector<std::pair<Point<3>, Index>> shared;
+    std::vector<std::pair<Point<3>, Index>> paired;
+    space_.visit_face_nodes(cell, f, [&](unsigned a, const Node& node) {
+      (on_front_.count(node[0]) ? shared : paired)
+          .push_back({space_.scalar.unit_support_point(a), node[0]});
+    });
+    for (const auto& [place, dof] : shared) {
+      double nearest = 2;
+      for (const auto& [other, twin] : paired)
+        if (std::abs(other[2] - place[2]) < 1e-9 && other.distance(place) < nearest) {
+          nearest = other.distance(place);
+          neighbour[dof] = twin;
+        }
+    }
+  });
+  return neighbour;
 }
 
 std::optional<Contact> FaceContact::close(const Vector& load, const Vector& u) {
@@ -200,8 +173,12 @@ std::optional<Contact> FaceContact::close(const Vector& load, const Vector& u) {
   const double jump = largest_jump(u);
   const Eigen::VectorXd free_gap = gaps(u);
   if (free_gap.minCoeff() >= -kNothing * jump) return std::nullopt;
-  if (flexibility_.size() == 0) flexibility_ = area_.asDiagonal() * flexibility();
-  const Complementarity answer = solve_complementarity(flexibility_, area_.asDiagonal() * free_gap);
+  // Weights by area make the matrix symmetric.
+  const Eigen::MatrixXd matrix = area_.asDiagonal() * flexibility();
+  const Eigen::VectorXd gap = area_.asDiagonal() * free_gap;
+  const Complementarity answer =
+      solve_complementarity({matrix.data(), static_cast<std::size_t>(matrix.size())},
+                            {gap.data(), static_cast<std::size_t>(gap.size())}, "the crack faces");
   Contact contact{.u = {},
                   .forces = Vector(space_.dofs.n_dofs()),
                   .pressure = std::vector<double>(space_.dofs.n_dofs(), 0.0),
@@ -209,9 +186,9 @@ std::optional<Contact> FaceContact::close(const Vector& load, const Vector& u) {
                   .iterations = answer.steps};
   double touching = 0;
   double whole = 0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Pair& pair = pairs_[i];
-    const double p = answer.x[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < pairs(); ++i) {
+    const FacePlace& pair = places_[i];
+    const double p = answer.x[i];
     whole += pair.area;
     if (!(p > 0)) continue;
     touching += pair.area;
@@ -226,7 +203,8 @@ std::optional<Contact> FaceContact::close(const Vector& load, const Vector& u) {
   forces += contact.forces;
   contact.u = equations_.displacements(std::move(forces));
   contact.overlap = std::max(0.0, -gaps(contact.u).minCoeff()) / jump;
-  extend_pressure_to_fronts(space_, contact);
+  for (const auto& [at_front, neighbour] : neighbours_of_fronts())
+    contact.pressure[at_front] = contact.pressure[neighbour];
   return contact;
 }
 

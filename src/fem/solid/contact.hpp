@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -23,11 +24,36 @@ struct Contact {
   double overlap = 0;  ///< deepest remaining overlap over the largest jump without contact [-]
 };
 
+/// A place of a crack, with the nodes of its two sides.
+struct FacePlace {
+  Node upper;
+  Node lower;  ///< at a front, the same node
+  Point<3> at;
+  Tensor<1, 3> normal;  ///< from lower to upper
+  double area;          ///< the node's share of the crack [m^2]; may be < 0 at a front
+};
+
 /// The two sides of a crack, which touch under some loads of a body, (FE-30).
 class FaceContact {
  public:
   /// @throws InputError  if the mesh has no faces that could touch
   FaceContact(const Space& space, const Constraints& constraints, Equations& equations);
+
+  /// Places that can touch, then those at fronts.
+  [[nodiscard]] const std::vector<FacePlace>& places() const { return places_; }
+  /// Number of places that can touch.
+  [[nodiscard]] std::size_t pairs() const { return rows_.size(); }
+  /// Gap of each pair, in rows, under a unit pressure at each pair, in columns: that is, under a
+  /// pair of forces equal to its area [m/Pa].
+  [[nodiscard]] const Eigen::MatrixXd& flexibility();
+  /// Displacements at unknowns `at`, in rows, under the same pressures [m/Pa].
+  /// @param at  dofs without constraints
+  [[nodiscard]] Eigen::MatrixXd displacements(const std::vector<Index>& at);
+
+  /// The nearest paired node of a face, for each node at a front, by their first dofs.  At a front
+  /// both sides share their nodes, so no pair gives a pressure there; that of the neighbour is
+  /// used.
+  [[nodiscard]] std::map<Index, Index> neighbours_of_fronts() const;
 
   /// Computes the pressure between faces that would pass through each other; absent if they stay
   /// apart.
@@ -37,28 +63,23 @@ class FaceContact {
   [[nodiscard]] std::optional<Contact> close(const Vector& load, const Vector& u);
 
  private:
-  /// The dofs of the crack's two sides at one place.
-  struct Pair {
-    Node upper;
-    Node lower;
-    Tensor<1, 3> normal;                        ///< normal from lower to upper
-    double area;                                ///< the node's share of the crack [m^2]
-    std::vector<std::pair<Index, double>> row;  ///< gap as a sum over unconstrained dofs
-  };
+  using Row = std::vector<std::pair<Index, double>>;
 
-  void find_pairs();
-  [[nodiscard]] std::vector<std::pair<Index, double>> gap_row(const Pair& pair) const;
+  void find_places();
+  [[nodiscard]] Row gap_row(const FacePlace& place) const;
   [[nodiscard]] Eigen::VectorXd gaps(const Vector& u) const;
   [[nodiscard]] double largest_jump(const Vector& u) const;
-  [[nodiscard]] Eigen::MatrixXd flexibility() const;
+  template <class Visit>
+  void solve_pressures(const Visit& visit) const;
 
   const Space& space_;
   const Constraints& constraints_;
   Equations& equations_;
-  std::vector<Pair> pairs_;      ///< nodes that can touch
-  std::set<Index> on_front_;     ///< first dofs of the nodes that both sides share
-  Eigen::VectorXd area_;         ///< of each pair [m^2]
-  Eigen::MatrixXd flexibility_;  ///< times `area_`, from the first load whose faces touch on
+  std::vector<FacePlace> places_;  ///< pairs, then places at fronts
+  std::vector<Row> rows_;          ///< gap of each pair as a sum over unconstrained dofs
+  std::set<Index> on_front_;       ///< first dofs of the nodes that both sides share
+  Eigen::VectorXd area_;           ///< of each pair [m^2]
+  Eigen::MatrixXd flexibility_;    ///< empty before it is needed
 };
 
 }  // namespace strainwave::fem::solid

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/fem/elasticity.hpp"
+#include "strainwave/fem/harmonic_section.hpp"
+#include "strainwave/gear_fem/cup_section.hpp"
+
+/// @file
+/// A sound flexspline at work: bent oval by the wave generator, and twisted by the torque.
+
+namespace strainwave {
+namespace gear_fem {
+
+/// Whether the oval is computed with large rotations (FE-53).
+enum class LargeRotations {
+  automatic,  ///< if the second-order stress E (w_0/r)^2 exceeds 2 % of the rim's bending stress
+  on,
+  off,  ///< small rotations
+};
+
+}  // namespace gear_fem
+
+template <>
+struct EnumNames<gear_fem::LargeRotations> {
+  static constexpr std::array<std::string_view, 3> names = {"auto", "on", "off"};
+};
+
+namespace gear_fem {
+
+/// The cam, as the bore of the rim sees it, and the band on which it presses.
+///
+/// At the angle phi from a lobe, the cam lies w_0 cos 2 phi + c_cam w_0^2/(2 R) cos 4 phi + m
+/// outside the round bore, with R the radius of the rim's middle surface.  The mean m follows from
+/// the perimeter, less the clearance (FE-52).
+struct OvalFit {
+  double radial_displacement{};  ///< w_0 [m]; > 0
+  double flattening = 0;         ///< c_cam [-]; >= 0; 1.5 for an ellipse
+  /// perimeter of the cam without clearance minus that of the round bore [m]; > 0 stretches the rim
+  double perimeter_excess = 0;
+  double clearance = 0;  ///< the cam lies this far inside, all round [m]; >= 0
+  /// width of the band, in the middle of the rim [m]; 0: the whole rim
+  double band_width = 0;
+  /// true: the cam only pushes; false: the band follows the cam all round
+  bool one_sided = true;
+};
+
+struct OvalOptions {
+  int order = 5;        ///< p of the section [-]; in 3..8
+  int most_waves = 48;  ///< highest number of waves of the pressure [-]; a multiple of 4, 8 to 96
+  LargeRotations large_rotations = LargeRotations::automatic;
+  int most_bent_waves = 12;  ///< highest number of waves with large rotations [-]; even, 4 to 24
+};
+
+/// Contact of the wave generator with the bore.
+struct OvalContact {
+  double lobe_force{};        ///< resultant of the pressure of one lobe along its axis [N]
+  double largest_pressure{};  ///< on the band [Pa]
+  /// Half of the arc on which a lobe presses [rad]; a quarter turn if it presses all round
+  double half_arc{};
+  double overlap{};              ///< deepest remaining overlap over w_0 [-]
+  int steps{};                   ///< linear systems of the contact; 0 if it is not one-sided
+  bool large_rotations = false;  ///< whether they were computed
+  int iterations{};              ///< of the large rotations; 0 without them
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = OvalContact;
+    field({"lobe_force", "N", "force of one lobe of the wave generator on the bore"},
+          &R::lobe_force);
+    field({"largest_pressure", "Pa", "largest pressure on the band of the bore"},
+          &R::largest_pressure);
+    field({"half_arc", "rad", "half of the arc on which a lobe presses"}, &R::half_arc);
+    field({.name = "overlap", .unit = "1", .doc = "deepest overlap over w_0", .detail = true},
+          &R::overlap);
+    field({"large_rotations", "", "whether the oval was computed with large rotations"},
+          &R::large_rotations);
+    field({.name = "iterations",
+           .unit = "",
+           .doc = "iterations of the large rotations",
+           .detail = true},
+          &R::iterations);
+  }
+};
+
+/// What the oval and a unit torque cause at one place (r, z) of the section, round the axis.
+struct OvalPlace {
+  double r{};                                ///< [m]
+  std::vector<fem::HarmonicPoint> of_waves;  ///< of 0, 2, 4, ... waves
+  /// the same for small rotations; empty if these are the answer
+  std::vector<fem::HarmonicPoint> of_small_waves;
+  fem::HarmonicPoint of_torque;  ///< per N*m
+};
+
+/// Cylindrical components of a field: r, theta, z; and rr, theta theta, zz, theta z, rz, r theta.
+struct OvalField {
+  std::array<double, 3> displacement{};  ///< [m]
+  std::array<double, 6> stress{};        ///< [Pa]
+};
+
+/// A sound cup under the wave generator and under torque; elastic (FE-52), with large rotations of
+/// the oval (FE-53).
+///
+/// The end of the boss is held, else the bore of the diaphragm, else the end of the barrel.  The
+/// wave generator presses on a band of the rim's bore, in the middle of the rim, without friction;
+/// its pressure is even over the width of the band, and the mean displacement over this width
+/// follows the cam.  The torque acts evenly on the outside of the rim.
+///
+/// Range: strains are small.  The torque is computed for the round cup, and its stress is added.
+class OvalCup {
+ public:
+  /// @throws InputError   for a cup without a rim, or values out of range; if the cam does not
+  /// touch
+  ///                      the bore
+  /// @throws SolverError  if the contact or the large rotations do not converge
+  OvalCup(const CupSection& cup, const fem::Elasticity& steel, const OvalFit& fit,
+          const OvalOptions& options = {});
+  ~OvalCup();
+  OvalCup(OvalCup&&) noexcept;
+  OvalCup& operator=(OvalCup&&) noexcept;
+
+  [[nodiscard]] const OvalContact& contact() const;
+  [[nodiscard]] std::size_t unknowns() const;  ///< of one number of waves
+  /// Largest nodal force out of equilibrium over the largest nodal load, over all solutions [-].
+  [[nodiscard]] double equilibrium_residual() const;
+  /// Order of the stress that small rotations leave out, E (w_0/r)^2 [Pa].
+  [[nodiscard]] double second_order_stress() const;
+
+  /// The waves at a place of the section.
+  /// @param r, z  [m], with z from the outer face of the diaphragm as in CupSection
+  /// @throws InputError  for a place outside of the section
+  [[nodiscard]] OvalPlace at(double r, double z) const;
+
+  /// The fields at a place and an angle.
+  /// @param from_lobe  angle from a lobe of the wave generator toward +theta [rad]
+  /// @param torque     T [N*m], in the sense of +theta on the rim
+  [[nodiscard]] OvalField field(const OvalPlace& place, double from_lobe, double torque) const;
+  /// The same for small rotations.
+  [[nodiscard]] OvalField small_field(const OvalPlace& place, double from_lobe,
+                                      double torque) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace gear_fem
+}  // namespace strainwave

@@ -1,0 +1,536 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/gear_fem/oval_cup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "cup_shape.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/fem/complementarity.hpp"
+
+namespace strainwave::gear_fem {
+namespace {
+
+using std::numbers::pi;
+
+/// A part of the rim along z [m].
+struct Band {
+  double from;
+  double to;
+};
+
+/// The pressed band and the rim, in the coordinates of CupSection.
+struct RimPlaces {
+  double bore;
+  double outer;
+  Band rim;
+  Band pressed;
+};
+
+RimPlaces rim_places(const CupSection& cup, const OvalFit& fit) {
+  const double start = (cup.diaphragm ? cup.diaphragm->thickness : 0.0) + cup.barrel.length;
+  const Band rim{start, start + cup.rim->length};
+  const double width =
+      fit.band_width > 0 ? std::min(fit.band_width, cup.rim->length) : cup.rim->length;
+  const double middle = (rim.from + rim.to) / 2;
+  return {.bore = cup.rim->outer_diameter / 2 - cup.rim->wall_thickness,
+          .outer = cup.rim->outer_diameter / 2,
+          .rim = rim,
+          .pressed = {middle - width / 2, middle + width / 2}};
+}
+
+/// The section with grid lines at the ends of the band.
+fem::SectionMesh mesh_oval_cup(const CupSection& cup, const Band& pressed) {
+  CupShape drawn = cup_shape(cup);
+  drawn.shape.rectangles = cut_along_z(drawn.shape.rectangles, {pressed.from, pressed.to});
+  fem::SectionMesh mesh = fem::mesh_section(drawn.shape, drawn.spacing);
+  draw_profile(mesh, cup);
+  return mesh;
+}
+
+/// The cam about the round bore of radius R, and its slope.
+class Cam {
+ public:
+  /// @param bore, middle  radii of the bore and of the rim's middle surface [m]
+  /// @param exact  the mean follows from the length of the curve; false: for small w_0
+  Cam(const OvalFit& fit, double bore, double middle, bool exact)
+      : bore_(bore),
+        two_(fit.radial_displacement),
+        four_(fit.flattening * fit.radial_displacement * fit.radial_displacement / (2 * middle)) {
+    const double perimeter = 2 * pi * bore + fit.perimeter_excess;
+    mean_ = fit.perimeter_excess / (2 * pi);
+    // A uniform offset changes the length of a curve by 2 pi times the offset, up to terms of
+    // higher order, which two more steps remove.
+    if (exact)
+      for (int step = 0; step < 3; ++step) mean_ += (perimeter - length()) / (2 * pi);
+    mean_ -= fit.clearance;
+  }
+
+  [[nodiscard]] double at(double angle) const {
+    return mean_ + two_ * std::cos(2 * angle) + four_ * std::cos(4 * angle);
+  }
+  [[nodiscard]] double slope(double angle) const {
+    return -2 * two_ * std::sin(2 * angle) - 4 * four_ * std::sin(4 * angle);
+  }
+  [[nodiscard]] double bore() const { return bore_; }
+  [[nodiscard]] double farthest() const {
+    double most = at(0);
+    for (int i = 0; i <= 90; ++i) most = std::max(most, at(pi / 2 * i / 90));
+    return most;
+  }
+
+ private:
+  [[nodiscard]] double length() const {
+    constexpr int kPoints = 256;  // exact for a smooth periodic curve
+    double sum = 0;
+    for (int i = 0; i < kPoints; ++i) {
+      const double angle = 2 * pi * i / kPoints;
+      sum += std::hypot(bore_ + at(angle), slope(angle)) * 2 * pi / kPoints;
+    }
+    return sum;
+  }
+
+  double bore_;
+  double two_;
+  double four_;
+  double mean_ = 0;
+};
+
+/// Distance of a point of the bore from the cam, and its derivatives by the point's displacement.
+struct Gap {
+  double value;
+  double by_r;
+  double by_theta;
+
+  /// @param u_r, u_theta  displacement of the point, which was at `angle`
+  Gap(const Cam& cam, double angle, double u_r, double u_theta) {
+    const double x = cam.bore() + u_r;
+    const double distance = std::hypot(x, u_theta);
+    const double now = angle + std::atan2(u_theta, x);
+    const double slope = cam.slope(now);
+    value = distance - cam.bore() - cam.at(now);
+    by_r = x / distance + slope * u_theta / (distance * distance);
+    by_theta = u_theta / distance - slope * x / (distance * distance);
+  }
+};
+
+/// Values at equal angles over a quarter turn, both ends included, as a sum of cos(2 k angle).
+class QuarterTurn {
+ public:
+  explicit QuarterTurn(int intervals) : intervals_(intervals) {}
+
+  [[nodiscard]] int points() const { return intervals_ + 1; }
+  [[nodiscard]] double angle(int j) const { return pi / 2 * j / intervals_; }
+  /// Weight of a point in sums over the quarter; the sum of all is `intervals`.
+  [[nodiscard]] double weight(int j) const { return j == 0 || j == intervals_ ? 0.5 : 1.0; }
+  [[nodiscard]] double cosine(int k, int j) const {
+    return std::cos(pi * (k * j % (2 * intervals_)) / intervals_);
+  }
+  [[nodiscard]] double sine(int k, int j) const { return std::sin(2 * k * angle(j)); }
+  /// Amplitude of cos(2 k angle) in a function of weight 1 at point j and 0 elsewhere.
+  [[nodiscard]] double amplitude(int k, int j) const {
+    return 2.0 / intervals_ * weight(k) * weight(j) * cosine(k, j);
+  }
+
+ private:
+  int intervals_;
+};
+
+}  // namespace
+
+struct OvalCup::Parts {
+  fem::HarmonicSection section;
+  std::vector<fem::HarmonicSolution> waves;        ///< of 0, 2, 4, ... waves
+  std::vector<fem::HarmonicSolution> small_waves;  ///< for small rotations; empty if the same
+  fem::HarmonicSolution torque;                    ///< per N*m
+  OvalContact contact;
+  double residual = 0;
+  double second_order = 0;
+};
+
+namespace {
+
+using Amplitudes = std::vector<double>;
+
+/// Solves for the contact of the cam with the band.
+class OvalSolver {
+ public:
+  OvalSolver(const fem::HarmonicSection& section, const RimPlaces& places, const OvalFit& fit,
+             const OvalOptions& options)
+      : section_(section),
+        places_(places),
+        fit_(fit),
+        options_(options),
+        quarter_(options.most_waves / 2),
+        count_(static_cast<std::size_t>(quarter_.points())) {
+    // Points of the band whose mean displacement follows the cam.
+    constexpr std::array kPoint = {0.9061798459386640, 0.5384693101056831, 0.0};
+    constexpr std::array kWeight = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889};
+    const double middle = (places.pressed.from + places.pressed.to) / 2;
+    const double half = (places.pressed.to - places.pressed.from) / 2;
+    std::vector<fem::SectionPoint> points;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const double side : {-1.0, 1.0}) {
+        points.push_back({.r = places.bore, .z = middle + side * kPoint[i] * half});
+        weights_.push_back(kWeight[i] / (kPoint[i] == 0 ? 4 : 2));
+      }
+    band_ = section.locate(points);
+  }
+
+  /// The waves of a unit pressure; returns the torque of 1 N*m as well.
+  fem::HarmonicSolution solve_units() {
+    const double shear =
+        1 / (2 * pi * std::pow(places_.outer, 2) * (places_.rim.to - places_.rim.from));
+    const double tiny = 1e-9 * places_.outer;
+    const fem::EdgeTraction torque = [=, outer = places_.outer, rim = places_.rim](
+                                         const fem::SectionPoint& p, const fem::SectionPoint& out) {
+      return std::abs(p.r - outer) < tiny && out.r > 0.5 && within(p.z, rim, tiny)
+                 ? fem::WaveVector{0, shear, 0}
+                 : fem::WaveVector{};
+    };
+    fem::HarmonicSolution twisted;
+    for (int k = 0; k < quarter_.points(); ++k) {
+      std::vector<fem::EdgeTraction> loads{on_band(1, 0)};
+      if (k == 0) loads.push_back(torque);
+      fem::HarmonicEquations equations = section_.equations(2 * k);
+      auto solved = equations.solve(loads);
+      if (2 * k <= options_.most_bent_waves) bent_.push_back(std::move(equations));
+      for (const fem::HarmonicSolution& one : solved)
+        residual_ = std::max(residual_, one.equilibrium_residual);
+      if (k == 0) twisted = std::move(solved[1]);
+      unit_.push_back(std::move(solved[0]));
+      compliance_.push_back(mean(unit_.back())[0]);
+    }
+    return twisted;
+  }
+
+  /// Small rotations.
+  void solve_small(const Cam& cam) {
+    Amplitudes target(count_);
+    for (int j = 0; j < quarter_.points(); ++j) target[at(j)] = cam.at(quarter_.angle(j));
+    press(target, {});
+    for (std::size_t k = 0; k < count_; ++k) waves_.push_back(scaled(unit_[k], amplitude_[k]));
+  }
+
+  /// Large rotations, from the waves of small rotations on.  The linear stiffness is kept, and what
+  /// the large rotations add acts as a load (FE-53).
+  void solve_large(const Cam& cam) {
+    constexpr int kMost = 80;
+    constexpr double kSettled = 1e-7;  // share of w_0
+    const std::size_t bent = bent_.size();
+    for (iterations_ = 1; iterations_ <= kMost; ++iterations_) {
+      const auto added = section_.large_rotation_forces(std::span(waves_).first(bent));
+      std::vector<std::array<double, 2>> means;  // of u_r and u_theta
+      for (const fem::HarmonicSolution& wave : waves_) means.push_back(mean(wave));
+      Amplitudes target(count_);
+      Amplitudes radial(count_);  // what the direction of the pressure adds [Pa]
+      Amplitudes tangential(count_);
+      for (int j = 0; j < quarter_.points(); ++j) {
+        double u_r = 0;
+        double u_theta = 0;
+        for (int k = 0; k < quarter_.points(); ++k) {
+          u_r += means[at(k)][0] * quarter_.cosine(k, j);
+          if (k > 0) u_theta += means[at(k)][1] * quarter_.sine(k, j);
+        }
+        const Gap gap(cam, quarter_.angle(j), u_r, u_theta);
+        target[at(j)] = u_r - gap.value;
+        radial[at(j)] = pressed_[at(j)] * (gap.by_r - 1);
+        tangential[at(j)] = pressed_[at(j)] * gap.by_theta;
+      }
+      std::vector<fem::HarmonicSolution> free;
+      Amplitudes displaced(count_, 0.0);  // without new pressure
+      for (std::size_t k = 0; k < bent; ++k) {
+        const int wave = static_cast<int>(k);
+        free.push_back(
+            bent_[k].solve(on_band(even(radial, wave), odd(tangential, wave)), added[k]));
+        displaced[k] = mean(free.back())[0];
+      }
+      press(target, displaced);
+      double change = 0;
+      for (std::size_t k = 0; k < count_; ++k) {
+        fem::HarmonicSolution now = scaled(unit_[k], amplitude_[k]);
+        if (k < bent)
+          for (std::size_t i = 0; i < now.displacement.size(); ++i)
+            now.displacement[i] += free[k].displacement[i];
+        for (std::size_t i = 0; i < now.displacement.size(); ++i)
+          change = std::max(change, std::abs(now.displacement[i] - waves_[k].displacement[i]));
+        waves_[k] = std::move(now);
+      }
+      if (!std::isfinite(change)) break;
+      if (change <= kSettled * fit_.radial_displacement) return;
+    }
+    throw SolverError(fmt::format(
+        "the large rotations of the oval did not settle in {} iterations; use small rotations, or "
+        "a smaller radial_displacement",
+        kMost));
+  }
+
+  /// Contact of the solution, with the cam that it was solved for.
+  [[nodiscard]] OvalContact contact(const Cam& cam, bool large) const {
+    OvalContact contact{.steps = steps_, .large_rotations = large, .iterations = iterations_};
+    for (int j = 0; j < quarter_.points(); ++j) {
+      double u_r = 0;
+      double u_theta = 0;
+      for (int k = 0; k < quarter_.points(); ++k) {
+        const auto of = mean(waves_[at(k)]);
+        u_r += of[0] * quarter_.cosine(k, j);
+        if (k > 0) u_theta += of[1] * quarter_.sine(k, j);
+      }
+      const double angle = quarter_.angle(j);
+      const double gap = large ? Gap(cam, angle, u_r, u_theta).value : u_r - cam.at(angle);
+      contact.overlap = std::max(contact.overlap, -gap / fit_.radial_displacement);
+      contact.largest_pressure = std::max(contact.largest_pressure, pressed_[at(j)]);
+      if (pressed_[at(j)] > 0) contact.half_arc = angle;
+    }
+    // Over half a turn round a lobe: int cos 2kx cos x dx from -pi/2 to pi/2.
+    for (int k = 0; k < quarter_.points(); ++k)
+      contact.lobe_force += amplitude_[at(k)] * 2 * (k % 2 == 0 ? 1 : -1) / (1.0 - 4.0 * k * k) *
+                            places_.bore * (places_.pressed.to - places_.pressed.from);
+    return contact;
+  }
+
+  [[nodiscard]] const std::vector<fem::HarmonicSolution>& waves() const { return waves_; }
+  [[nodiscard]] double residual() const { return residual_; }
+
+ private:
+  static std::size_t at(int j) { return static_cast<std::size_t>(j); }
+  static bool within(double z, const Band& band, double tiny) {
+    return z > band.from - tiny && z < band.to + tiny;
+  }
+
+  /// Radial and tangential traction on the band [Pa].
+  [[nodiscard]] fem::EdgeTraction on_band(double radial, double tangential) const {
+    const double tiny = 1e-9 * places_.outer;
+    return [=, bore = places_.bore, pressed = places_.pressed](const fem::SectionPoint& p,
+                                                               const fem::SectionPoint& out) {
+      return std::abs(p.r - bore) < tiny && out.r < -0.5 && within(p.z, pressed, tiny)
+                 ? fem::WaveVector{radial, tangential, 0}
+                 : fem::WaveVector{};
+    };
+  }
+
+  /// Mean of u_r and u_theta over the width of the band [m].
+  [[nodiscard]] std::array<double, 2> mean(const fem::HarmonicSolution& wave) const {
+    std::array<double, 2> sum{};
+    for (std::size_t i = 0; i < band_.size(); ++i) {
+      const auto u = section_.at(wave, band_[i]).displacement;
+      sum[0] += weights_[i] * u[0];
+      sum[1] += weights_[i] * u[1];
+    }
+    return sum;
+  }
+
+  static fem::HarmonicSolution scaled(fem::HarmonicSolution wave, double by) {
+    for (double& u : wave.displacement) u *= by;
+    return wave;
+  }
+
+  /// Amplitude of cos(2 k angle) in values at the points.
+  [[nodiscard]] double even(const Amplitudes& values, int k) const {
+    double sum = 0;
+    for (int j = 0; j < quarter_.points(); ++j) sum += quarter_.amplitude(k, j) * values[at(j)];
+    return sum;
+  }
+  /// Amplitude of sin(2 k angle).
+  [[nodiscard]] double odd(const Amplitudes& values, int k) const {
+    double sum = 0;
+    for (int j = 1; j + 1 < quarter_.points(); ++j)
+      sum += 2.0 / (quarter_.points() - 1) * quarter_.sine(k, j) * values[at(j)];
+    return sum;
+  }
+
+  /// Finds the pressure that keeps the band outside of the target.
+  /// @param target     radial displacement of the band at the points [m]
+  /// @param displaced  waves of the band without pressure; empty: none
+  void press(const Amplitudes& target, const Amplitudes& displaced) {
+    const int n = quarter_.points();
+    Amplitudes gap(count_);  // without pressure
+    for (int j = 0; j < n; ++j) {
+      gap[at(j)] = -target[at(j)];
+      for (std::size_t k = 0; k < displaced.size(); ++k)
+        gap[at(j)] += displaced[k] * quarter_.cosine(static_cast<int>(k), j);
+    }
+    amplitude_.assign(count_, 0.0);
+    if (fit_.one_sided) {
+      if (matrix_.empty()) {
+        matrix_.resize(count_ * count_);
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j)
+            for (int k = 0; k < n; ++k)  // weights make the matrix symmetric
+              matrix_[at(i) * count_ + at(j)] += quarter_.weight(i) * compliance_[at(k)] *
+                                                 quarter_.cosine(k, i) * quarter_.amplitude(k, j);
+      }
+      Amplitudes weighted = gap;
+      for (int j = 0; j < n; ++j) weighted[at(j)] *= quarter_.weight(j);
+      fem::Complementarity answer =
+          fem::solve_complementarity(matrix_, weighted, "the wave generator");
+      pressed_ = std::move(answer.x);
+      steps_ += answer.steps;
+      for (int k = 0; k < n; ++k) amplitude_[at(k)] = even(pressed_, k);
+      return;
+    }
+    pressed_.assign(count_, 0.0);
+    for (int k = 0; k < n; ++k) amplitude_[at(k)] = -even(gap, k) / compliance_[at(k)];
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k) pressed_[at(j)] += amplitude_[at(k)] * quarter_.cosine(k, j);
+  }
+
+  const fem::HarmonicSection& section_;
+  const RimPlaces& places_;
+  const OvalFit& fit_;
+  const OvalOptions& options_;
+  QuarterTurn quarter_;
+  std::size_t count_;
+  std::vector<fem::SectionPlace> band_;
+  Amplitudes weights_;
+  std::vector<fem::HarmonicEquations> bent_;  ///< of the waves with large rotations
+  std::vector<fem::HarmonicSolution> unit_;
+  Amplitudes compliance_;  ///< mean displacement of the band per pressure [m/Pa]
+  std::vector<double> matrix_;
+  Amplitudes pressed_;    ///< at the points [Pa]
+  Amplitudes amplitude_;  ///< of its waves [Pa]
+  std::vector<fem::HarmonicSolution> waves_;
+  int steps_ = 0;
+  int iterations_ = 0;
+  double residual_ = 0;
+};
+
+void check(const CupSection& cup, const OvalFit& fit, const OvalOptions& options) {
+  if (!cup.rim)
+    throw InputError("flexspline.rim",
+                     "must be given, because the wave generator presses on the bore of the rim");
+  const auto length = [](double value, const char* name, bool zero) {
+    require((zero ? value >= 0 : value > 0) && std::isfinite(value), name, value, "m",
+            zero ? ">= 0" : "> 0");
+  };
+  length(fit.radial_displacement, "radial_displacement", false);
+  length(fit.clearance, "clearance", true);
+  length(fit.band_width, "band_width", true);
+  require(fit.flattening >= 0 && std::isfinite(fit.flattening), "cam_flattening", fit.flattening,
+          "1", ">= 0");
+  const double outer = cup.rim->outer_diameter;
+  require(std::abs(fit.perimeter_excess) < 0.01 * pi * outer, "perimeter_excess",
+          fit.perimeter_excess, "m", "less than 1 % of the perimeter");
+  require(options.order >= 3 && options.order <= 8, "order", options.order, "1", ">= 3 and <= 8");
+  require(options.most_waves >= 8 && options.most_waves <= 96 && options.most_waves % 4 == 0,
+          "most_waves", options.most_waves, "1", "a multiple of 4 from 8 to 96");
+  require(options.most_bent_waves >= 4 && options.most_bent_waves <= 24 &&
+              options.most_bent_waves % 2 == 0,
+          "most_bent_waves", options.most_bent_waves, "1", "even, from 4 to 24");
+}
+
+}  // namespace
+
+OvalCup::OvalCup(const CupSection& cup, const fem::Elasticity& steel, const OvalFit& fit,
+                 const OvalOptions& options) {
+  check(cup, fit, options);
+  const RimPlaces places = rim_places(cup, fit);
+  parts_ = std::make_unique<Parts>(Parts{
+      .section =
+          fem::HarmonicSection(mesh_oval_cup(cup, places.pressed), steel, {.order = options.order}),
+      .waves = {},
+      .small_waves = {},
+      .torque = {},
+      .contact = {},
+      .residual = 0,
+      .second_order = 0});
+  Parts& parts = *parts_;
+  const double middle = (places.bore + places.outer) / 2;
+  const double w0 = fit.radial_displacement;
+  parts.second_order = steel.youngs_modulus * std::pow(w0 / middle, 2);
+  const double nu = steel.poissons_ratio;
+  const double bending = steel.youngs_modulus / (1 - nu * nu) * 1.5 * w0 *
+                         (places.outer - places.bore) / (middle * middle);
+  const bool large =
+      options.large_rotations == LargeRotations::on ||
+      (options.large_rotations == LargeRotations::automatic && parts.second_order > 0.02 * bending);
+  const Cam small(fit, places.bore, middle, false);
+  const Cam exact(fit, places.bore, middle, true);
+  const Cam& cam = large ? exact : small;
+  if (cam.farthest() <= 0)
+    throw InputError("wave_generator",
+                     fmt::format("the cam is smaller than the bore of the rim by {:.4g} mm, so it "
+                                 "does not touch; give a smaller clearance",
+                                 -cam.farthest() / units::mm));
+  OvalSolver solver(parts.section, places, fit, options);
+  parts.torque = solver.solve_units();
+  solver.solve_small(small);
+  if (large) {
+    parts.small_waves = solver.waves();
+    solver.solve_large(cam);
+  }
+  parts.waves = solver.waves();
+  parts.residual = solver.residual();
+  parts.contact = solver.contact(cam, large);
+}
+
+OvalCup::~OvalCup() = default;
+OvalCup::OvalCup(OvalCup&&) noexcept = default;
+OvalCup& OvalCup::operator=(OvalCup&&) noexcept = default;
+
+const OvalContact& OvalCup::contact() const { return parts_->contact; }
+std::size_t OvalCup::unknowns() const { return parts_->section.unknowns(); }
+double OvalCup::equilibrium_residual() const { return parts_->residual; }
+double OvalCup::second_order_stress() const { return parts_->second_order; }
+
+OvalPlace OvalCup::at(double r, double z) const {
+  const std::array<fem::SectionPoint, 1> point{{{.r = r, .z = z}}};
+  const fem::SectionPlace place = parts_->section.locate(point).front();
+  OvalPlace result{.r = r,
+                   .of_waves = {},
+                   .of_small_waves = {},
+                   .of_torque = parts_->section.at(parts_->torque, place)};
+  for (const fem::HarmonicSolution& wave : parts_->waves)
+    result.of_waves.push_back(parts_->section.at(wave, place));
+  for (const fem::HarmonicSolution& wave : parts_->small_waves)
+    result.of_small_waves.push_back(parts_->section.at(wave, place));
+  return result;
+}
+
+namespace {
+
+/// Adds a field of waves whose even components vary by `even` and the others by `odd`.
+void add(OvalField& field, const fem::HarmonicPoint& point, double even, double odd) {
+  for (std::size_t i = 0; i < 3; ++i)
+    field.displacement[i] += (i == 1 ? odd : even) * point.displacement[i];
+  for (std::size_t i = 0; i < 6; ++i)
+    field.stress[i] += (i == 3 || i == 5 ? odd : even) * point.stress[i];
+}
+
+OvalField of_small(const std::vector<fem::HarmonicPoint>& waves, double from_lobe) {
+  OvalField field;
+  for (std::size_t k = 0; k < waves.size(); ++k) {
+    const double angle = 2 * static_cast<double>(k) * from_lobe;
+    add(field, waves[k], std::cos(angle), std::sin(angle));
+  }
+  return field;
+}
+
+}  // namespace
+
+OvalField OvalCup::field(const OvalPlace& place, double from_lobe, double torque) const {
+  OvalField field = of_small(place.of_waves, from_lobe);
+  if (!place.of_small_waves.empty()) {
+    fem::CylinderGradient gradient{};
+    for (std::size_t k = 0; k < place.of_waves.size(); ++k)
+      fem::add_gradient(gradient, place.of_waves[k], static_cast<int>(2 * k), place.r, from_lobe);
+    field.stress = parts_->section.large_rotation_stress(gradient);  // (FE-53)
+  }
+  add(field, place.of_torque, torque, torque);
+  return field;
+}
+
+OvalField OvalCup::small_field(const OvalPlace& place, double from_lobe, double torque) const {
+  OvalField field =
+      of_small(place.of_small_waves.empty() ? place.of_waves : place.of_small_waves, from_lobe);
+  add(field, place.of_torque, torque, torque);
+  return field;
+}
+
+}  // namespace strainwave::gear_fem

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/fe_study/turn_run.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/io/history_file.hpp"
+#include "strainwave/io/turn_table_file.hpp"
+#include "support/mpi.hpp"
+
+namespace strainwave::fe_study {
+namespace {
+
+GearSet breathing() {
+  test::start_mpi();
+  return read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml");
+}
+
+// Kind: identity.  The table is read back by the reader of turn tables (GR-30): same grid, and K to
+// the six digits that it prints.
+TEST(FeTurn, IdentityOfTheTableThatGrowthReads) {
+  const GearSet gear = breathing();
+  const TurnRun run = run_turn(
+      gear, {.order = 2, .torques = {30, -30}, .half_lengths = {2e-3, 1.5e-3}, .angles = 8},
+      test::mpi());
+  ASSERT_EQ(run.sizes.size(), 2U);
+  EXPECT_EQ(run.sizes[0].half_length, 1.5e-3);
+  EXPECT_EQ(run.torques, (std::vector<double>{-30, 30}));
+  const std::string text = turn_csv(run);
+  HistoryFile file(pieces_of(text), "turn.csv");
+  const TurnTable table = read_turn_table(file);
+  EXPECT_EQ(table.size_name, "half_length");
+  ASSERT_EQ(table.sizes.size(), 2U);
+  EXPECT_NEAR(table.sizes[1], 2e-3, 1e-15);
+  EXPECT_EQ(table.torques, run.torques);
+  EXPECT_EQ(table.stations, (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
+  ASSERT_EQ(table.angles.size(), 9U);
+  EXPECT_NEAR(table.angles.back(), std::numbers::pi, 1e-12);
+  std::size_t row = 0;
+  for (const TurnAtSize& size : run.sizes)
+    for (const gear_fem::TorqueTurn& torque : size.turn.torques)
+      for (const gear_fem::StationTurn& station : torque.stations) {
+        if (station.tip != run.governing_tip()) continue;
+        for (const gear_fem::TurnFactor& K : station.factors) {
+          EXPECT_NEAR(table.K[row][0], K.K_I, 1e-5 * std::abs(K.K_I));
+          EXPECT_NEAR(table.K[row][1], K.K_II, 1e-5 * std::abs(K.K_II));
+          EXPECT_NEAR(table.K[row][2], K.K_III, 1e-5 * std::abs(K.K_III));
+          ++row;
+        }
+      }
+  EXPECT_EQ(row, table.K.size());
+  // A longer crack is worse; the text and the plot name each size.
+  EXPECT_GT(run.sizes[1].turn.torques[1].stations[0].mode_I.largest,
+            run.sizes[0].turn.torques[1].stations[0].mode_I.largest);
+  EXPECT_NE(turn_text(run, gear).find("Half length 1.5 mm"), std::string::npos);
+  EXPECT_NE(turn_plot(run, gear).find("a = 1.5 mm"), std::string::npos);
+}
+
+TEST(FeTurn, BehaviourOfThePlan) {
+  const GearSet gear = breathing();
+  const TurnRun run = plan_turn(gear, {});
+  EXPECT_FALSE(run.calculated);
+  ASSERT_EQ(run.plan.size(), 1U);
+  EXPECT_EQ(run.plan[0].dofs, 73023U);
+  EXPECT_EQ(run.torques, (std::vector<double>{-48, 0, 48}));
+  EXPECT_NE(turn_csv(run).find("73023 unknowns"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(run.notes, "fe.turn_model", &Note::code), 1);
+  EXPECT_EQ(std::ranges::find(run.notes, "fe.turn_model", &Note::code)->severity, Severity::care);
+  GearSet more = gear;
+  more.load.axial_force = 10;
+  more.flexspline->stress_nonuniformity = 1.1;
+  const TurnRun noted = plan_turn(more, {});
+  EXPECT_EQ(std::ranges::count(noted.notes, "fe.axial_force", &Note::code), 1);
+  EXPECT_EQ(std::ranges::count(noted.notes, "fe.stress_nonuniformity", &Note::code), 1);
+}
+
+// Each rule is broken once.
+TEST(FeTurn, InputRefused) {
+  const GearSet good = breathing();
+  const auto refused = [](const GearSet& gear, const TurnOptions& options,
+                          const std::string& text) {
+    try {
+      (void)plan_turn(gear, options);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  };
+  refused(good, {.crack = "flexspline.crack[7]"}, "is not a crack of the flexspline");
+  refused(good, {.order = 5}, "order");
+  refused(good, {.half_lengths = {20e-3}}, "flexspline.crack[0]");
+  GearSet gear = good;
+  gear.flexspline->crack.clear();
+  refused(gear, {}, "must have a through crack of the barrel");
+  gear = good;
+  gear.flexspline->crack.push_back(gear.flexspline->crack.front());
+  refused(gear, {}, "choose one of them by --crack");
+  std::get<WallThroughCrack>(gear.flexspline->crack[1]).section = WallSection::rim;
+  refused(gear, {.crack = "flexspline.crack[1]"}, "must be a through crack of the barrel");
+  gear = good;
+  gear.flexspline->rim.reset();
+  refused(gear, {}, "flexspline.rim");
+  gear = good;
+  gear.flexspline->rim->outer_diameter -= 1.5 * gear.flexspline->rim->wall_thickness;
+  refused(gear, {}, "covers the barrel's");
+  gear = good;
+  gear.flexspline->crack_free = CrackFree::factor;
+  gear.flexspline->rim.reset();
+  gear.flexspline->barrel.reset();
+  gear.flexspline->diaphragm.reset();
+  refused(gear, {}, "must be \"sections\" for a turn");
+  gear = good;
+  gear.wave_generator->bearing->clearance = 0.5e-3;
+  try {
+    (void)run_turn(gear, {.order = 2, .torques = {0}, .angles = 8}, test::mpi());
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("does not touch"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace strainwave::fe_study
