@@ -346,16 +346,17 @@ class Maker {
     made.bending = tube_bending(made, wall.mean_radius);
     made.through_thickness = wall.thickness;
     const double round = 2 * pi * wall.mean_radius;
+    const double place = crack.distance.value_or(wall.length / 2);
     const double sine = std::abs(std::sin(crack.angle));
     const double cosine = std::abs(std::cos(crack.angle));
     through_section(made, crack.angle, wall, gear_.flexspline->stress_nonuniformity);
     take_size(made, "half_length", {.size = crack.half_length},
               std::min(round / 2 - crack.half_length * sine,
-                       wall.length / 2 - crack.half_length * cosine));
+                       std::min(place, wall.length - place) - crack.half_length * cosine));
     const double shell = sif::ThroughCrackInTube::kMaxShellParameter /
                          std::sqrt(loaded.solution.shell_parameter_squared(1.0));
     const double half_round = kNearlyAll * pi * wall.mean_radius / (2 * sine);
-    const double length = kNearlyAll * wall.length / (2 * cosine);
+    const double length = kNearlyAll * std::min(place, wall.length - place) / cosine;
     made.range_end = std::min({shell, half_round, length});
     made.range_text = made.range_end == shell
                           ? "a shell parameter of 4"

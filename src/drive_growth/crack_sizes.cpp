@@ -46,7 +46,9 @@ bool break_through(GearSet& gear, std::size_t index) {
         if (const auto* const surface = std::get_if<WallSurfaceCrack>(&crack)) {
           crack = WallThroughCrack{.half_length = surface->half_length,  // (GR-26)
                                    .angle = surface->angle,
-                                   .section = surface->section};
+                                   .section = surface->section,
+                                   .distance = surface->distance,
+                                   .position = surface->position};
           broken = true;
         }
     }

@@ -158,13 +158,15 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     if (in_cups > 0)
       work.notes.push_back(
           {"fe.crack_in_cup",
-           "each through crack of the barrel is computed alone, at half length, in the cup of the "
-           "sections, held at its boss or bore and twisted at the open end",
+           "each through crack of the barrel is computed alone, at its distance or half-way along "
+           "the barrel, in the cup of the sections, held at its boss or bore and twisted at the "
+           "open end",
            kFlexspline, "", Severity::information});
     if (static_cast<std::size_t>(in_cups) < work.wall_cracks.size() || !work.surface_cracks.empty())
       work.notes.push_back(
           {"fe.crack_in_tube",
-           fmt::format("each {} is computed alone, at half length of its section, as a tube that "
+           fmt::format("each {} is computed alone, at its distance or half-way along its section, "
+                       "as a tube that "
                        "is clamped at one end and twisted at the other",
                        in_cups > 0 ? "other crack of the wall" : "crack of the wall"),
            kFlexspline, "", Severity::care});
@@ -173,7 +175,11 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
           {"fe.rim_apart",
            "the rim's wall does not cover the barrel's wall, so no crack is computed in the cup",
            "flexspline.rim", "", Severity::care});
-    if (!work.surface_cracks.empty())
+    const auto without_mouth = [](const FlexsplineCrack& crack) {
+      const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
+      return surface != nullptr && !surface->mouth;
+    };
+    if (!work.surface_cracks.empty() && std::ranges::any_of(flexspline.crack, without_mouth))
       work.notes.push_back({"fe.mouth_outside",
                             "the mouth of a surface crack is assumed on the outer surface, because "
                             "the file does not state it",

@@ -123,10 +123,10 @@ void write_crack(std::string& text, const SurfaceCrackRun& crack) {
   const gear_fem::TubeWithSurfaceCrack& tube = crack.tube;
   text += fmt::format(
       "\n{}: surface crack, depth {:.6g} mm, half length {:.6g} mm,\n"
-      "  {:.4g} deg from the generator, mouth on the outer surface,\n"
+      "  {:.4g} deg from the generator, mouth on the {} surface,\n"
       "  in a tube of mean radius {:.6g} mm, wall {:.6g} mm, length {:.6g} mm\n",
       crack.path, tube.depth * 1e3, tube.half_length * 1e3, tube.angle * 180 / std::numbers::pi,
-      tube.mean_radius * 1e3, tube.wall_thickness * 1e3, tube.length * 1e3);
+      mouth_of(tube), tube.mean_radius * 1e3, tube.wall_thickness * 1e3, tube.length * 1e3);
   text += line("compliance of the tube without the crack", crack.positive.compliance_without,
                "rad/(N*m)");
   write_senses(text, crack);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -25,33 +26,99 @@ constexpr double kResponseMemory = 1.3;
 
 std::string path_of(std::size_t n) { return fmt::format("flexspline.crack[{}]", n); }
 
+/// Values in ascending order, each once.
+std::vector<double> ascending(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
 /// The crack to turn, with its number in the file.
 struct ChosenCrack {
   std::size_t number;
-  const WallThroughCrack* crack;
+  std::variant<WallThroughCrack, WallSurfaceCrack> crack;
 };
+
+/// The crack of the barrel that a turn can compute; absent if it is of another kind or place.
+std::optional<ChosenCrack> in_barrel(std::size_t number, const FlexsplineCrack& crack) {
+  if (const auto* const through = std::get_if<WallThroughCrack>(&crack);
+      through != nullptr && through->section == WallSection::barrel)
+    return ChosenCrack{number, *through};
+  if (const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
+      surface != nullptr && surface->section == WallSection::barrel)
+    return ChosenCrack{number, *surface};
+  return std::nullopt;
+}
 
 ChosenCrack chosen(const GearSet& gear, const TurnOptions& options) {
   if (!gear.flexspline) throw InputError("flexspline", "must be given to be computed");
   std::vector<ChosenCrack> found;
   const auto& cracks = gear.flexspline->crack;
   for (std::size_t n = 0; n < cracks.size(); ++n) {
-    const auto* const through = std::get_if<WallThroughCrack>(&cracks[n]);
-    const bool fits = through != nullptr && through->section == WallSection::barrel;
-    if (options.crack && *options.crack == path_of(n) && !fits)
+    const bool asked = options.crack && *options.crack == path_of(n);
+    const std::optional<ChosenCrack> crack = in_barrel(n, cracks[n]);
+    if (asked && !crack)
       throw InputError(path_of(n),
-                       "must be a through crack of the barrel; choose another crack by --crack");
-    if (fits && (!options.crack || *options.crack == path_of(n))) found.push_back({n, through});
+                       "must be a through or surface crack of the barrel; choose "
+                       "another crack by --crack");
+    if (crack && (asked || !options.crack)) found.push_back(*crack);
   }
   if (found.empty() && options.crack)
     throw InputError("--crack",
                      fmt::format("\"{}\" is not a crack of the flexspline", shown(*options.crack)));
   if (found.empty())
-    throw InputError("flexspline.crack", "must have a through crack of the barrel");
+    throw InputError("flexspline.crack", "must have a through or surface crack of the barrel");
   if (found.size() > 1)
     throw InputError("flexspline.crack",
-                     "has several through cracks of the barrel; choose one of them by --crack");
+                     "has several cracks of the barrel; choose one of them by --crack");
   return found.front();
+}
+
+/// The sizes of a crack: its own, or those that the options ask for.
+/// @param unread  the option for the other kind of crack
+std::vector<double> sizes_of(const std::vector<double>& asked, double own, const char* unread,
+                             const std::vector<double>& other) {
+  if (!other.empty()) throw InputError(unread, "is not the size of this kind of crack");
+  return asked.empty() ? std::vector{own} : ascending(asked);
+}
+
+/// The crack at each of its sizes.
+std::vector<TurnAtSize> sizes_of(const WallThroughCrack& crack, const TurnOptions& options) {
+  std::vector<TurnAtSize> sizes;
+  for (const double half_length :
+       sizes_of(options.half_lengths, crack.half_length, "--depth", options.depths))
+    sizes.push_back({.depth = {}, .half_length = half_length, .turn = {}});
+  return sizes;
+}
+std::vector<TurnAtSize> sizes_of(const WallSurfaceCrack& crack, const TurnOptions& options) {
+  std::vector<TurnAtSize> sizes;
+  for (const double depth :
+       sizes_of(options.depths, crack.depth, "--half-length", options.half_lengths))
+    sizes.push_back(
+        {.depth = depth, .half_length = crack.half_length * depth / crack.depth, .turn = {}});
+  return sizes;
+}
+
+gear_fem::TubeWithThroughCrack body_of(const GearSet& gear, const WallThroughCrack& crack,
+                                       const TurnAtSize& size, int order) {
+  gear_fem::TubeWithThroughCrack tube = tube_of(gear, crack, order, Surroundings::as_given);
+  tube.half_length = size.half_length;
+  tube.layers = gear_fem::kTurnLayers;
+  return tube;
+}
+gear_fem::TubeWithSurfaceCrack body_of(const GearSet& gear, const WallSurfaceCrack& crack,
+                                       const TurnAtSize& size, int order) {
+  gear_fem::TubeWithSurfaceCrack tube = tube_of(gear, crack, order);
+  tube.depth = *size.depth;
+  tube.half_length = size.half_length;
+  return tube;
+}
+
+fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
+  return gear_fem::mesh_tube_with_through_crack(tube);
+}
+fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
+  return gear_fem::mesh_tube_with_surface_crack(tube);
 }
 
 gear_fem::OvalFit fit_of(const GearSet& gear) {
@@ -63,14 +130,6 @@ gear_fem::OvalFit fit_of(const GearSet& gear) {
     if (bearing->outer_ring) fit.band_width = bearing->outer_ring->width;
   }
   return fit;
-}
-
-/// Values in ascending order, each once.
-std::vector<double> ascending(std::vector<double> values) {
-  std::ranges::sort(values);
-  const auto repeated = std::ranges::unique(values);
-  values.erase(repeated.begin(), repeated.end());
-  return values;
 }
 
 struct TurnWork {
@@ -103,35 +162,45 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
   run.torques = ascending(options.torques.empty() ? std::vector{-T, 0.0, T} : options.torques);
   for (double& torque : run.torques)
     if (torque == 0) torque = 0.0;  // not -0
-  std::vector<double> half_lengths = ascending(options.half_lengths);
-  if (half_lengths.empty()) half_lengths.push_back(of.crack->half_length);
-  for (const double half_length : half_lengths) {
-    gear_fem::TurningCrack turning;
-    turning.tube = tube_of(gear, *of.crack, order, Surroundings::as_given);
-    turning.tube.torque = 1;
-    turning.tube.half_length = half_length;
-    turning.tube.layers = gear_fem::kTurnLayers;
+  run.sizes = std::visit([&](const auto& crack) { return sizes_of(crack, options); }, of.crack);
+  for (const TurnAtSize& size : run.sizes) {
+    gear_fem::TurningCrack& turning = work.sizes.emplace_back();
+    turning.ends = {
+        .rim = flexspline.rim, .diaphragm = flexspline.diaphragm, .boss = flexspline.boss};
     turning.fit = fit_of(gear);
     turning.torques = run.torques;
     turning.angles = options.angles;
     turning.large_rotations = options.large_rotations;
-    try {
-      const fem::HexMesh mesh = gear_fem::mesh_tube_with_through_crack(turning.tube);
-      (void)fem::check_jacobians(mesh);
-      RunSize size = size_of_solid(run.path, fem::count_unknowns(mesh, order), kTurnSolutions);
-      size.memory *= kResponseMemory;
-      run.plan.push_back(size);
-    } catch (const InputError& error) {
-      throw InputError(run.path, error.what());
-    }
-    work.sizes.push_back(std::move(turning));
+    std::visit(
+        [&](const auto& crack) {
+          auto tube = body_of(gear, crack, size, order);
+          tube.torque = 1;
+          try {
+            const fem::HexMesh mesh = mesh_of(tube);
+            (void)fem::check_jacobians(mesh);
+            RunSize planned =
+                size_of_solid(run.path, fem::count_unknowns(mesh, order), kTurnSolutions);
+            planned.memory *= kResponseMemory;
+            run.plan.push_back(planned);
+          } catch (const InputError& error) {
+            throw InputError(run.path, error.what());
+          }
+          turning.tube = std::move(tube);
+        },
+        of.crack);
   }
   run.notes.push_back(
       {"fe.turn_model",
-       "the crack is alone, in the middle of the barrel; the cam is rigid, has the perimeter of "
+       "the crack is alone; the cam is rigid, has the perimeter of "
        "the "
        "bore and no friction; the torque acts evenly round the rim, not in the zones of the teeth",
        run.path, "FE-52", Severity::care});
+  if (const auto* const surface = std::get_if<WallSurfaceCrack>(&of.crack);
+      surface != nullptr && !surface->mouth)
+    run.notes.push_back({"fe.mouth_outside",
+                         "the mouth of the surface crack is assumed on the outer surface, because "
+                         "the file does not state it",
+                         run.path, "", Severity::care, "Give the mouth of the crack."});
   if (gear.load.axial_force != 0)
     run.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
                          "load.axial_force", "", Severity::care});
@@ -144,6 +213,11 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
 }
 
 }  // namespace
+
+std::string TurnAtSize::name() const {
+  return depth ? fmt::format("depth {:.6g} mm", *depth / units::mm)
+               : fmt::format("half length {:.6g} mm", half_length / units::mm);
+}
 
 std::string_view TurnRun::governing_tip() const {
   double largest = -1;
@@ -159,10 +233,9 @@ std::string_view TurnRun::governing_tip() const {
 }
 
 std::string TurnRun::reason() const {
+  if (!calculated) return {};
   for (const TurnAtSize& size : sizes)
-    if (!size.turn.usable)
-      return fmt::format("half length {:.6g} mm: {}", size.half_length / units::mm,
-                         size.turn.reason);
+    if (!size.turn.usable) return fmt::format("{}: {}", size.name(), size.turn.reason);
   return {};
 }
 
@@ -188,14 +261,13 @@ TurnRun run_turn(const GearSet& gear, const TurnOptions& options, const Ranks& r
   TurnRun& run = work.run;
   require_memory(run.plan, ranks);
   run.calculated = true;
-  for (gear_fem::TurningCrack& turning : work.sizes) {
-    const double half_length = turning.tube.half_length;
+  for (std::size_t n = 0; n < work.sizes.size(); ++n) {
+    TurnAtSize& size = run.sizes[n];
     if (options.progress)
-      turning.done = [&](const std::string& step, double seconds) {
-        options.progress(fmt::format("{}, half length {:.6g} mm: {}, {:.1f} s", run.path,
-                                     half_length / units::mm, step, seconds));
+      work.sizes[n].done = [&](const std::string& step, double seconds) {
+        options.progress(fmt::format("{}, {}: {}, {:.1f} s", run.path, size.name(), step, seconds));
       };
-    run.sizes.push_back({.half_length = half_length, .turn = gear_fem::turn_crack(turning)});
+    size.turn = gear_fem::turn_crack(work.sizes[n]);
   }
   return std::move(work.run);
 }

@@ -48,6 +48,7 @@ Tube tube_about(const GearSet& gear, const Crack& crack, int order) {
   tube.length = wall.length;
   tube.half_length = crack.half_length;
   tube.angle = crack.angle;
+  tube.place = crack.distance.value_or(wall.length / 2);
   tube.torque = std::abs(gear.load.torque);
   tube.order = order;
   return tube;
@@ -85,6 +86,8 @@ gear_fem::TubeWithSurfaceCrack tube_of(const GearSet& gear, const WallSurfaceCra
                                        int order) {
   auto tube = tube_about<gear_fem::TubeWithSurfaceCrack>(gear, crack, order);
   tube.depth = crack.depth;
+  tube.surface = crack.mouth == Mouth::inner ? gear_fem::TubeWithSurfaceCrack::Surface::inner
+                                             : gear_fem::TubeWithSurfaceCrack::Surface::outer;
   return tube;
 }
 

@@ -180,7 +180,7 @@ struct HarmonicSection::Parts {
         }
       }
       const auto square = [&](double n) -> Matrix {
-        Matrix b(kComponents * functions, 6 * rule.size());
+        Matrix b(Eigen::Index{kComponents} * functions, 6 * points);
         for (unsigned q = 0; q < rule.size(); ++q)
           for (unsigned a = 0; a < functions; ++a) {
             const Eigen::Matrix<double, 6, 3> column =

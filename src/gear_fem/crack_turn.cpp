@@ -10,21 +10,19 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/crack_response.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
-#include "through_crack_mesh.hpp"
-#include "tube_body.hpp"
+#include "turn_body.hpp"
 
 namespace strainwave::gear_fem {
 namespace {
 
 using std::numbers::pi;
-
-constexpr std::array kTips = {"upper", "lower"};
 
 /// Largest difference of dC/dA, and of the G of the factors K, from G: a share of G, and a share of
 /// the largest G of all torques.  The edge of the contact crosses the cells, which costs 2 % of G
@@ -92,29 +90,6 @@ double dot(const fem::Point3& a, const fem::Point3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The crack in the cup, held at its foot and, radially, on the band of the wave generator.
-fem::SolidProblem held_cup(const TurningCrack& turning) {
-  const TubeWithThroughCrack& tube = turning.tube;
-  fem::SolidProblem problem = clamped_tube(tube.material);
-  problem.order = tube.order;
-  problem.crack_faces = fem::CrackFaces::contact;
-  const TubeSection& rim = *tube.ends.rim;
-  const double bore = rim.outer_diameter / 2 - rim.wall_thickness;
-  const double width =
-      turning.fit.band_width > 0 ? std::min(turning.fit.band_width, rim.length) : rim.length;
-  const double middle = tube.length + rim.length / 2;
-  const double tiny = 1e-6 * bore;
-  problem.supports.push_back({.tag = kTubeFree, .directions = [=](const fem::Point3& p) {
-                                const double r = std::hypot(p[0], p[1]);
-                                std::vector<fem::Point3> held;
-                                if (std::abs(r - bore) < tiny &&
-                                    std::abs(p[2] - middle) < width / 2 + tiny)
-                                  held.push_back({p[0] / r, p[1] / r, 0});
-                                return held;
-                              }});
-  return problem;
-}
-
 TurnRange range_of(const std::vector<TurnFactor>& factors) {
   TurnRange range;
   range.least = factors.front().K_I;
@@ -135,16 +110,8 @@ TurnRange range_of(const std::vector<TurnFactor>& factors) {
   return range;
 }
 
-/// Energy release rate of a state in plane strain, up to a factor [Pa^2 m].
-double release_of(const fem::CrackState& state, double poissons_ratio) {
-  double sum = 0;
-  for (const fem::StationFactors& s : state.stations)
-    sum += s.K_I * s.K_I + s.K_II * s.K_II + s.K_III * s.K_III / (1 - poissons_ratio);
-  return sum;
-}
-
 void check(const TurningCrack& turning) {
-  if (!turning.tube.ends.rim)
+  if (!turning.ends.rim)
     throw InputError("flexspline.rim",
                      "must be given, because the wave generator presses on the bore of the rim");
   if (turning.torques.empty()) throw InputError("torques", "must have at least one torque");
@@ -170,8 +137,7 @@ class Steps {
 };
 
 /// Solves the state of the largest release under each torque in full, at one size.
-std::vector<fem::SolidResult> full_solutions(const TubeWithThroughCrack& tube, double half_length,
-                                             const fem::SolidProblem& problem,
+std::vector<fem::SolidResult> full_solutions(const TurnBody& body, double size,
                                              const CrackTurn& turn, SoundStress& sound) {
   std::vector<fem::SolidLoad> loads;
   for (const TorqueTurn& one : turn.torques)
@@ -180,32 +146,16 @@ std::vector<fem::SolidResult> full_solutions(const TubeWithThroughCrack& tube, d
                          [&sound, angle = one.checked_angle, torque = one.torque](
                              const fem::Point3& place) { return sound.at(place, angle, torque); },
                      .released = true});
-  return fem::solve_solid(mesh_at_size(tube, half_length), problem, loads);
+  return fem::solve_solid(body.mesh(size), body.problem(), loads);
 }
-
-/// Integrals over all fronts of a solution.
-struct OverFronts {
-  double release = 0;  ///< of G [N]
-  double of_K = 0;     ///< of the G of the factors K [N]
-  double length = 0;   ///< [m]
-  double ring_spread = 0;
-
-  explicit OverFronts(const fem::SolidResult& solid) {
-    for (const fem::CrackFront& front : solid.fronts) {
-      release += front.release;
-      of_K += front.mode_energy_ratio * front.release;
-      length += front.length;
-      ring_spread = std::max(ring_spread, front.ring_spread);
-    }
-  }
-};
 
 /// The solutions of one torque at three sizes.
 struct Neighbours {
   const fem::SolidResult& now;
   const fem::SolidResult* less;  ///< null without a comparison of sizes
   const fem::SolidResult* more;
-  double area;     ///< by which `more` exceeds `less` [m^2]
+  double step;  ///< by which the sizes differ, over the given one [-]
+  ProportionalRelease release;
   double largest;  ///< largest mean G of all torques [J/m^2]
 };
 
@@ -216,16 +166,18 @@ std::string judge(TorqueTurn& turn, const Neighbours& sizes) {
                  .equilibrium_residual = solid.equilibrium_residual,
                  .worst_jacobian = solid.worst_jacobian,
                  .unknowns = solid.dofs};
-  const OverFronts over(solid);
-  const double G = over.release / over.length;
+  const double G = sizes.release.mean();
   const auto above = [](double value, double limit) { return !(std::abs(value) <= limit); };
   const double limit = kOfRelease * G + kOfLargest * sizes.largest;
   if (G > kOfLargest * sizes.largest) {  // else nothing is released that could be compared
-    turn.checks.ring_spread = over.ring_spread;
-    turn.checks.mode_check = over.of_K / over.release - 1;
+    turn.checks.ring_spread = 0.0;
+    for (const fem::CrackFront& front : solid.fronts)
+      turn.checks.ring_spread = std::max(*turn.checks.ring_spread, front.ring_spread);
+    turn.checks.mode_check = sizes.release.of_K / sizes.release.rate - 1;
   }
   if (sizes.less != nullptr) {
-    const double derivative = (sizes.more->work - sizes.less->work) / 2 / sizes.area;  // (FE-28)
+    const double derivative = (sizes.more->work - sizes.less->work) / 2 /
+                              (2 * sizes.step * sizes.release.sweep);  // (FE-28), (FE-34)
     if (turn.checks.ring_spread) turn.checks.growth_check = derivative / G - 1;
     if (above(derivative - G, limit))
       return fmt::format("dC/dA of neighbouring sizes differs from G by {:.2g}",
@@ -236,27 +188,82 @@ std::string judge(TorqueTurn& turn, const Neighbours& sizes) {
   if (above(solid.energy_balance, 1e-6))
     return fmt::format("work and strain energy differ by {:.2g}", solid.energy_balance);
   if (above(solid.contact_overlap, 1e-6)) return "the faces of the crack overlap";
-  if (above(over.of_K / over.length - G, limit))
-    return fmt::format("K carries {:.4g} of the energy release rate", over.of_K / over.release);
+  if (above(sizes.release.of_K / sizes.release.sweep - G, limit))
+    return fmt::format("K carries {:.4g} of the energy release rate",
+                       sizes.release.of_K / sizes.release.rate);
   return {};
+}
+
+/// The turn under one torque, without its checks; `result` gets the largest stresses.
+TorqueTurn turn_under(double torque, int angles, const fem::CrackResponse& crack,
+                      const std::vector<LabelledStation>& labels, SoundStress& sound,
+                      double poissons_ratio, CrackTurn& result) {
+  TorqueTurn turn;
+  turn.torque = torque;
+  turn.least_contact_share = 1;
+  for (const LabelledStation& place : labels)
+    turn.stations.push_back(
+        {.tip = place.tip, .station = place.label, .mode_I = {}, .factors = {}});
+  double most = -1;
+  for (int i = 0; i < angles; ++i) {
+    const double angle = pi * i / angles;
+    std::vector<fem::Point3> tractions;
+    for (const fem::CrackNode& node : crack.nodes()) {
+      tractions.push_back(times(sound.at(node.place, angle, torque), node.normal));
+      const double across = dot(tractions.back(), node.normal);
+      const double small =
+          dot(times(sound.small_at(node.place, angle, torque), node.normal), node.normal);
+      result.largest_stress = std::max(result.largest_stress, std::abs(across));
+      result.rotation_stress = std::max(result.rotation_stress, std::abs(across - small));
+    }
+    const fem::CrackState state = crack.state(tractions);
+    turn.least_contact_share = std::min(turn.least_contact_share, state.contact_share);
+    turn.largest_contact_share = std::max(turn.largest_contact_share, state.contact_share);
+    double release = 0;  // up to a factor
+    for (std::size_t s = 0; s < labels.size(); ++s) {
+      const fem::StationFactors& K = state.stations[labels[s].number];
+      turn.stations[s].factors.push_back(
+          {.angle = angle, .K_I = K.K_I, .K_II = K.K_II, .K_III = K.K_III});
+      release += K.K_I * K.K_I + K.K_II * K.K_II + K.K_III * K.K_III / (1 - poissons_ratio);
+    }
+    if (release > most) {
+      most = release;
+      turn.checked_angle = angle;
+    }
+  }
+  for (StationTurn& station : turn.stations) {
+    station.factors.push_back(station.factors.front());
+    station.factors.back().angle = pi;
+    station.mode_I = range_of(station.factors);
+  }
+  return turn;
+}
+
+/// The tip with the larger range of K_I.
+std::string_view governing_tip(const CrackTurn& result) {
+  double largest = -1;
+  std::string_view tip;
+  for (const TorqueTurn& turn : result.torques)
+    for (const StationTurn& station : turn.stations)
+      if (station.mode_I.range > largest) {
+        largest = station.mode_I.range;
+        tip = station.tip;
+      }
+  return tip;
 }
 
 }  // namespace
 
-CrackTurn turn_crack(const TurningCrack& asked) {
-  check(asked);
-  TurningCrack turning = asked;
-  if (turning.tube.layers == 0) turning.tube.layers = kTurnLayers;
-  turning.tube = completed(turning.tube);
-  const TubeWithThroughCrack& tube = turning.tube;
+CrackTurn turn_crack(const TurningCrack& turning) {
+  check(turning);
   Steps steps(turning);
-  const CupSection section = cup_of(tube);
-  const OvalCup cup(section, tube.material, turning.fit,
-                    {.large_rotations = turning.large_rotations});
+  const std::unique_ptr<TurnBody> body = turn_body(turning);
+  const CupSection section = sound_cup(turning);
+  const fem::Elasticity& steel = body->problem().material;
+  const OvalCup cup(section, steel, turning.fit, {.large_rotations = turning.large_rotations});
   steps.done("sound cup");
   SoundStress sound(cup, section.diaphragm ? section.diaphragm->thickness : 0.0);
-  const fem::SolidProblem problem = held_cup(turning);
-  const fem::CrackResponse crack(mesh_at_size(tube, tube.half_length), problem);
+  const fem::CrackResponse crack(body->mesh(1), body->problem());
   steps.done(fmt::format("crack, {} solutions", crack.solutions()));
 
   CrackTurn result;
@@ -264,56 +271,11 @@ CrackTurn turn_crack(const TurningCrack& asked) {
   result.second_order_stress = cup.second_order_stress();
   result.unknowns = crack.unknowns();
   result.states = turning.torques.size() * static_cast<std::size_t>(turning.angles);
-  const std::span<const fem::CrackNode> nodes = crack.nodes();
-  const std::span<const fem::StationPlace> stations = crack.stations();
-  for (const double torque : turning.torques) {
-    TorqueTurn& turn = result.torques.emplace_back();
-    turn.torque = torque;
-    turn.least_contact_share = 1;
-    for (const fem::StationPlace& place : stations)
-      turn.stations.push_back({.tip = kTips.at(place.front),
-                               .station = 2 * place.position - 1,
-                               .mode_I = {},
-                               .factors = {}});
-    double most = -1;
-    for (int i = 0; i < turning.angles; ++i) {
-      const double angle = pi * i / turning.angles;
-      std::vector<fem::Point3> tractions;
-      for (const fem::CrackNode& node : nodes) {
-        tractions.push_back(times(sound.at(node.place, angle, torque), node.normal));
-        const double across = dot(tractions.back(), node.normal);
-        const double small =
-            dot(times(sound.small_at(node.place, angle, torque), node.normal), node.normal);
-        result.largest_stress = std::max(result.largest_stress, std::abs(across));
-        result.rotation_stress = std::max(result.rotation_stress, std::abs(across - small));
-      }
-      const fem::CrackState state = crack.state(tractions);
-      turn.least_contact_share = std::min(turn.least_contact_share, state.contact_share);
-      turn.largest_contact_share = std::max(turn.largest_contact_share, state.contact_share);
-      for (std::size_t s = 0; s < stations.size(); ++s)
-        turn.stations[s].factors.push_back({.angle = angle,
-                                            .K_I = state.stations[s].K_I,
-                                            .K_II = state.stations[s].K_II,
-                                            .K_III = state.stations[s].K_III});
-      const double release = release_of(state, tube.material.poissons_ratio);
-      if (release > most) {
-        most = release;
-        turn.checked_angle = angle;
-      }
-    }
-    for (StationTurn& station : turn.stations) {
-      station.factors.push_back(station.factors.front());
-      station.factors.back().angle = pi;
-      station.mode_I = range_of(station.factors);
-    }
-  }
-  std::array<double, 2> ranges{};
-  for (const TorqueTurn& turn : result.torques)
-    for (const StationTurn& station : turn.stations) {
-      double& range = ranges.at(station.tip == kTips[0] ? 0 : 1);
-      range = std::max(range, station.mode_I.range);
-    }
-  result.governing_tip = kTips.at(ranges[1] > ranges[0] ? 1 : 0);
+  const std::vector<LabelledStation> labels = body->labels(crack.stations());
+  for (const double torque : turning.torques)
+    result.torques.push_back(
+        turn_under(torque, turning.angles, crack, labels, sound, steel.poissons_ratio, result));
+  result.governing_tip = governing_tip(result);
   steps.done(fmt::format("{} states", result.states));
 
   const auto refuse = [&](const std::string& why) {
@@ -322,26 +284,25 @@ CrackTurn turn_crack(const TurningCrack& asked) {
   if (!(cup.equilibrium_residual() <= 1e-6))
     refuse(fmt::format("the sound cup: nodal forces out of equilibrium by {:.2g}",
                        cup.equilibrium_residual()));
-  const double a = tube.half_length;
-  const std::vector<fem::SolidResult> now = full_solutions(tube, a, problem, result, sound);
+  const std::vector<fem::SolidResult> now = full_solutions(*body, 1, result, sound);
   std::vector<fem::SolidResult> less;
   std::vector<fem::SolidResult> more;
   constexpr double kStep = 0.01;
   if (turning.check_growth) {
-    less = full_solutions(tube, a * (1 - kStep), problem, result, sound);
-    more = full_solutions(tube, a * (1 + kStep), problem, result, sound);
+    less = full_solutions(*body, 1 - kStep, result, sound);
+    more = full_solutions(*body, 1 + kStep, result, sound);
   }
   steps.done("checks");
   double largest = 0;
   for (const fem::SolidResult& solid : now)
-    if (const OverFronts over(solid); over.length > 0)
-      largest = std::max(largest, over.release / over.length);
+    largest = std::max(largest, body->release(solid).mean());
   for (std::size_t n = 0; n < result.torques.size(); ++n) {
     TorqueTurn& turn = result.torques[n];
     const Neighbours sizes{.now = now[n],
                            .less = turning.check_growth ? &less[n] : nullptr,
                            .more = turning.check_growth ? &more[n] : nullptr,
-                           .area = 4 * kStep * a * tube.wall_thickness,
+                           .step = kStep,
+                           .release = body->release(now[n]),
                            .largest = largest};
     if (std::string why = judge(turn, sizes); !why.empty())
       refuse(fmt::format("torque {:.6g} N*m: {}", turn.torque, why));

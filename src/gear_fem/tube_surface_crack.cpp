@@ -14,6 +14,7 @@
 
 #include "ellipse_template.hpp"
 #include "strainwave/core/error.hpp"
+#include "surface_crack_mesh.hpp"
 #include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
@@ -33,12 +34,7 @@ double cross_norm(const fem::Point3& a, const fem::Point3& b) {
                     a[0] * b[1] - a[1] * b[0]);
 }
 
-/// The tube's mesh for a crack of `size` times the given one, and its template's map.
-struct MeshedSurfaceCrack {
-  TubeBody body;
-  fem::PointMap map;  ///< template -> space
-  fem::HexMesh mesh;
-};
+}  // namespace
 
 MeshedSurfaceCrack mesh_surface_crack(const TubeWithSurfaceCrack& tube, double size) {
   const double a = size * tube.depth;
@@ -88,6 +84,8 @@ MeshedSurfaceCrack mesh_surface_crack(const TubeWithSurfaceCrack& tube, double s
   return meshed;
 }
 
+namespace {
+
 /// Area that a crack of `size` sweeps per unit of size between phi and phi + dphi, over dphi [m^2].
 double swept(const TubeWithSurfaceCrack& tube, const fem::PointMap& map, double size, double phi) {
   constexpr double kStep = 1e-4;
@@ -100,6 +98,25 @@ double swept(const TubeWithSurfaceCrack& tube, const fem::PointMap& map, double 
       difference(place(size, phi + kStep), place(size, phi - kStep), 2 * kStep);
   return cross_norm(growth, along);
 }
+
+}  // namespace
+
+SweptRelease swept_release(const TubeWithSurfaceCrack& tube, const fem::PointMap& map, double size,
+                           const fem::CrackFront& front) {
+  // G is quadratic over each segment, so Simpson's rule is used with dA of the analytic map.
+  SweptRelease result;
+  const double step = pi / static_cast<double>(front.stations.size() - 1);
+  for (std::size_t i = 0; i < front.stations.size(); ++i) {
+    const bool end = i == 0 || i + 1 == front.stations.size();
+    const double weight = step / 3 * (end ? 1 : i % 2 == 1 ? 4 : 2);
+    const double sweep = weight * swept(tube, map, size, step * static_cast<double>(i));
+    result.sweep += sweep;
+    result.release += sweep * front.stations[i].energy_release_rate;  // (FE-34)
+  }
+  return result;
+}
+
+namespace {
 
 /// Results for one size of the crack under one sense of the torque.
 struct SolvedSurfaceCrack {
@@ -127,21 +144,15 @@ std::vector<SolvedSurfaceCrack> solve_surface_crack(const TubeWithSurfaceCrack& 
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (tube.solved) tube.solved(results.front().solid, taken.count());
   for (SolvedSurfaceCrack& result : results) {
-    // G is quadratic over each segment, so Simpson's rule is used with dA of the analytic map.
-    const auto& stations = result.solid.fronts.at(0).stations;
-    const double step = pi / static_cast<double>(stations.size() - 1);
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      const bool end = i == 0 || i + 1 == stations.size();
-      const double weight = step / 3 * (end ? 1 : i % 2 == 1 ? 4 : 2);
-      const double sweep = weight * swept(tube, meshed.map, size, step * static_cast<double>(i));
-      result.sweep += sweep;
-      result.release += sweep * stations[i].energy_release_rate;  // (FE-34)
-    }
+    const SweptRelease over = swept_release(tube, meshed.map, size, result.solid.fronts.at(0));
+    result.sweep = over.sweep;
+    result.release = over.release;
   }
   return results;
 }
 
-/// Checks the values and chooses those that were left open.
+}  // namespace
+
 TubeWithSurfaceCrack completed(TubeWithSurfaceCrack tube) {
   check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
   if (tube.place == 0) tube.place = tube.length / 2;
@@ -161,6 +172,8 @@ TubeWithSurfaceCrack completed(TubeWithSurfaceCrack tube) {
   if (tube.growth == 0) tube.growth = tube.depth >= 0.25 * tube.wall_thickness ? 2.5 : 3.5;
   return tube;
 }
+
+namespace {
 
 /// State of the faces along the front without its two ends.
 struct FrontFaces {

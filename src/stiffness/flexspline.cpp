@@ -120,10 +120,11 @@ void note_axial_coupling(MemberCompliance& member, const CrackReport& report, co
 constexpr double kConfirmedBetweenJoints = 0.7;
 constexpr double kConfirmedNearFreeEnd = 0.47;
 
-/// Effect of the ends of the section on a crack at half length, which the closed form leaves out.
+/// Effect of the ends of the section, which the closed form leaves out.
 struct EndsOfSection {
   ModelAccuracy accuracy;
-  double share;      ///< share of the section's length that the crack takes, 2a/L [-]
+  /// half length over the distance to the nearer end; 2a/L of a crack half-way along [-]
+  double share;
   double confirmed;  ///< largest share computed by finite elements [-]
 };
 
@@ -131,10 +132,11 @@ EndsOfSection ends_of_section(const Flexspline& fs, const WallThroughCrack& crac
   const bool sections = fs.crack_free == CrackFree::sections;
   const bool rim = crack.section == WallSection::rim;
   const double length = !sections ? *fs.length : rim ? fs.rim->length : fs.barrel->length;
+  const double from = crack.distance.value_or(length / 2);
   const bool between = sections && fs.rim && fs.diaphragm && !rim;
   EndsOfSection ends{.accuracy = between ? accuracy::kThroughCrackBetweenJoints
                                          : accuracy::kThroughCrackNearFreeEnd,
-                     .share = 2 * crack.half_length / length,
+                     .share = crack.half_length / std::min(from, length - from),
                      .confirmed = between ? kConfirmedBetweenJoints : kConfirmedNearFreeEnd};
   ends.accuracy.relative_uncertainty *= ends.share * ends.share;
   return ends;

@@ -58,8 +58,8 @@ TEST(FeTurn, IdentityOfTheTableThatGrowthReads) {
   // A longer crack is worse; the text and the plot name each size.
   EXPECT_GT(run.sizes[1].turn.torques[1].stations[0].mode_I.largest,
             run.sizes[0].turn.torques[1].stations[0].mode_I.largest);
-  EXPECT_NE(turn_text(run, gear).find("Half length 1.5 mm"), std::string::npos);
-  EXPECT_NE(turn_plot(run, gear).find("a = 1.5 mm"), std::string::npos);
+  EXPECT_NE(turn_text(run, gear).find("half length 1.5 mm: 16 states"), std::string::npos);
+  EXPECT_NE(turn_plot(run, gear).find("half length 1.5 mm"), std::string::npos);
 }
 
 TEST(FeTurn, BehaviourOfThePlan) {
@@ -80,6 +80,41 @@ TEST(FeTurn, BehaviourOfThePlan) {
   EXPECT_EQ(std::ranges::count(noted.notes, "fe.stress_nonuniformity", &Note::code), 1);
 }
 
+TEST(FeTurn, BehaviourOfASurfaceCrack) {
+  test::start_mpi();
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_surface_crack.toml");
+  auto& crack = std::get<WallSurfaceCrack>(gear.flexspline->crack.at(0));
+  EXPECT_EQ(crack.mouth, Mouth::inner);
+  EXPECT_EQ(std::ranges::count(plan_turn(gear, {}).notes, "fe.mouth_outside", &Note::code), 0);
+  crack.depth = 0.09e-3;
+  crack.half_length = 0.1e-3;
+  const TurnOptions options{.order = 2, .torques = {0}, .depths = {0.045e-3}, .angles = 12};
+  const TurnRun inside = run_turn(gear, options, test::mpi());
+  ASSERT_EQ(inside.sizes.size(), 1U);
+  EXPECT_NEAR(inside.sizes[0].half_length, 0.05e-3, 1e-12);  // the same shape
+  EXPECT_EQ(inside.reason(), "");
+  HistoryFile file(pieces_of(turn_csv(inside)), "turn.csv");
+  const TurnTable table = read_turn_table(file);
+  EXPECT_EQ(table.size_name, "depth");
+  EXPECT_EQ(table.stations.front(), 0);
+  EXPECT_EQ(table.stations.back(), 1);
+  EXPECT_NE(turn_text(inside, gear).find("deepest"), std::string::npos);
+  // The oval bends the wall, so the faces of the wall are open in turn.
+  crack.mouth.reset();
+  EXPECT_EQ(std::ranges::count(plan_turn(gear, {}).notes, "fe.mouth_outside", &Note::code), 1);
+  const TurnRun outside = run_turn(gear, options, test::mpi());
+  const auto deepest = [](const TurnRun& run) {
+    for (const gear_fem::StationTurn& station : run.sizes[0].turn.torques[0].stations)
+      if (station.station == 1) return station;
+    throw InputError("station", "is missing");
+  };
+  const gear_fem::StationTurn in = deepest(inside);
+  const gear_fem::StationTurn out = deepest(outside);
+  for (std::size_t i = 0; i < in.factors.size(); ++i)
+    EXPECT_LT(std::min(in.factors[i].K_I, out.factors[i].K_I), 0.1 * in.mode_I.largest) << i;
+  EXPECT_GT(out.mode_I.largest, 0.3 * in.mode_I.largest);
+}
+
 // Each rule is broken once.
 TEST(FeTurn, InputRefused) {
   const GearSet good = breathing();
@@ -95,14 +130,16 @@ TEST(FeTurn, InputRefused) {
   refused(good, {.crack = "flexspline.crack[7]"}, "is not a crack of the flexspline");
   refused(good, {.order = 5}, "order");
   refused(good, {.half_lengths = {20e-3}}, "flexspline.crack[0]");
+  refused(good, {.depths = {0.1e-3}}, "--depth: is not the size of this kind of crack");
   GearSet gear = good;
   gear.flexspline->crack.clear();
-  refused(gear, {}, "must have a through crack of the barrel");
+  refused(gear, {}, "must have a through or surface crack of the barrel");
   gear = good;
   gear.flexspline->crack.push_back(gear.flexspline->crack.front());
   refused(gear, {}, "choose one of them by --crack");
   std::get<WallThroughCrack>(gear.flexspline->crack[1]).section = WallSection::rim;
-  refused(gear, {.crack = "flexspline.crack[1]"}, "must be a through crack of the barrel");
+  refused(gear, {.crack = "flexspline.crack[1]"},
+          "must be a through or surface crack of the barrel");
   gear = good;
   gear.flexspline->rim.reset();
   refused(gear, {}, "flexspline.rim");

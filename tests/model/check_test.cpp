@@ -484,6 +484,16 @@ const std::vector<Broken> kBroken = {
        rim_crack(g).half_length = 15 * mm;
      },
      "flexspline.crack[0].half_length", "2 half_length cos(angle) < length of the tube", ""},
+    {"CrackAcrossTheLowerEnd", sections_gear,
+     [](GearSet& g) { barrel_crack(g).distance = 0.7 * mm; }, "flexspline.crack[1].distance",
+     "half_length cos(angle) < distance < length of the tube - half_length cos(angle), that is, "
+     "between 0.7071 mm and 99.29 mm",
+     ""},
+    {"CrackAcrossTheUpperEnd", sections_gear,
+     [](GearSet& g) { barrel_crack(g).distance = 99.5 * mm; }, "flexspline.crack[1].distance",
+     "half_length cos(angle) < distance < length of the tube - half_length cos(angle), that is, "
+     "between 0.7071 mm and 99.29 mm",
+     ""},
     {"CircumferentialCrackAllRound", article,
      [](GearSet& g) {
        through_crack(g).angle = pi / 2;
@@ -868,6 +878,50 @@ GearSet driven_gear() {
   GearSet gear = article_gear();
   gear.drivetrain = Drivetrain{.motor_inertia = 1e-4, .load_inertia = 1.0};
   return gear;
+}
+
+// Cracks of a wall whose places are given must not touch or cross, also round the axis.
+TEST(Check, InputCracksOfTheWallThatTouch) {
+  constexpr double degree = pi / 180;
+  const auto pair = [](double position, double distance, double angle) {
+    GearSet gear = sections_gear();
+    WallThroughCrack one;
+    one.half_length = 10 * mm;
+    one.angle = pi / 4;
+    one.distance = 50 * mm;
+    one.position = 0;
+    WallThroughCrack two = one;
+    two.position = position;
+    two.distance = distance;
+    two.angle = angle;
+    gear.flexspline->crack = {one, two};
+    return gear;
+  };
+  const auto refused = [](const GearSet& gear) {
+    try {
+      check(gear);
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string same = refused(pair(0, 50 * mm, pi / 4));
+  EXPECT_NE(same.find("flexspline.crack[1].position"), std::string::npos) << same;
+  EXPECT_NE(same.find("touches or crosses flexspline.crack[0]"), std::string::npos) << same;
+  EXPECT_NE(refused(pair(0, 50 * mm, -pi / 4)), "");      // a cross
+  EXPECT_NE(refused(pair(2 * pi, 50 * mm, pi / 2)), "");  // the same place after a turn
+  // On one line: the barrel has a mean radius of 78 mm, and the angle runs toward -theta.
+  EXPECT_NE(refused(pair(-2 * degree, (50 + 78 * 2 * degree) * mm, pi / 4)), "");
+  EXPECT_EQ(refused(pair(-2 * degree, 52 * mm, pi / 4)), "");    // beside each other, 0.5 mm
+  EXPECT_EQ(refused(pair(20 * degree, 50 * mm, pi / 4)), "");    // 27 mm round the axis
+  EXPECT_EQ(refused(pair(0, 80 * mm, pi / 4)), "");              // one above the other
+  EXPECT_NE(refused(pair(359 * degree, 50 * mm, -pi / 4)), "");  // across the mark
+  GearSet somewhere = pair(0, 50 * mm, pi / 4);
+  std::get<WallThroughCrack>(somewhere.flexspline->crack[1]).position.reset();
+  EXPECT_EQ(refused(somewhere), "");  // far apart
+  GearSet other_section = pair(0, 15 * mm, pi / 4);
+  std::get<WallThroughCrack>(other_section.flexspline->crack[1]).section = WallSection::rim;
+  EXPECT_EQ(refused(other_section), "");
 }
 
 TEST(Check, InputADrivetrain) {
@@ -1546,6 +1600,8 @@ TEST(CheckRange, ReferenceRanges) {
                                      "wave_generator.crack[0].position",
                                      "wave_generator.crack[1].position",
                                      "wave_generator.crack[2].position",
+                                     "flexspline.crack[0].position",
+                                     "flexspline.crack[1].position",
                                      "flexspline.crack[4].position",
                                      "mesh.lobe_gap",
                                      "mesh.crack[0].position",

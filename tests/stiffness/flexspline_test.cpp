@@ -1091,5 +1091,23 @@ TEST(Flexspline, IdentityCracksOfTheContactPathAddNothingHere) {
   EXPECT_EQ(member.notes.at(0).path, "flexspline.crack[0]");
 }
 
+// The ends of a section disturb a crack by the square of its half length over the distance to the
+// nearer end; half-way along is the default.
+TEST(Flexspline, BehaviourDistanceToTheNearerEnd) {
+  const auto uncertainty = [](std::optional<double> distance) {
+    GearSet gear = with_through_crack(20 * mm);
+    std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).distance = distance;
+    for (const AccuracyBasis& basis : flexspline_compliance(gear).accuracies)
+      if (basis.source.find("ends left out") != std::string::npos)
+        return basis.relative_uncertainty;
+    return 0.0;
+  };
+  const double half_way = uncertainty({});
+  EXPECT_GT(half_way, 0);
+  EXPECT_NEAR(uncertainty(80 * mm), half_way, 1e-15);
+  EXPECT_NEAR(uncertainty(40 * mm) / half_way, 4, 1e-9);
+  EXPECT_NEAR(uncertainty(40 * mm), uncertainty(120 * mm), 1e-12);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -169,8 +169,13 @@ struct TubeCrackRun {
   }
 };
 
-/// One part-through crack of the flexspline's wall, with its mouth on the outer surface, for both
-/// senses of the given torque.
+/// The surface from which a crack starts: "outer" or "inner".
+[[nodiscard]] inline std::string_view mouth_of(const gear_fem::TubeWithSurfaceCrack& tube) {
+  return enum_name(tube.surface == gear_fem::TubeWithSurfaceCrack::Surface::inner ? Mouth::inner
+                                                                                  : Mouth::outer);
+}
+
+/// One part-through crack of the flexspline's wall, for both senses of the given torque.
 struct SurfaceCrackRun {
   static constexpr std::string_view kKind = WallSurfaceCrack::kKind;
   std::string path;
@@ -183,7 +188,7 @@ struct SurfaceCrackRun {
     using R = SurfaceCrackRun;
     describe_wall_crack<R>(field);
     field({"mouth", "", "the surface that the crack starts from"},
-          [](const R&) { return std::string_view("outer"); });
+          [](const R& r) { return mouth_of(r.tube); });
     field({"depth", "m", "a"}, [](const R& r) { return r.tube.depth; });
   }
 };

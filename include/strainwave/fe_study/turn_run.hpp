@@ -20,13 +20,14 @@
 namespace strainwave::fe_study {
 
 struct TurnOptions {
-  /// Path of the crack; absent: the only through crack of the barrel
+  /// Path of the crack; absent: the only crack of the barrel
   std::optional<std::string> crack = {};
   /// Order p of the solid elements, 2 to 4; absent: kSolidOrder
   std::optional<int> order = {};
   /// T at the output [N*m]; empty: the given torque, none, and the given torque reversed
   std::vector<double> torques = {};
-  std::vector<double> half_lengths = {};  ///< [m]; empty: that of the crack
+  std::vector<double> half_lengths = {};  ///< of a through crack [m]; empty: its own
+  std::vector<double> depths = {};        ///< of a surface crack of this shape [m]; empty: its own
   int angles = 36;                        ///< over one wave
   gear_fem::LargeRotations large_rotations = gear_fem::LargeRotations::automatic;
   /// Called with one line after each step, on every rank; may be empty.
@@ -35,11 +36,16 @@ struct TurnOptions {
 
 /// A turn at one size of the crack.
 struct TurnAtSize {
-  double half_length{};  ///< [m]
+  std::optional<double> depth;  ///< of a surface crack [m]
+  double half_length{};         ///< [m]
   gear_fem::CrackTurn turn;
+
+  /// "half length 2 mm", or "depth 0.2 mm".
+  [[nodiscard]] std::string name() const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
+    field({"depth", "m", "depth of a surface crack"}, &TurnAtSize::depth);
     field({"half_length", "m", "half length of the crack"}, &TurnAtSize::half_length);
     field({"turn", "", "K over a turn, with its checks"}, &TurnAtSize::turn);
   }
@@ -73,8 +79,8 @@ struct TurnRun {
 [[nodiscard]] ResultEvidence evidence_of(const TurnRun& result);
 
 /// Plans a turn: fills a result except for the computed parts.
-/// @throws InputError  if the drive has no through crack of the barrel in a cup with a rim, or
-///                     several and none is chosen; if a size does not fit; for numbers out of range
+/// @throws InputError  if the drive has no crack of the barrel in a cup with a rim, or several and
+///                     none is chosen; if a size does not fit; for numbers out of range
 [[nodiscard]] TurnRun plan_turn(const GearSet& gear, const TurnOptions& options);
 
 /// Computes a turn.  Every MPI rank must call it, and gets the result.

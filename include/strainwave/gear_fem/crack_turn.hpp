@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "strainwave/gear_fem/checks.hpp"
 #include "strainwave/gear_fem/oval_cup.hpp"
+#include "strainwave/gear_fem/tube_surface_crack.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
 
 /// @file
@@ -21,11 +23,13 @@ namespace strainwave::gear_fem {
 /// other, so one layer would not do.
 inline constexpr int kTurnLayers = 2;
 
-/// A through crack of the barrel of a cup at work.
+/// A crack of the barrel of a cup at work.
 struct TurningCrack {
-  /// The cup with its crack; it must have a rim.  `torque`, `sense`, `check_growth` and `fields`
-  /// are not read; `layers` 0 gives kTurnLayers.
-  TubeWithThroughCrack tube;
+  /// The barrel with its crack.  `torque`, `sense`, `check_growth`, `fields` and `ends` are not
+  /// read; `layers` 0 of a through crack gives kTurnLayers.  A through crack opens in the cup, a
+  /// surface crack in the barrel alone, clamped at its lower end.
+  std::variant<TubeWithThroughCrack, TubeWithSurfaceCrack> tube;
+  BarrelEnds ends;  ///< parts that make a cup of the barrel; there must be a rim
   OvalFit fit;
   LargeRotations large_rotations = LargeRotations::automatic;
   std::vector<double> torques;  ///< T [N*m], in the sense of +theta on the rim; one or more
@@ -81,7 +85,10 @@ struct TurnFactor {
 /// One station of a front over a turn, under one torque.
 struct StationTurn {
   std::string_view tip;  ///< "upper": toward +z, at 90 degrees toward -theta; "lower"
-  double station{};      ///< from -1 at the inner face of the wall to 1 at the outer face [-]
+  /// Of a through crack from -1 at the inner face of the wall to 1 at the outer face; of a surface
+  /// crack the sine of the ellipse's angle, 1 at the deepest point [-].  Where the front of a
+  /// surface crack meets the surface, K is not defined, and this place is left out.
+  double station{};
   TurnRange mode_I;
   std::vector<TurnFactor> factors;  ///< over one wave; the last angle is the first one again
 
@@ -90,7 +97,9 @@ struct StationTurn {
     using R = StationTurn;
     field({"tip", "", "upper: toward +z, at 90 degrees toward -theta; lower: the other tip"},
           &R::tip);
-    field({"station", "1", "from -1 at the inner face of the wall to 1 at the outer face"},
+    field({"station", "1",
+           "through crack: from -1 at the inner face of the wall to 1 at the outer face; surface "
+           "crack: from 0 at the surface to 1 at the deepest point"},
           &R::station);
     field({"mode_I", "", "K_I over a turn"}, &R::mode_I);
     field({"factors", "", "K over one wave; the last angle is the first one again"}, &R::factors);
@@ -158,12 +167,12 @@ struct CrackTurn {
 /// The sound cup gives the stress at the crack at each angle; the crack releases this stress on its
 /// faces.  The bore is held radially on the band of the wave generator while the crack opens.
 ///
-/// Range: one straight through crack of the barrel, linear, without friction between the faces.
-/// Accuracy at order 3: that of solve_tube_with_through_crack, and that of the linear oval
-/// (OvalCup).
+/// Range: one crack of the barrel, linear, without friction between the faces.
+/// Accuracy at order 3: that of solve_tube_with_through_crack or solve_tube_with_surface_crack, and
+/// that of OvalCup.
 ///
-/// @throws InputError   on the same conditions as mesh_tube_with_through_crack and OvalCup; for
-///                      values out of range
+/// @throws InputError   on the same conditions as the mesh of the crack and OvalCup; for values out
+///                      of range
 /// @throws SolverError  if a contact does not converge
 [[nodiscard]] CrackTurn turn_crack(const TurningCrack& turning);
 

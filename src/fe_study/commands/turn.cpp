@@ -8,6 +8,7 @@ namespace {
 struct TurnCommandOptions : CrackOptions {
   std::vector<double> torque;
   std::vector<double> half_length;
+  std::vector<double> depth;
   std::optional<int> angles;
   std::optional<gear_fem::LargeRotations> nonlinear;
   bool dry_run = false;
@@ -22,9 +23,16 @@ struct TurnCommandOptions : CrackOptions {
           &O::torque);
     field({.name = "half_length",
            .unit = "m",
-           .doc = "half length of the crack, may be repeated; if left out that of the file",
+           .doc = "half length of a through crack, may be repeated; if left out that of the file",
            .range = kPositive},
           &O::half_length);
+    field(
+        {.name = "depth",
+         .unit = "m",
+         .doc = "depth of a surface crack of the same shape, may be repeated; if left out that of "
+                "the file",
+         .range = kPositive},
+        &O::depth);
     field({.name = "angles",
            .unit = "",
            .doc = "angles over one wave, half a turn; 36 if left out",
@@ -44,6 +52,7 @@ TurnRun turn_run(const Request& request, const TurnCommandOptions& options) {
                     .order = run.order,
                     .torques = options.torque,
                     .half_lengths = options.half_length,
+                    .depths = options.depth,
                     .progress = run.progress};
   if (options.angles) asked.angles = *options.angles;
   if (options.nonlinear) asked.large_rotations = *options.nonlinear;
@@ -61,7 +70,7 @@ Command turn_command() {
       .summary = "Compute K of a crack over a turn of the wave generator",
       .description =
           "Bends the sound cup oval by the wave generator, twists it by each torque, and lets a "
-          "through crack of the barrel release this stress at each angle. The faces of the crack "
+          "crack of the barrel release this stress at each angle. The faces of the crack "
           "may touch, also over a part of the wall. The answer states the largest and the least "
           "K_I at each place of the fronts, and the share of the turn during which this place is "
           "open. A crack of a drive can name the table as its turn_table.",

@@ -363,8 +363,15 @@ double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& c
   } else if (crack.section != WallSection::barrel) {
     throw InputError((at / "section").text(), "is read only where crack_free = \"sections\"");
   }
-  require(2 * crack.half_length * std::cos(crack.angle) < length, (at / "half_length").text(),
-          crack.half_length, "m", "2 half_length cos(angle) < length of the tube");
+  const double reach = crack.half_length * std::cos(crack.angle);
+  require(2 * reach < length, (at / "half_length").text(), crack.half_length, "m",
+          "2 half_length cos(angle) < length of the tube");
+  if (crack.distance)
+    require(*crack.distance > reach && *crack.distance < length - reach, (at / "distance").text(),
+            *crack.distance, "m",
+            fmt::format("half_length cos(angle) < distance < length of the tube - half_length "
+                        "cos(angle), that is, between {:.4g} mm and {:.4g} mm",
+                        reach / units::mm, (length - reach) / units::mm));
   require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
               std::numbers::pi * (diameter - wall),
           (at / "half_length").text(), crack.half_length, "m",
@@ -427,6 +434,100 @@ void check_hinges(const FieldPath& path, const Cracks& cracks, double thickness,
                         "that far apart",
                         here->position / units::deg, apart / units::mm, path[other].text(),
                         there->position / units::deg, length / units::mm));
+    }
+}
+
+/// The section that contains a crack of the wall, as a tube.
+TubeSection wall_of(const GearSet& gear, WallSection section) {
+  const Flexspline& fs = *gear.flexspline;
+  if (fs.crack_free == CrackFree::factor)
+    return {.outer_diameter = gear.drive.pitch_diameter,
+            .wall_thickness = fs.ring_thickness(),
+            .length = fs.tube_length()};
+  return section == WallSection::rim ? *fs.rim : *fs.barrel;
+}
+
+double mean_radius(const TubeSection& tube) {
+  return (tube.outer_diameter - tube.wall_thickness) / 2;
+}
+
+/// A crack of a wall on the unrolled section.
+struct UnrolledCrack {
+  WallSection section;
+  double round;   ///< place of its middle round the axis [m]
+  double along;   ///< and along it [m]
+  double across;  ///< from the middle to its end, round the axis [m]
+  double up;      ///< and along it [m]
+};
+
+/// The place of a crack of a wall; absent if it is of another kind or its position is not given.
+std::optional<UnrolledCrack> unrolled(const GearSet& gear, const FlexsplineCrack& crack) {
+  return std::visit(
+      [&](const auto& one) -> std::optional<UnrolledCrack> {
+        if constexpr (requires { one.section; }) {
+          if (!one.position) return std::nullopt;
+          const TubeSection tube = wall_of(gear, one.section);
+          const double turn = 2 * std::numbers::pi;
+          const double angle = *one.position - turn * std::floor(*one.position / turn);
+          return UnrolledCrack{
+              .section = one.section,
+              .round = angle * mean_radius(tube),
+              .along = one.distance.value_or(tube.length / 2),
+              .across = -one.half_length * std::sin(one.angle),  // the angle runs toward -theta
+              .up = one.half_length * std::cos(one.angle)};
+        } else {
+          return std::nullopt;
+        }
+      },
+      crack);
+}
+
+/// Whether two straight cracks touch or cross, one of them shifted round the axis.
+bool touch(const UnrolledCrack& a, const UnrolledCrack& b, double shift) {
+  struct Point {
+    double x, y;
+  };
+  const auto ends = [](const UnrolledCrack& c, double by) {
+    return std::array{Point{c.round + by - c.across, c.along - c.up},
+                      Point{c.round + by + c.across, c.along + c.up}};
+  };
+  const auto p = ends(a, 0);
+  const auto q = ends(b, shift);
+  const double size = std::hypot(a.across, a.up) + std::hypot(b.across, b.up);
+  const double tiny = 1e-9 * size;
+  /// Distance of a point from a crack.
+  const auto distance = [](const Point& of, const std::array<Point, 2>& from) {
+    const Point along{from[1].x - from[0].x, from[1].y - from[0].y};
+    const Point to{of.x - from[0].x, of.y - from[0].y};
+    const double share = std::clamp(
+        (to.x * along.x + to.y * along.y) / (along.x * along.x + along.y * along.y), 0.0, 1.0);
+    return std::hypot(to.x - share * along.x, to.y - share * along.y);
+  };
+  const auto side = [](const Point& of, const std::array<Point, 2>& line) {
+    return (line[1].x - line[0].x) * (of.y - line[0].y) -
+           (line[1].y - line[0].y) * (of.x - line[0].x);
+  };
+  if (side(p[0], q) * side(p[1], q) < 0 && side(q[0], p) * side(q[1], p) < 0) return true;
+  return std::min({distance(p[0], q), distance(p[1], q), distance(q[0], p), distance(q[1], p)}) <=
+         tiny;
+}
+
+/// Refuses cracks of the flexspline's wall that touch or cross.
+void check_apart(const FieldPath& path, const GearSet& gear) {
+  const auto& cracks = gear.flexspline->crack;
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    for (std::size_t other = 0; other < i; ++other) {
+      const auto here = unrolled(gear, cracks[i]);
+      const auto there = unrolled(gear, cracks[other]);
+      if (!here || !there || here->section != there->section) continue;
+      // The wall closes round the axis.
+      const double round = 2 * std::numbers::pi * mean_radius(wall_of(gear, here->section));
+      for (const double shift : {-round, 0.0, round})
+        if (touch(*here, *there, shift))
+          throw InputError((path[i] / "position").text(),
+                           fmt::format("the crack touches or crosses {}; place the two apart, or "
+                                       "give one crack",
+                                       path[other].text()));
     }
 }
 
@@ -683,6 +784,7 @@ void check_flexspline(const GearSet& gear) {
       if (!value)
         throw InputError((path / field).text(), "must be given where crack_free = \"factor\" [m]");
   check_cracks(gear, path, fs.crack);
+  check_apart(path / "crack", gear);
   check_overlaps(path / "crack", fs);
   if (fs.rim)
     check_hinges<RimAxialCrack>(path / "crack", fs.crack, fs.rim->wall_thickness,

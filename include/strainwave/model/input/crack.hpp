@@ -188,6 +188,13 @@ constexpr CrackedPart part_of(WallSection section) {
   return section == WallSection::rim ? CrackedPart::rim : CrackedPart::barrel;
 }
 
+/// The surface of a wall from which a crack starts.
+enum class Mouth { outer, inner };
+template <>
+struct EnumNames<Mouth> {
+  static constexpr std::array<std::string_view, 2> names = {"outer", "inner"};
+};
+
 /// Straight crack through the wall of the flexspline.
 struct WallThroughCrack {
   static constexpr std::string_view kKind = "through";
@@ -197,6 +204,11 @@ struct WallThroughCrack {
       std::numbers::pi / 4;      ///< angle beta from +z toward -theta [rad]; in (-pi/2, pi/2]
   bool shell_correction = true;  ///< A_I of the curved shell (FR-9); flat plate if false
   WallSection section = WallSection::barrel;
+  /// z of the crack's middle from the section's end toward the diaphragm [m]; absent: half its
+  /// length
+  std::optional<double> distance = {};
+  /// angle of the crack's middle round the axis [rad]; absent: far from other cracks
+  std::optional<double> position = {};
   /// file of a table (FE-41) that replaces the closed form
   std::optional<std::string> compliance_table = {};
   /// file of a table of K over a turn (GR-30)
@@ -249,6 +261,21 @@ struct WallThroughCrack {
                 .fallback = R"("barrel")",
                 .in_template = InTemplate::commented},
           &Crack::section);
+    field(Field{.name = "distance",
+                .unit = "m",
+                .doc = "from the section's end toward the diaphragm to the middle of the crack, "
+                       "along z; half of the section if left out",
+                .range = kPositive,
+                .example = R"("6 mm")",
+                .in_template = InTemplate::commented},
+          &Crack::distance);
+    field(Field{.name = "position",
+                .unit = "rad",
+                .doc = "angle of the crack's middle round the axis, toward +theta, from one mark "
+                       "for all cracks; if left out the crack is far from the others",
+                .example = R"("0 deg")",
+                .in_template = InTemplate::commented},
+          &Crack::position);
   }
 };
 
@@ -260,6 +287,9 @@ struct WallSurfaceCrack {
   double half_length = 0.0;             ///< half length c along the surface [m]; >= depth
   double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
   WallSection section = WallSection::barrel;
+  std::optional<double> distance = {};         ///< as in WallThroughCrack
+  std::optional<double> position = {};         ///< as in WallThroughCrack
+  std::optional<Mouth> mouth = {};             ///< absent: not known, taken as outer
   std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
 
   [[nodiscard]] CrackPlace place() const {
@@ -267,6 +297,7 @@ struct WallSurfaceCrack {
             .shape = CrackShape::semi_ellipse,
             .depth = depth,
             .half_length = half_length,
+            .from_inside = mouth == Mouth::inner,
             .angle = angle};
   }
   template <class Visitor>
@@ -279,6 +310,13 @@ struct WallSurfaceCrack {
                 .example = R"("0.2 mm")"},
           &WallSurfaceCrack::half_length);
     WallThroughCrack::describe_place<WallSurfaceCrack>(field);
+    field(Field{.name = "mouth",
+                .unit = "",
+                .doc = "surface of the wall from which the crack starts; if left out it is not "
+                       "known, and finite elements take the outer one",
+                .example = R"("outer")",
+                .in_template = InTemplate::commented},
+          &WallSurfaceCrack::mouth);
     field(kTurnTableField, &WallSurfaceCrack::turn_table);
   }
 };

@@ -13,8 +13,8 @@
 
 namespace strainwave {
 
-/// Numbers of a through crack at half length of a tube, clamped at one end and twisted at the
-/// other.
+/// Numbers of a through crack of a tube, clamped at one end and twisted at the other; at half
+/// length unless its distance is given.
 template <class Real>
 [[nodiscard]] std::vector<BasicCrackParameter<Real>> crack_parameters(
     const Lift<Real>& lift, const GearSet& gear, const WallThroughCrack& crack) {
@@ -32,6 +32,7 @@ template <class Real>
     numbers.push_back({"wall_thickness", "m", lift(wall.wall_thickness)});
     numbers.push_back({"length", "m", lift(wall.length)});
   }
+  if (crack.distance) numbers.push_back({"distance", "m", lift(*crack.distance)});
   numbers.push_back({"youngs_modulus", "Pa", steel.E});
   numbers.push_back({"poissons_ratio", "1", steel.nu});
   return numbers;
