@@ -144,6 +144,10 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
   if (flexspline.crack_free != CrackFree::sections)
     throw InputError("flexspline.crack_free",
                      "must be \"sections\" for a turn, which needs barrel, rim and bottom");
+  if (gear.drive.wave_number != 2)
+    throw InputError("drive.wave_number",
+                     fmt::format("is {}, but a turn is computed for the two lobes of an oval only",
+                                 gear.drive.wave_number));
   if (flexspline.shape == FlexsplineShape::hat)
     throw InputError("flexspline.shape", "must be \"cup\" or \"cylinder\" for a turn");
   if (!flexspline.rim)

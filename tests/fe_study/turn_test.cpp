@@ -153,6 +153,9 @@ TEST(FeTurn, InputRefused) {
   gear.flexspline->diaphragm.reset();
   refused(gear, {}, "must be \"sections\" for a turn");
   gear = good;
+  gear.drive.wave_number = 3;
+  refused(gear, {}, "drive.wave_number: is 3");
+  gear = good;
   gear.wave_generator->bearing->clearance = 0.5e-3;
   try {
     (void)run_turn(gear, {.order = 2, .torques = {0}, .angles = 8}, test::mpi());

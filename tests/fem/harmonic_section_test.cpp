@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -132,6 +136,92 @@ TEST(HarmonicSection, IdentityReciprocityOfLoads) {
   EXPECT_NEAR(solutions[0].work_of_loads[1] / solutions[1].work_of_loads[0], 1, 1e-9);
   EXPECT_NEAR(solutions[0].work_of_loads[0] / (2 * solutions[0].energy), 1, 1e-9);
   EXPECT_NE(solutions[0].work_of_loads[1], 0);
+}
+
+/// Strain energy of waves 0, 2, 4, ... of a tube by quadrature in the test [J].
+/// @param large  with H^T H in the strain
+double energy_of(const HarmonicSection& body, const Tube& tube,
+                 const std::vector<HarmonicSolution>& waves, bool large) {
+  constexpr std::array kPoint{-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
+                              0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
+  constexpr std::array kWeight{0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
+                               0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+  constexpr int kAngles = 48;
+  const double mu = kRingSteel.shear_modulus();
+  const double lambda = 2 * mu * kRingSteel.poissons_ratio / (1 - 2 * kRingSteel.poissons_ratio);
+  double sum = 0;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) {
+      const double r = (tube.inner + tube.outer + kPoint[i] * (tube.outer - tube.inner)) / 2;
+      const double z = tube.length * (1 + kPoint[j]) / 2;
+      const std::vector<SectionPoint> point{{.r = r, .z = z}};
+      const SectionPlace place = body.locate(point).front();
+      const double area = kWeight[i] * kWeight[j] * (tube.outer - tube.inner) * tube.length / 4;
+      for (int k = 0; k < kAngles; ++k) {
+        const double angle = 2 * pi * k / kAngles;
+        CylinderGradient H{};
+        for (const HarmonicSolution& wave : waves)
+          add_gradient(H, body.at(wave, place), wave.waves, r, angle);
+        double square = 0;
+        double trace = 0;
+        for (std::size_t a = 0; a < 3; ++a)
+          for (std::size_t b = 0; b < 3; ++b) {
+            double strain = (H[a][b] + H[b][a]) / 2;
+            if (large)
+              for (std::size_t c = 0; c < 3; ++c) strain += H[c][a] * H[c][b] / 2;
+            square += strain * strain;
+            if (a == b) trace += strain;
+          }
+        sum += (lambda / 2 * trace * trace + mu * square) * r * area * 2 * pi / kAngles;
+      }
+    }
+  return sum;
+}
+
+// (FE-53) Kind: two roads.  The forces of large rotations are the derivative of the strain energy
+// that they add, here a difference of energies by a quadrature of the test's own.  Tolerance 1e-5:
+// the step of the difference.
+TEST(HarmonicSection, CrosscheckForcesOfLargeRotations) {
+  const Tube tube{.inner = 0.03, .outer = 0.032, .length = 0.01};
+  const HarmonicSection body(waved_mesh(tube, 0.02), kRingSteel, {.order = 3});
+  const auto waves = [&](const EdgeTraction& load, double scale) {
+    std::vector<HarmonicSolution> solutions;
+    for (int n = 0; n <= 4; n += 2) {
+      solutions.push_back(body.equations(n).solve(std::span(&load, 1)).front());
+      // A displacement of about a tenth of the radius: large rotations.
+      double largest = 0;
+      for (const double u : solutions.back().displacement) largest = std::max(largest, std::abs(u));
+      for (double& u : solutions.back().displacement) u *= scale / largest;
+    }
+    return solutions;
+  };
+  const auto state = waves(on_end(tube, [](double) { return WaveVector{1e6, 0, 2e5}; }), 2e-3);
+  const auto direction = waves(on_end(tube,
+                                      [](double r) {
+                                        return WaveVector{1e6, 3e6 * (r - 0.031) / 0.031, -4e5};
+                                      }),
+                               1e-3);
+  const auto moved = [&](double by) {
+    auto sum = state;
+    for (std::size_t n = 0; n < sum.size(); ++n)
+      for (std::size_t i = 0; i < sum[n].displacement.size(); ++i)
+        sum[n].displacement[i] += by * direction[n].displacement[i];
+    return sum;
+  };
+  constexpr double kStep = 1e-3;
+  const auto slope = [&](bool large) {
+    return (energy_of(body, tube, moved(kStep), large) -
+            energy_of(body, tube, moved(-kStep), large)) /
+           (2 * kStep);
+  };
+  const double added = slope(true) - slope(false);
+  const auto forces = body.large_rotation_forces(state);
+  double work = 0;
+  for (std::size_t n = 0; n < forces.size(); ++n)
+    for (std::size_t i = 0; i < forces[n].size(); ++i)
+      work -= (n == 0 ? 2 : 1) * pi * forces[n][i] * direction[n].displacement[i];
+  EXPECT_NEAR(work / added, 1, 1e-5);
+  EXPECT_GT(std::abs(added), 0.1 * std::abs(slope(false)));  // not a small part
 }
 
 TEST(HarmonicSection, InputRefused) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -82,6 +83,77 @@ TEST(CrackResponse, IdentityOfFarLoadAndReleasedStress) {
       }
     EXPECT_EQ(s, state.stations.size());
   }
+}
+
+/// K_I over sigma_b sqrt(pi a) at the stretched face of an almost plane wall in bending, with faces
+/// that may pass through each other, and with faces that touch.
+std::array<double, 2> in_bending(double half_length_over_thickness) {
+  test::start_mpi();
+  constexpr double kThickness = 1e-3;
+  const double a = half_length_over_thickness * kThickness;
+  const TubeWithThroughCrack tube{.material = {.youngs_modulus = 206e9, .poissons_ratio = 0.3},
+                                  .mean_radius = 20,
+                                  .wall_thickness = kThickness,
+                                  .length = 40 * a,
+                                  .half_length = a,
+                                  .angle = 0,
+                                  .order = 3,
+                                  .layers = 1};
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  problem.order = tube.order;
+  problem.crack_faces = fem::CrackFaces::contact;
+  const fem::CrackResponse crack(mesh_tube_with_through_crack(tube), problem);
+  std::vector<fem::Point3> bending;  // a stress of 1 Pa at the outer face
+  for (const fem::CrackNode& node : crack.nodes()) {
+    const double w =
+        (std::hypot(node.place[0], node.place[1]) - tube.mean_radius) / (kThickness / 2);
+    bending.push_back({w * node.normal[0], w * node.normal[1], w * node.normal[2]});
+  }
+  const auto outer_face = [&](fem::CrackFaces faces) {
+    return crack.state(bending, faces).stations.at(2).K_I / std::sqrt(pi * a);
+  };
+  return {outer_face(fem::CrackFaces::free), outer_face(fem::CrackFaces::contact)};
+}
+
+// (FE-54) Kind: closed form.  A through crack in a wide plate in bending without contact releases
+// G = pi sigma_b^2 a/(3E) (1+nu)/(3+nu) in the limit of a thin plate (Hui and Zehnder 1993).  K
+// that is linear through the wall, in plane strain, carries it with K = sigma_b sqrt(pi a
+// (1+nu)/(3+nu)/ (1-nu^2)) at the face, 0.658; a thicker plate has more (Reissner).  Tolerance 4 %
+// at a/t = 20: the approach to the limit, and the strains between plane stress and plane strain.
+// Faces that touch carry a part of the bending, so K falls, but it stays above half of it.
+TEST(CrackResponse, LimitThinPlateInBending) {
+  constexpr double kNu = 0.3;
+  const double limit = std::sqrt((1 + kNu) / (3 + kNu) / (1 - kNu * kNu));
+  const auto [thick, thick_closed] = in_bending(2);
+  const auto [thin, thin_closed] = in_bending(20);
+  EXPECT_NEAR(thin / limit, 1, 0.04);
+  EXPECT_GT(thin, limit);
+  EXPECT_GT(thick, 1.05 * thin);
+  EXPECT_LT(thick, 1);
+  EXPECT_LT(thick_closed, 0.95 * thick);
+  EXPECT_LT(thin_closed, 0.95 * thin);
+  EXPECT_GT(thin_closed, 0.5 * thin);
+}
+
+// Each rule is broken once.
+TEST(CrackResponse, InputRefused) {
+  const TubeWithThroughCrack tube = short_tube();
+  const fem::HexMesh mesh = mesh_tube_with_through_crack(tube);
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  problem.order = 2;
+  EXPECT_THROW(fem::CrackResponse(mesh, problem), InputError);  // the faces cannot touch
+  problem.crack_faces = fem::CrackFaces::contact;
+  EXPECT_THROW(fem::CrackResponse(fem::HexMesh{}, problem), InputError);
+  const fem::CrackResponse crack(mesh, problem);
+  std::vector<fem::Point3> traction(crack.nodes().size());
+  EXPECT_EQ(crack.state(traction).contact_steps, 0);
+  traction.front()[0] = std::nan("");
+  EXPECT_THROW((void)crack.state(traction), InputError);
+  traction.pop_back();
+  EXPECT_THROW((void)crack.state(traction), InputError);
+  fem::SolidLoad load;
+  load.released = true;  // without a stress
+  EXPECT_THROW((void)fem::solve_solid(mesh, problem, load), InputError);
 }
 
 }  // namespace
