@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -133,6 +134,26 @@ TEST(CrackResponse, LimitThinPlateInBending) {
   EXPECT_LT(thick_closed, 0.95 * thick);
   EXPECT_LT(thin_closed, 0.95 * thin);
   EXPECT_GT(thin_closed, 0.5 * thin);
+}
+
+TEST(CrackResponse, IdentityForAnyNumberOfRanks) {
+  TubeWithThroughCrack tube = short_tube();
+  tube.order = 2;
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  problem.order = tube.order;
+  problem.crack_faces = fem::CrackFaces::contact;
+  const fem::CrackResponse crack(mesh_tube_with_through_crack(tube), problem);
+  std::vector<fem::Point3> bending;
+  for (const fem::CrackNode& node : crack.nodes()) {
+    const double w = std::hypot(node.place[0], node.place[1]) - tube.mean_radius;
+    bending.push_back({1e10 * w * node.normal[0], 1e10 * w * node.normal[1], 1e6});
+  }
+  const fem::CrackState state = crack.state(bending);
+  EXPECT_GT(state.contact_share, 0.1);
+  EXPECT_LT(state.contact_share, 0.9);
+  const fem::StationFactors& outer = state.stations.at(2);
+  std::printf("ranks turn_contact_share %.17g\nranks turn_K_I %.17g\nranks turn_K_III %.17g\n",
+              state.contact_share, outer.K_I, outer.K_III);
 }
 
 // Each rule is broken once.

@@ -84,7 +84,8 @@ TEST(OvalCup, LimitBendingOfTheRimAndTwistOfTheWall) {
 
 // Kind: closed form.  Source: shear of a thin tube under torque, T r/J.  Tolerance 0.2 %.
 TEST(OvalCup, LimitShearByTorque) {
-  const OvalCup cup(size25(), kSteelOfCup, fit_of_size25(), {.most_waves = 16});
+  const OvalCup cup(size25(), kSteelOfCup, fit_of_size25(),
+                    {.most_waves = 16, .large_rotations = LargeRotations::off});
   const double r = 31.023e-3;
   const double t = 0.453e-3;
   const double J = pi / 2 * (std::pow(r + t / 2, 4) - std::pow(r - t / 2, 4));
@@ -137,8 +138,10 @@ TEST(OvalCup, BehaviourOneSidedContact) {
 // Kind: convergence.  Tolerance 1 % of the largest stress: order 5 against 6 and 48 waves against
 // 64, away from the corners.
 TEST(OvalCup, ConvergenceOfOrderAndWaves) {
-  const OvalCup cup(size25(), kSteelOfCup, fit_of_size25());
-  const OvalCup finer(size25(), kSteelOfCup, fit_of_size25(), {.order = 6, .most_waves = 64});
+  const OvalCup cup(size25(), kSteelOfCup, fit_of_size25(),
+                    {.large_rotations = LargeRotations::off});
+  const OvalCup finer(size25(), kSteelOfCup, fit_of_size25(),
+                      {.order = 6, .most_waves = 64, .large_rotations = LargeRotations::off});
   for (const double z : {8.6e-3, 12e-3, kLoadLine})
     for (const double angle : {0.0, 30.0, 60.0, 90.0})
       for (const double off : {-0.2e-3, 0.2e-3}) {
