@@ -187,7 +187,7 @@ struct HarmonicSection::Parts {
                 std::sqrt(shape.weight(q)) * upper *
                 strains(shape.N(q, a), shape.Nr(q, a), shape.Nz(q, a), shape.r(q), n);
             for (unsigned c = 0; c < kComponents; ++c)
-              b.block<1, 6>(own(a, c), 6 * q) = column.col(c).transpose();
+              b.block<1, 6>(own(a, c), 6 * Eigen::Index{q}) = column.col(c).transpose();
           }
         return Matrix(lower_square(b)).selfadjointView<Eigen::Lower>();
       };

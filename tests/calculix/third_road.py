@@ -4,6 +4,7 @@
 
     third_road.py shaft STRAINWAVE_FE
     third_road.py tube THROUGH_CRACK_BENCHMARK
+    third_road.py cup OVAL_PLACES
 
 Runs strainwave-fe on the example (for the tube one open solution, of the six that the program solves), and ccx on
 two mesh sizes, and requires that they agree within the discretisation errors of both:
@@ -17,6 +18,7 @@ import sys
 
 import numpy as np
 
+import cup
 import shaft
 import tube
 
@@ -85,6 +87,57 @@ def check_tube(program):
                      *(tube.release_rate(10.0, m)["G"] for m in meshes), 3e-3 + 1.1e-3, **finer)])
 
 
+def check_cup(program):
+    """The oval cup of size 25 with small and with large rotations, at its faces.
+
+    Tolerances: 1.5 % of the largest stress and 0.1 % of w_0, the coarse mesh of ccx (0.4 % and 0.03 % on
+    the mesh of twice the fineness).  What the large rotations add is held apart, within 10 % of the largest
+    such change.  At 45 degrees only the shear counts: ccx gives Cauchy's stress, which the
+    rotation of the wall turns.
+    """
+    w0 = 0.3175
+
+    def own(points):
+        text = "".join(f"{r:.12g} {z:.12g} {np.degrees(theta):.12g}\n" for r, theta, z in points)
+        done = subprocess.run([str(program)], input=text, check=True, stdout=subprocess.PIPE, text=True)
+        rows = [[float(x) for x in line.split()] for line in done.stdout.splitlines()]
+        return np.array(rows).reshape(len(points), 2, 9)  # large, small; u, then rr tt zz tz rz rt
+
+    u, stress = {}, {}
+    for kind, large in enumerate((True, False)):
+        points, moved, s = cup.solve(1, lambda at, kind=kind: own(at)[:, kind, 0], large)
+        r, theta, z = points.T
+        nearest = lambda at: z[np.argmin(abs(z - at))]
+        faces = [(radius, nearest(at)) for at, radii in (
+            (cup.BOTTOM + 8.6, (cup.INNER, cup.OUTER)),
+            (cup.BOTTOM + cup.BARREL + cup.RIM / 2, (cup.RIM_INNER, cup.RIM_OUTER))) for radius in radii]
+        chosen = [n for radius, at in faces for angle in (0, np.pi / 4, np.pi / 2)
+                  for n in np.flatnonzero((abs(r - radius) < 1e-6) & (abs(z - at) < 1e-6)
+                                          & (abs(theta - angle) < 1e-9))]
+        assert len(chosen) == 12
+        ours = own(points[chosen])[:, kind]
+        u[kind] = np.stack([moved[chosen], ours[:, :3]])
+        pick = abs(theta[chosen] - np.pi / 4) < 1e-9
+        hoop_or_shear = np.where(pick, s[chosen, 1, 2], s[chosen, 1, 1])
+        axial = np.where(pick, 0, s[chosen, 2, 2])
+        stress[kind] = np.stack([[hoop_or_shear, axial],
+                                 [np.where(pick, ours[:, 6], ours[:, 4]), np.where(pick, 0, ours[:, 5])]])
+    results = []
+
+    def hold_all(name, pair, allowed):
+        difference = np.abs(pair[0] - pair[1]).max() / np.abs(pair[0]).max()
+        print(f"{name:38} largest {np.abs(pair[0]).max():.6g}, difference {difference:.1e}, allowed {allowed:.1e}")
+        results.append(difference <= allowed)
+
+    for kind, name in enumerate(("large rotations", "small rotations")):
+        hold_all(f"{name}: displacement [mm]", u[kind], 1e-3)
+        hold_all(f"{name}: stress [MPa]", stress[kind], 1.5e-2)
+    hold_all("added by them: displacement [mm]", u[0] - u[1], 0.02)
+    hold_all("added by them: stress [MPa]", stress[0] - stress[1], 0.1)
+    assert abs(np.abs(u[0][1]).max() / w0 - 1) < 0.02
+    return all(results)
+
+
 if __name__ == "__main__":
     which, own_program = sys.argv[1:]
-    sys.exit(0 if {"shaft": check_shaft, "tube": check_tube}[which](own_program) else 1)
+    sys.exit(0 if {"shaft": check_shaft, "tube": check_tube, "cup": check_cup}[which](own_program) else 1)
