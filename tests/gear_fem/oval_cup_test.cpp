@@ -95,6 +95,29 @@ TEST(OvalCup, LimitShearByTorque) {
   EXPECT_NEAR((shear(-48) - shear(0)) / (-48 * r / J), 1, 2e-3);
 }
 
+// (FE-52) Kind: closed form.  The band follows the cam, w_0 cos 2 theta + c w_0^2/(2R) cos 4 theta
+// plus the mean that the perimeter and the clearance give.  Tolerance 2 % of the small terms: the
+// mean over the width of the band against its middle.
+TEST(OvalCup, ReferenceShapeOfTheCam) {
+  OvalFit fit = fit_of_size25();
+  fit.one_sided = false;
+  fit.flattening = 30;
+  fit.clearance = 0.02e-3;
+  fit.perimeter_excess = 2 * pi * 0.05e-3;
+  const OvalCup cup(size25(), kSteelOfCup, fit,
+                    {.most_waves = 8, .large_rotations = LargeRotations::off});
+  const double R = 62.801e-3 / 2 - 0.755e-3 / 2;
+  const double bore = R - 0.755e-3 / 2;
+  const OvalPlace place = cup.at(bore, kBarrelFoot + kLoadLine);
+  const auto w = [&](double angle) { return cup.field(place, degrees(angle), 0).displacement[0]; };
+  const double w0 = fit.radial_displacement;
+  const double mean = 0.05e-3 - 0.02e-3;
+  const double four = 30 * w0 * w0 / (2 * R);
+  EXPECT_NEAR((w(0) + w(90)) / 2 - w(45), 2 * four, 0.02 * four);
+  EXPECT_NEAR((w(0) + w(90)) / 4 + w(45) / 2, mean, 0.1 * mean);
+  EXPECT_NEAR((w(0) - w(90)) / 2, w0, 2e-3 * w0);
+}
+
 // Kind: identity.  Where the band follows a cosine all round, the pressure is p cos 2 theta, and
 // its resultant over half a turn round a lobe is p R b int cos 2x cos x dx = 2/3 p R b.  Tolerance
 // 1e-6: rounding.
