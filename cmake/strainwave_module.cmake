@@ -176,13 +176,13 @@ function(strainwave_note_texts module)
   target_sources(strainwave_${module} PRIVATE "${output}")
 endfunction()
 
-# strainwave_material_data(<module>)
-# Adds material_data.cpp, written at build time from data/materials.toml; the file is installed too.
-function(strainwave_material_data module)
-  set(input "${PROJECT_SOURCE_DIR}/src/${module}/material_data.cpp.in")
-  set(data "${PROJECT_SOURCE_DIR}/data/materials.toml")
-  set(script "${PROJECT_SOURCE_DIR}/cmake/write_material_data.cmake")
-  set(output "${PROJECT_BINARY_DIR}/generated/material_data.cpp")
+# strainwave_data(<module> <name> <file>)
+# Adds <name>.cpp, written at build time from data/<file>; the file is installed too.
+function(strainwave_data module name file)
+  set(input "${PROJECT_SOURCE_DIR}/src/${module}/${name}.cpp.in")
+  set(data "${PROJECT_SOURCE_DIR}/data/${file}")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_data.cmake")
+  set(output "${PROJECT_BINARY_DIR}/generated/${name}.cpp")
   add_custom_command(OUTPUT "${output}" DEPENDS "${data}" "${input}" "${script}" VERBATIM COMMAND
     "${CMAKE_COMMAND}" "-DDATA=${data}" "-DINPUT=${input}" "-DOUTPUT=${output}" -P "${script}")
   target_sources(strainwave_${module} PRIVATE "${output}")

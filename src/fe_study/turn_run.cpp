@@ -13,6 +13,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fem/mesh_size.hpp"
+#include "strainwave/model/input/turning_cup.hpp"
 #include "wall_tubes.hpp"
 
 namespace strainwave::fe_study {
@@ -51,7 +52,6 @@ std::optional<ChosenCrack> in_barrel(std::size_t number, const FlexsplineCrack& 
 }
 
 ChosenCrack chosen(const GearSet& gear, const TurnOptions& options) {
-  if (!gear.flexspline) throw InputError("flexspline", "must be given to be computed");
   std::vector<ChosenCrack> found;
   const auto& cracks = gear.flexspline->crack;
   for (std::size_t n = 0; n < cracks.size(); ++n) {
@@ -121,17 +121,6 @@ fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
   return gear_fem::mesh_tube_with_surface_crack(tube);
 }
 
-gear_fem::OvalFit fit_of(const GearSet& gear) {
-  gear_fem::OvalFit fit{.radial_displacement = gear.drive.radial_displacement};
-  if (!gear.wave_generator) return fit;
-  fit.flattening = gear.wave_generator->cam_flattening;
-  if (const auto& bearing = gear.wave_generator->bearing) {
-    fit.clearance = bearing->clearance;
-    if (bearing->outer_ring) fit.band_width = bearing->outer_ring->width;
-  }
-  return fit;
-}
-
 struct TurnWork {
   TurnRun run;
   std::vector<gear_fem::TurningCrack> sizes;
@@ -139,23 +128,9 @@ struct TurnWork {
 
 TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
   check(gear);
+  require_turning_cup(gear);
   const ChosenCrack of = chosen(gear, options);
   const Flexspline& flexspline = *gear.flexspline;
-  if (flexspline.crack_free != CrackFree::sections)
-    throw InputError("flexspline.crack_free",
-                     "must be \"sections\" for a turn, which needs barrel, rim and bottom");
-  if (gear.drive.wave_number != 2)
-    throw InputError("drive.wave_number",
-                     fmt::format("is {}, but a turn is computed for the two lobes of an oval only",
-                                 gear.drive.wave_number));
-  if (flexspline.shape == FlexsplineShape::hat)
-    throw InputError("flexspline.shape", "must be \"cup\" or \"cylinder\" for a turn");
-  if (!flexspline.rim)
-    throw InputError("flexspline.rim",
-                     "must be given, because the wave generator presses on the bore of the rim");
-  if (has_other_rim(flexspline))
-    throw InputError("flexspline.rim",
-                     "must have a wall that covers the barrel's, inside and outside");
   const int order = options.order.value_or(kSolidOrder);
   require(order >= 2 && order <= 4, "order", order, "1", ">= 2 and <= 4 for a turn");
   TurnWork work;
@@ -171,7 +146,7 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
     gear_fem::TurningCrack& turning = work.sizes.emplace_back();
     turning.ends = {
         .rim = flexspline.rim, .diaphragm = flexspline.diaphragm, .boss = flexspline.boss};
-    turning.fit = fit_of(gear);
+    turning.fit = cam_fit(gear);
     turning.torques = run.torques;
     turning.angles = options.angles;
     turning.large_rotations = options.large_rotations;
@@ -193,12 +168,15 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
         },
         of.crack);
   }
-  run.notes.push_back(
-      {"fe.turn_model",
-       "the crack is alone; the cam is rigid, has the perimeter of "
-       "the "
-       "bore and no friction; the torque acts evenly round the rim, not in the zones of the teeth",
-       run.path, "FE-52", Severity::care});
+  run.notes.push_back({"fe.turn_model",
+                       "the crack is alone; the cam is rigid and has no friction; the torque acts "
+                       "evenly round the rim, not in the zones of the teeth",
+                       run.path, "FE-52", Severity::care});
+  if (!gear.wave_generator || !gear.wave_generator->cam_perimeter_excess)
+    run.notes.push_back({"fe.cam_perimeter",
+                         "the cam is taken to have the perimeter of the bore",
+                         "wave_generator.cam_perimeter_excess", "FE-52", Severity::care,
+                         "Give cam_perimeter_excess if the perimeter is known."});
   if (const auto* const surface = std::get_if<WallSurfaceCrack>(&of.crack);
       surface != nullptr && !surface->mouth)
     run.notes.push_back({"fe.mouth_outside",
@@ -228,7 +206,7 @@ std::string_view TurnRun::governing_tip() const {
   std::string_view tip;
   for (const TurnAtSize& size : sizes)
     for (const gear_fem::TorqueTurn& torque : size.turn.torques)
-      for (const gear_fem::StationTurn& station : torque.stations)
+      for (const StationTurn& station : torque.stations)
         if (station.mode_I.range > largest) {
           largest = station.mode_I.range;
           tip = station.tip;

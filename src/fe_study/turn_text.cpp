@@ -11,22 +11,15 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fe_study/turn_run.hpp"
+#include "strainwave/io/turn_table_file.hpp"
+#include "strainwave/present/turn.hpp"
 
 namespace strainwave::fe_study {
 namespace {
 
-using gear_fem::StationTurn;
 using gear_fem::TorqueTurn;
-using gear_fem::TurnFactor;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMPaRootMetre = 1e6;
-
-std::string place_of(const StationTurn& station, bool through) {
-  if (station.station == -1) return "inner face";
-  if (station.station == 1) return through ? "outer face" : "deepest";
-  return through ? fmt::format("{:+.2f}", station.station) : fmt::format("{:.2f}", station.station);
-}
 
 std::string of_check(const std::optional<double>& check) {
   return check ? fmt::format("{:.1e}", *check) : std::string("nothing is released");
@@ -36,17 +29,7 @@ void write(std::string& text, const TorqueTurn& turn, bool through) {
   text +=
       fmt::format(" torque {:+.6g} N*m; the faces touch over {:.3g} to {:.3g} % of the crack\n",
                   turn.torque, 100 * turn.least_contact_share, 100 * turn.largest_contact_share);
-  text +=
-      "    station               K_max     K_min   Delta K  MPa*m^0.5       R  open [%]  at "
-      "[deg]\n";
-  for (const StationTurn& station : turn.stations) {
-    const gear_fem::TurnRange& K = station.mode_I;
-    text += fmt::format(
-        "    {:<17} {:>9.4g} {:>9.4g} {:>9.4g}            {:>7.3g}   {:>7.3g}   {:>7.3g}\n",
-        fmt::format("{} {}", station.tip, place_of(station, through)), K.largest / kMPaRootMetre,
-        K.least / kMPaRootMetre, K.range / kMPaRootMetre, K.ratio, 100 * K.open_share,
-        K.at_largest / kDegree);
-  }
+  text += turn_rows(turn.stations, through);
   text += fmt::format("    checks at {:.4g} deg: dC/dA {}, K {}, equilibrium {:.1e}\n",
                       turn.checked_angle / kDegree, of_check(turn.checks.growth_check),
                       of_check(turn.checks.mode_check), turn.checks.equilibrium_residual);
@@ -64,32 +47,40 @@ void write(std::string& text, const TurnAtSize& size) {
 std::string turn_csv(const TurnRun& run) {
   if (!run.calculated) return plan_text(run.plan);
   const bool surface = run.sizes.front().depth.has_value();
-  std::string text = fmt::format(
-      "# K of {} over a turn of the wave generator by finite elements, {} tip.\n"
-      "# Stations {}; the faces may touch, then K_I = 0.\n",
-      run.path, run.governing_tip(),
-      surface ? "from the place of the front next to the surface, 0, to the deepest point, 1"
-              : "from -1 at the inner face to 1 at the outer face");
-  if (const std::string reason = run.reason(); !reason.empty())
-    text += fmt::format("# NOT usable: {}\n", reason);
-  text += surface ? "depth" : "half_length";
-  text +=
-      " [mm],torque [N*m],station,angle [deg],K_I [MPa*m^0.5],K_II [MPa*m^0.5],K_III "
-      "[MPa*m^0.5]\n";
-  for (const TurnAtSize& size : run.sizes)
+  const std::string_view tip = run.governing_tip();
+  TurnTable table{.file = {},
+                  .size_name = surface ? "depth" : "half_length",
+                  .sizes = {},
+                  .torques = {},
+                  .stations = {},
+                  .angles = {},
+                  .K = {}};
+  for (const TorqueTurn& torque : run.sizes.front().turn.torques)
+    table.torques.push_back(torque.torque);
+  for (const StationTurn& station : run.sizes.front().turn.torques.front().stations) {
+    if (station.tip != tip) continue;
+    // The place next to the surface counts as the surface, where K is not defined.
+    table.stations.push_back(surface && table.stations.empty() ? 0.0 : station.station);
+    if (!table.angles.empty()) continue;
+    for (const TurnFactor& K : station.factors) table.angles.push_back(K.angle);
+  }
+  for (const TurnAtSize& size : run.sizes) {
+    table.sizes.push_back(size.depth.value_or(size.half_length));
     for (const TorqueTurn& torque : size.turn.torques)
-      for (const StationTurn& station : torque.stations) {
-        if (station.tip != run.governing_tip()) continue;
-        const bool first =
-            &station == &torque.stations.front() || (&station - 1)->tip != station.tip;
-        for (const TurnFactor& K : station.factors)
-          text +=
-              fmt::format("{:.12g},{:.12g},{:.12g},{:.12g},{:.6g},{:.6g},{:.6g}\n",
-                          size.depth.value_or(size.half_length) / units::mm, torque.torque,
-                          surface && first ? 0.0 : station.station, K.angle / kDegree,
-                          K.K_I / kMPaRootMetre, K.K_II / kMPaRootMetre, K.K_III / kMPaRootMetre);
-      }
-  return text;
+      for (const StationTurn& station : torque.stations)
+        if (station.tip == tip)
+          for (const TurnFactor& K : station.factors) table.K.push_back({K.K_I, K.K_II, K.K_III});
+  }
+  std::vector<std::string> remarks = {
+      fmt::format("K of {} over a turn of the wave generator by finite elements, {} tip.", run.path,
+                  tip),
+      fmt::format(
+          "Stations {}; the faces may touch, then K_I = 0.",
+          surface ? "from the place of the front next to the surface, 0, to the deepest point, 1"
+                  : "from -1 at the inner face to 1 at the outer face")};
+  if (const std::string reason = run.reason(); !reason.empty())
+    remarks.push_back(fmt::format("NOT usable: {}", reason));
+  return turn_table_text(table, remarks);
 }
 
 std::string turn_text(const TurnRun& run, const GearSet& gear) {
@@ -122,22 +113,10 @@ std::string turn_plot(const TurnRun& run, const GearSet& gear) {
   std::vector<PlotPanel> panels;
   for (const TurnAtSize& size : run.sizes)
     for (const TorqueTurn& torque : size.turn.torques) {
-      PlotPanel& panel = panels.emplace_back();
-      panel.title = fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque, size.name(),
-                                run.governing_tip());
-      if (panels.size() == 1) panel.subtitle = gear.name;
-      panel.x_label = "angle from a lobe to the crack [deg]";
-      panel.y_label = "K_I [MPa·√m]";
-      panel.legend_title = "station";
-      for (const StationTurn& station : torque.stations) {
-        if (station.tip != run.governing_tip()) continue;
-        PlotSeries line{.label = place_of(station, !size.depth)};
-        for (const TurnFactor& K : station.factors) {
-          line.x.push_back(K.angle / kDegree);
-          line.y.push_back(K.K_I / kMPaRootMetre);
-        }
-        panel.series.push_back(std::move(line));
-      }
+      panels.push_back(turn_panel(fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque,
+                                              size.name(), run.governing_tip()),
+                                  torque.stations, run.governing_tip(), !size.depth));
+      if (panels.size() == 1) panels.front().subtitle = gear.name;
     }
   return svg_plot(panels);
 }

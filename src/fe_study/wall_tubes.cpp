@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "strainwave/fe_study/memory.hpp"
+#include "strainwave/model/input/turning_cup.hpp"
 
 namespace strainwave::fe_study {
 namespace {
@@ -72,7 +73,7 @@ fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
 
 bool has_other_rim(const Flexspline& flexspline) {
   return flexspline.crack_free == CrackFree::sections && flexspline.rim &&
-         !gear_fem::rim_covers(*flexspline.rim, *flexspline.barrel);
+         !rim_covers(*flexspline.rim, *flexspline.barrel);
 }
 
 gear_fem::TubeWithThroughCrack tube_of(const GearSet& gear, const WallThroughCrack& crack,

@@ -90,26 +90,6 @@ double dot(const fem::Point3& a, const fem::Point3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-TurnRange range_of(const std::vector<TurnFactor>& factors) {
-  TurnRange range;
-  range.least = factors.front().K_I;
-  std::size_t open = 0;
-  // The last angle is the first one again.
-  for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
-    const TurnFactor& one = factors[i];
-    if (one.K_I > range.largest) {
-      range.largest = one.K_I;
-      range.at_largest = one.angle;
-    }
-    range.least = std::min(range.least, one.K_I);
-    open += one.K_I > 0 ? 1 : 0;
-  }
-  range.range = range.largest - range.least;
-  range.ratio = range.largest > 0 ? range.least / range.largest : 0.0;
-  range.open_share = static_cast<double>(open) / static_cast<double>(factors.size() - 1);
-  return range;
-}
-
 void check(const TurningCrack& turning) {
   if (!turning.ends.rim)
     throw InputError("flexspline.rim",
@@ -234,22 +214,9 @@ TorqueTurn turn_under(double torque, int angles, const fem::CrackResponse& crack
   for (StationTurn& station : turn.stations) {
     station.factors.push_back(station.factors.front());
     station.factors.back().angle = pi;
-    station.mode_I = range_of(station.factors);
+    station.mode_I = turn_range(station.factors);
   }
   return turn;
-}
-
-/// The tip with the larger range of K_I.
-std::string_view governing_tip(const CrackTurn& result) {
-  double largest = -1;
-  std::string_view tip;
-  for (const TorqueTurn& turn : result.torques)
-    for (const StationTurn& station : turn.stations)
-      if (station.mode_I.range > largest) {
-        largest = station.mode_I.range;
-        tip = station.tip;
-      }
-  return tip;
 }
 
 }  // namespace
@@ -275,13 +242,19 @@ CrackTurn turn_crack(const TurningCrack& turning) {
   for (const double torque : turning.torques)
     result.torques.push_back(
         turn_under(torque, turning.angles, crack, labels, sound, steel.poissons_ratio, result));
-  result.governing_tip = governing_tip(result);
+  double range = -1;
+  for (const TorqueTurn& turn : result.torques)
+    if (const StationTurn& station = *governing_station(turn.stations);
+        station.mode_I.range > range) {
+      range = station.mode_I.range;
+      result.governing_tip = station.tip;
+    }
   steps.done(fmt::format("{} states", result.states));
 
   const auto refuse = [&](const std::string& why) {
     if (result.reason.empty()) result.reason = why;
   };
-  if (!(cup.equilibrium_residual() <= 1e-6))
+  if (!(cup.equilibrium_residual() <= 1e-5))
     refuse(fmt::format("the sound cup: nodal forces out of equilibrium by {:.2g}",
                        cup.equilibrium_residual()));
   const std::vector<fem::SolidResult> now = full_solutions(*body, 1, result, sound);

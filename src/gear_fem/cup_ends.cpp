@@ -8,6 +8,7 @@
 #include "cup_shape.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/swept_section.hpp"
+#include "strainwave/model/input/turning_cup.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

@@ -122,12 +122,6 @@ CupSection cup_section(const Flexspline& flexspline) {
           .boss = flexspline.boss};
 }
 
-bool rim_covers(const TubeSection& rim, const TubeSection& barrel) {
-  const double tiny = 1e-9 * outer_radius(barrel);
-  return outer_radius(rim) >= outer_radius(barrel) - tiny &&
-         inner_radius(rim) <= inner_radius(barrel) + tiny;
-}
-
 CupShape cup_shape(const CupSection& cup) {
   check(cup);
   const double barrel_in = inner_radius(cup.barrel);

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "anderson.hpp"
 #include "cup_shape.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
@@ -33,7 +34,7 @@ struct RimPlaces {
   Band pressed;
 };
 
-RimPlaces rim_places(const CupSection& cup, const OvalFit& fit) {
+RimPlaces rim_places(const CupSection& cup, const CamFit& fit) {
   const double start = (cup.diaphragm ? cup.diaphragm->thickness : 0.0) + cup.barrel.length;
   const Band rim{start, start + cup.rim->length};
   const double width =
@@ -53,72 +54,6 @@ fem::SectionMesh mesh_oval_cup(const CupSection& cup, const Band& pressed) {
   draw_profile(mesh, cup);
   return mesh;
 }
-
-/// The cam about the round bore of radius R, and its slope.
-class Cam {
- public:
-  /// @param bore, middle  radii of the bore and of the rim's middle surface [m]
-  /// @param exact  the mean follows from the length of the curve; false: for small w_0
-  Cam(const OvalFit& fit, double bore, double middle, bool exact)
-      : bore_(bore),
-        two_(fit.radial_displacement),
-        four_(fit.flattening * fit.radial_displacement * fit.radial_displacement / (2 * middle)) {
-    const double perimeter = 2 * pi * bore + fit.perimeter_excess;
-    mean_ = fit.perimeter_excess / (2 * pi);
-    // A uniform offset changes the length of a curve by 2 pi times the offset, up to terms of
-    // higher order, which two more steps remove.
-    if (exact)
-      for (int step = 0; step < 3; ++step) mean_ += (perimeter - length()) / (2 * pi);
-    mean_ -= fit.clearance;
-  }
-
-  [[nodiscard]] double at(double angle) const {
-    return mean_ + two_ * std::cos(2 * angle) + four_ * std::cos(4 * angle);
-  }
-  [[nodiscard]] double slope(double angle) const {
-    return -2 * two_ * std::sin(2 * angle) - 4 * four_ * std::sin(4 * angle);
-  }
-  [[nodiscard]] double bore() const { return bore_; }
-  [[nodiscard]] double farthest() const {
-    double most = at(0);
-    for (int i = 0; i <= 90; ++i) most = std::max(most, at(pi / 2 * i / 90));
-    return most;
-  }
-
- private:
-  [[nodiscard]] double length() const {
-    constexpr int kPoints = 256;  // exact for a smooth periodic curve
-    double sum = 0;
-    for (int i = 0; i < kPoints; ++i) {
-      const double angle = 2 * pi * i / kPoints;
-      sum += std::hypot(bore_ + at(angle), slope(angle)) * 2 * pi / kPoints;
-    }
-    return sum;
-  }
-
-  double bore_;
-  double two_;
-  double four_;
-  double mean_ = 0;
-};
-
-/// Distance of a point of the bore from the cam, and its derivatives by the point's displacement.
-struct Gap {
-  double value;
-  double by_r;
-  double by_theta;
-
-  /// @param u_r, u_theta  displacement of the point, which was at `angle`
-  Gap(const Cam& cam, double angle, double u_r, double u_theta) {
-    const double x = cam.bore() + u_r;
-    const double distance = std::hypot(x, u_theta);
-    const double now = angle + std::atan2(u_theta, x);
-    const double slope = cam.slope(now);
-    value = distance - cam.bore() - cam.at(now);
-    by_r = x / distance + slope * u_theta / (distance * distance);
-    by_theta = u_theta / distance - slope * x / (distance * distance);
-  }
-};
 
 /// Values at equal angles over a quarter turn, both ends included, as a sum of cos(2 k angle).
 class QuarterTurn {
@@ -161,7 +96,7 @@ using Amplitudes = std::vector<double>;
 /// Solves for the contact of the cam with the band.
 class OvalSolver {
  public:
-  OvalSolver(const fem::HarmonicSection& section, const RimPlaces& places, const OvalFit& fit,
+  OvalSolver(const fem::HarmonicSection& section, const RimPlaces& places, const CamFit& fit,
              const OvalOptions& options)
       : section_(section),
         places_(places),
@@ -211,7 +146,7 @@ class OvalSolver {
   }
 
   /// Small rotations.
-  void solve_small(const Cam& cam) {
+  void solve_small(const CamCurve& cam) {
     Amplitudes target(count_);
     for (int j = 0; j < quarter_.points(); ++j) target[at(j)] = cam.at(quarter_.angle(j));
     press(target, {});
@@ -220,10 +155,11 @@ class OvalSolver {
 
   /// Large rotations, from the waves of small rotations on.  The linear stiffness is kept, and what
   /// the large rotations add acts as a load (FE-53).
-  void solve_large(const Cam& cam) {
+  void solve_large(const CamCurve& cam) {
     constexpr int kMost = 80;
     constexpr double kSettled = 1e-7;  // share of w_0
     const std::size_t bent = bent_.size();
+    Anderson anderson(5);
     for (iterations_ = 1; iterations_ <= kMost; ++iterations_) {
       const auto added = section_.large_rotation_forces(std::span(waves_).first(bent));
       std::vector<std::array<double, 2>> means;  // of u_r and u_theta
@@ -238,7 +174,7 @@ class OvalSolver {
           u_r += means[at(k)][0] * quarter_.cosine(k, j);
           if (k > 0) u_theta += means[at(k)][1] * quarter_.sine(k, j);
         }
-        const Gap gap(cam, quarter_.angle(j), u_r, u_theta);
+        const CamGap gap(cam, quarter_.angle(j), u_r, u_theta);
         target[at(j)] = u_r - gap.value;
         radial[at(j)] = pressed_[at(j)] * (gap.by_r - 1);
         tangential[at(j)] = pressed_[at(j)] * gap.by_theta;
@@ -252,18 +188,26 @@ class OvalSolver {
         displaced[k] = mean(free.back())[0];
       }
       press(target, displaced);
-      double change = 0;
+      std::vector<double> before;
+      std::vector<double> after;
       for (std::size_t k = 0; k < count_; ++k) {
         fem::HarmonicSolution now = scaled(unit_[k], amplitude_[k]);
         if (k < bent)
           for (std::size_t i = 0; i < now.displacement.size(); ++i)
             now.displacement[i] += free[k].displacement[i];
-        for (std::size_t i = 0; i < now.displacement.size(); ++i)
-          change = std::max(change, std::abs(now.displacement[i] - waves_[k].displacement[i]));
+        before.insert(before.end(), waves_[k].displacement.begin(), waves_[k].displacement.end());
+        after.insert(after.end(), now.displacement.begin(), now.displacement.end());
         waves_[k] = std::move(now);
       }
+      double change = 0;
+      for (std::size_t i = 0; i < after.size(); ++i)
+        change = std::max(change, std::abs(after[i] - before[i]));
       if (!std::isfinite(change)) break;
       if (change <= kSettled * fit_.radial_displacement) return;
+      const std::vector<double> next = anderson.next(before, after);
+      auto from = next.begin();
+      for (fem::HarmonicSolution& wave : waves_)
+        for (double& u : wave.displacement) u = *from++;
     }
     throw SolverError(fmt::format(
         "the large rotations of the oval did not settle in {} iterations; use small rotations, or "
@@ -272,7 +216,7 @@ class OvalSolver {
   }
 
   /// Contact of the solution, with the cam that it was solved for.
-  [[nodiscard]] OvalContact contact(const Cam& cam, bool large) const {
+  [[nodiscard]] OvalContact contact(const CamCurve& cam, bool large) const {
     OvalContact contact{.steps = steps_, .large_rotations = large, .iterations = iterations_};
     for (int j = 0; j < quarter_.points(); ++j) {
       double u_r = 0;
@@ -283,7 +227,7 @@ class OvalSolver {
         if (k > 0) u_theta += of[1] * quarter_.sine(k, j);
       }
       const double angle = quarter_.angle(j);
-      const double gap = large ? Gap(cam, angle, u_r, u_theta).value : u_r - cam.at(angle);
+      const double gap = large ? CamGap(cam, angle, u_r, u_theta).value : u_r - cam.at(angle);
       contact.overlap = std::max(contact.overlap, -gap / fit_.radial_displacement);
       contact.largest_pressure = std::max(contact.largest_pressure, pressed_[at(j)]);
       if (pressed_[at(j)] > 0) contact.half_arc = angle;
@@ -357,7 +301,7 @@ class OvalSolver {
         gap[at(j)] += displaced[k] * quarter_.cosine(static_cast<int>(k), j);
     }
     amplitude_.assign(count_, 0.0);
-    if (fit_.one_sided) {
+    if (options_.one_sided) {
       if (matrix_.empty()) {
         matrix_.resize(count_ * count_);
         for (int i = 0; i < n; ++i)
@@ -383,7 +327,7 @@ class OvalSolver {
 
   const fem::HarmonicSection& section_;
   const RimPlaces& places_;
-  const OvalFit& fit_;
+  const CamFit& fit_;
   const OvalOptions& options_;
   QuarterTurn quarter_;
   std::size_t count_;
@@ -401,22 +345,11 @@ class OvalSolver {
   double residual_ = 0;
 };
 
-void check(const CupSection& cup, const OvalFit& fit, const OvalOptions& options) {
+void check(const CupSection& cup, const CamFit& fit, const OvalOptions& options) {
   if (!cup.rim)
     throw InputError("flexspline.rim",
                      "must be given, because the wave generator presses on the bore of the rim");
-  const auto length = [](double value, const char* name, bool zero) {
-    require((zero ? value >= 0 : value > 0) && std::isfinite(value), name, value, "m",
-            zero ? ">= 0" : "> 0");
-  };
-  length(fit.radial_displacement, "radial_displacement", false);
-  length(fit.clearance, "clearance", true);
-  length(fit.band_width, "band_width", true);
-  require(fit.flattening >= 0 && std::isfinite(fit.flattening), "cam_flattening", fit.flattening,
-          "1", ">= 0");
-  const double outer = cup.rim->outer_diameter;
-  require(std::abs(fit.perimeter_excess) < 0.01 * pi * outer, "perimeter_excess",
-          fit.perimeter_excess, "m", "less than 1 % of the perimeter");
+  strainwave::check(fit, *cup.rim);
   require(options.order >= 3 && options.order <= 8, "order", options.order, "1", ">= 3 and <= 8");
   require(options.most_waves >= 8 && options.most_waves <= 96 && options.most_waves % 4 == 0,
           "most_waves", options.most_waves, "1", "a multiple of 4 from 8 to 96");
@@ -427,7 +360,7 @@ void check(const CupSection& cup, const OvalFit& fit, const OvalOptions& options
 
 }  // namespace
 
-OvalCup::OvalCup(const CupSection& cup, const fem::Elasticity& steel, const OvalFit& fit,
+OvalCup::OvalCup(const CupSection& cup, const fem::Elasticity& steel, const CamFit& fit,
                  const OvalOptions& options) {
   check(cup, fit, options);
   const RimPlaces places = rim_places(cup, fit);
@@ -450,9 +383,9 @@ OvalCup::OvalCup(const CupSection& cup, const fem::Elasticity& steel, const Oval
   const bool large =
       options.large_rotations == LargeRotations::on ||
       (options.large_rotations == LargeRotations::automatic && parts.second_order > 0.02 * bending);
-  const Cam small(fit, places.bore, middle, false);
-  const Cam exact(fit, places.bore, middle, true);
-  const Cam& cam = large ? exact : small;
+  const CamCurve small(fit, places.bore, middle, false);
+  const CamCurve exact(fit, places.bore, middle, true);
+  const CamCurve& cam = large ? exact : small;
   if (cam.farthest() <= 0)
     throw InputError("wave_generator",
                      fmt::format("the cam is smaller than the bore of the rim by {:.4g} mm, so it "

@@ -26,7 +26,7 @@ fem::SolidProblem problem_of(const fem::Elasticity& material, int order) {
 class ThroughCrackBody : public TurnBody {
  public:
   /// @param tube  completed
-  ThroughCrackBody(TubeWithThroughCrack tube, const OvalFit& fit)
+  ThroughCrackBody(TubeWithThroughCrack tube, const CamFit& fit)
       : tube_(std::move(tube)), problem_(problem_of(tube_.material, tube_.order)) {
     // The band of the wave generator holds the bore radially.
     const TubeSection& rim = *tube_.ends.rim;

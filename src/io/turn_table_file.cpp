@@ -13,6 +13,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/units.hpp"
 
 namespace strainwave {
 namespace {
@@ -172,6 +173,32 @@ TurnTable read_turn_table(HistoryFile& file) {
                        rows[first_mode + 2][r] * factor[2]});
   require_closed_turn(file, table, rows, wanted, first_mode);
   return table;
+}
+
+std::string turn_table_text(const TurnTable& table, const std::vector<std::string>& remarks) {
+  constexpr double kMPaRootMetre = 1e6;
+  std::string text;
+  for (const std::string& remark : remarks) text += fmt::format("# {}\n", remark);
+  const bool shapes = !table.aspect_ratios.empty();
+  text += fmt::format(
+      "{} [mm],{}torque [N*m],station,angle [deg],K_I [MPa*m^0.5],K_II [MPa*m^0.5],K_III "
+      "[MPa*m^0.5]\n",
+      table.size_name, shapes ? "aspect_ratio," : "");
+  auto K = table.K.begin();
+  for (const double size : table.sizes)
+    for (std::size_t shape = 0; shape < std::max<std::size_t>(1, table.aspect_ratios.size());
+         ++shape)
+      for (const double torque : table.torques)
+        for (const double station : table.stations)
+          for (const double angle : table.angles) {
+            text += fmt::format("{:.12g},", size / units::mm);
+            if (shapes) text += fmt::format("{:.12g},", table.aspect_ratios[shape]);
+            text += fmt::format("{:.12g},{:.12g},{:.12g},{:.6g},{:.6g},{:.6g}\n", torque, station,
+                                angle / units::deg, (*K)[0] / kMPaRootMetre,
+                                (*K)[1] / kMPaRootMetre, (*K)[2] / kMPaRootMetre);
+            ++K;
+          }
+  return text;
 }
 
 void read_turn_tables(GearSet& gear, const Attachments& attachments) {

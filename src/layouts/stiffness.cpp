@@ -101,6 +101,8 @@ Table crack_table(const std::vector<CrackReport>& cracks) {
         modes(*crack.deepest))});
     if (crack.largest && crack.largest != crack.deepest)
       table.rows.push_back({"  largest along the front:          " + modes(*crack.largest)});
+    if (const auto turn = at_work_sentence(crack))
+      table.rows.push_back({fmt::format("  {:<34}{}", "over a turn at work:", *turn)});
   }
   return table;
 }

@@ -34,6 +34,15 @@ std::string words_of(const StrengthState& state) {
                      state.with_assembly ? "with the assembly" : "load alone");
 }
 
+std::optional<std::string> at_work_sentence(const CrackReport& crack) {
+  if (!crack.at_work) return std::nullopt;
+  const TurnRange& K = *crack.at_work;
+  const DisplayUnit unit = display_unit({}, "Pa*m^0.5");
+  const auto shown = [&](double value) { return shown_number(value / unit.in_si, 3); };
+  return fmt::format("K_I runs from {} to {} {}, Delta K = {}, R = {}", shown(K.least),
+                     shown(K.largest), unit.text, shown(K.range), shown_number(K.ratio, 3));
+}
+
 std::string output_words(std::string_view output) {
   const bool sound = output.starts_with("intact") || output.starts_with("curve.intact");
   return fmt::format("{}, {}",

@@ -229,6 +229,15 @@ ReportSection intensities_chapter(const Draft& draft) {
                   {"crack", "where", "<i>K</i><sub>I</sub>", "<i>K</i><sub>II</sub>",
                    "<i>K</i><sub>III</sub>", "accuracy"},
                   {{"", rows}}, {.style = "results", .numbers = 2});
+  std::string at_work;
+  for (const CrackReport& crack : r.cracks)
+    if (const auto turn = at_work_sentence(crack))
+      at_work +=
+          fmt::format("<li><span class=\"crack-number\">{}</span> <code>{}</code>: {}</li>\n",
+                      crack_mark(draft, crack.path), escaped(crack.path), escaped(*turn));
+  if (!at_work.empty())
+    html += paragraph("The wave generator opens and shuts these cracks in each turn:") +
+            fmt::format("<ul>\n{}</ul>\n", at_work);
   for (const CrackReport& crack : r.cracks)
     if (!crack.deepest)
       html += paragraph(fmt::format("{} ({}) has no stress intensity, because the model only "

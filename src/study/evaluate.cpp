@@ -20,6 +20,8 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
+#include "strainwave/drive_turn/drive_turn.hpp"
+#include "strainwave/model/input/turn_table.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
 #include "strainwave/study/life_report.hpp"
@@ -209,6 +211,54 @@ void add_life(StiffnessResult& result, const GearSet& gear) {
   if (hours && hours->value > known_until) hours.reset();
 }
 
+/// K_I over a turn of a crack without a table; absent if its kind or its drive is not modelled.
+std::optional<DriveTurn> computed_turn(const GearSet& gear, const std::string& path) {
+  try {
+    return drive_turn(gear, {.crack = path, .torques = {gear.load.torque}});
+  } catch (const Error&) {
+    return std::nullopt;  // strainwave turn says why
+  }
+}
+
+/// Adds K over a turn of the flexspline's cracks, from their tables or by the shell.
+void add_turns(StiffnessResult& result, const GearSet& gear) {
+  const double T = gear.load.torque;
+  for_each_crack_with_turn(gear, [&](const std::string& path, const auto& crack) {
+    const auto report = std::ranges::find(result.cracks, path, &CrackReport::path);
+    if (report == result.cracks.end()) return;
+    if (crack.turn_table) {
+      const TurnTable& table = *gear.turn_tables.at(*crack.turn_table);
+      if (!table.covers(T)) return;
+      if constexpr (requires {
+                      crack.depth;
+                      crack.half_length;
+                    })
+        report->at_work = turn_range(table, crack.depth, crack.depth / crack.half_length, T);
+      else if constexpr (requires { crack.depth; })
+        report->at_work = turn_range(table, crack.depth, 1.0, T);
+      else
+        report->at_work = turn_range(table, crack.half_length, 1.0, T);
+      use_equations(result.equations, {"GR-30", "GR-31"});
+      return;
+    }
+    const std::optional<DriveTurn> turn = computed_turn(gear, path);
+    if (!turn) return;
+    report->at_work = turn->governing().mode_I;
+    use_equations(result.equations, turn->equations);
+    result.notes.push_back(
+        {.code = "turn.at_work",
+         .text =
+             fmt::format("K_I over a turn of the wave generator is that of strainwave turn; the "
+                         "crack is open during {:.3g} % of the turn where K_I varies most; "
+                         "failure assessment and growth do not use this K_I",
+                         100 * report->at_work->open_share),
+         .path = path,
+         .equation = "IN-2",
+         .severity = Severity::information,
+         .next_step = "Write its table by strainwave turn, and name the table as turn_table."});
+  });
+}
+
 }  // namespace
 
 Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progress) {
@@ -292,6 +342,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   result.notes = std::move(coupled.notes);
   use_equations(result.equations, coupled.equations);
   add_strength(result, gear);
+  if (options.over_turn) add_turns(result, gear);
   if (options.life) add_life(result, gear);
   return result;
 }

@@ -91,6 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Trial{"turn", "breathing_crack", R"({"order": 2, "torque": ["48 N*m"],
                                                          "angles": 8})"},
                     Trial{"turn", "breathing_crack", R"({"dry_run": true})"},
+                    Trial{"influence", "", R"({"half_length": [0.5], "radius": [30],
+                                               "angle": ["90 deg"]})"},
                     Trial{"render", "solid_shaft", R"({"order": 4})"},
                     Trial{"tabulate", "solid_shaft", R"({"order": 4,
                           "over": ["output_shaft.crack[0].depth=6 mm..9 mm:2"]})"},

@@ -45,9 +45,9 @@ TEST(FeTurn, IdentityOfTheTableThatGrowthReads) {
   std::size_t row = 0;
   for (const TurnAtSize& size : run.sizes)
     for (const gear_fem::TorqueTurn& torque : size.turn.torques)
-      for (const gear_fem::StationTurn& station : torque.stations) {
+      for (const StationTurn& station : torque.stations) {
         if (station.tip != run.governing_tip()) continue;
-        for (const gear_fem::TurnFactor& K : station.factors) {
+        for (const TurnFactor& K : station.factors) {
           EXPECT_NEAR(table.K[row][0], K.K_I, 1e-5 * std::abs(K.K_I));
           EXPECT_NEAR(table.K[row][1], K.K_II, 1e-5 * std::abs(K.K_II));
           EXPECT_NEAR(table.K[row][2], K.K_III, 1e-5 * std::abs(K.K_III));
@@ -71,6 +71,7 @@ TEST(FeTurn, BehaviourOfThePlan) {
   EXPECT_EQ(run.torques, (std::vector<double>{-48, 0, 48}));
   EXPECT_NE(turn_csv(run).find("73023 unknowns"), std::string::npos);
   EXPECT_EQ(std::ranges::count(run.notes, "fe.turn_model", &Note::code), 1);
+  EXPECT_EQ(std::ranges::count(run.notes, "fe.cam_perimeter", &Note::code), 1);
   EXPECT_EQ(std::ranges::find(run.notes, "fe.turn_model", &Note::code)->severity, Severity::care);
   GearSet more = gear;
   more.load.axial_force = 10;
@@ -104,12 +105,12 @@ TEST(FeTurn, BehaviourOfASurfaceCrack) {
   EXPECT_EQ(std::ranges::count(plan_turn(gear, {}).notes, "fe.mouth_outside", &Note::code), 1);
   const TurnRun outside = run_turn(gear, options, test::mpi());
   const auto deepest = [](const TurnRun& run) {
-    for (const gear_fem::StationTurn& station : run.sizes[0].turn.torques[0].stations)
+    for (const StationTurn& station : run.sizes[0].turn.torques[0].stations)
       if (station.station == 1) return station;
     throw InputError("station", "is missing");
   };
-  const gear_fem::StationTurn in = deepest(inside);
-  const gear_fem::StationTurn out = deepest(outside);
+  const StationTurn in = deepest(inside);
+  const StationTurn out = deepest(outside);
   for (std::size_t i = 0; i < in.factors.size(); ++i)
     EXPECT_LT(std::min(in.factors[i].K_I, out.factors[i].K_I), 0.1 * in.mode_I.largest) << i;
   EXPECT_GT(out.mode_I.largest, 0.3 * in.mode_I.largest);

@@ -27,7 +27,7 @@ CupSection size25() {
                              .profile = {}}};
 }
 
-OvalFit fit_of_size25() { return {.radial_displacement = 0.3175e-3, .band_width = 9.2e-3}; }
+CamFit fit_of_size25() { return {.radial_displacement = 0.3175e-3, .band_width = 9.2e-3}; }
 
 constexpr double kBarrelFoot = 0.762e-3;            // z of the lower end of the barrel
 constexpr double kLoadLine = 17.2e-3 + 9.5e-3 / 2;  // from there to the middle of the band
@@ -38,10 +38,9 @@ double degrees(double angle) { return angle * pi / 180; }
 // warping): w = w0 z/L cos 2 theta, v = -w0 z/(2L) sin 2 theta, axial warping r w0/(4L) cos 2
 // theta. Tolerance 4 %: the bottom of the cup gives way to warping only to this extent.
 TEST(OvalCup, LimitInextensionalCone) {
-  OvalFit fit = fit_of_size25();
-  fit.one_sided = false;
+  CamFit fit = fit_of_size25();
   const OvalCup cup(size25(), kSteelOfCup, fit,
-                    {.most_waves = 8, .large_rotations = LargeRotations::off});
+                    {.one_sided = false, .most_waves = 8, .large_rotations = LargeRotations::off});
   const double r = 31.023e-3;
   const double w0 = fit.radial_displacement;
   for (const double z : {8.6e-3, 12e-3}) {
@@ -60,10 +59,9 @@ TEST(OvalCup, LimitInextensionalCone) {
 // the cone, 3/2 G t w0/(r L) sin 2 theta (two faces of opposite sign).  Tolerance 4 % in the
 // middle of the rim, 3 % of the twist with the mean of the two faces.
 TEST(OvalCup, LimitBendingOfTheRimAndTwistOfTheWall) {
-  OvalFit fit = fit_of_size25();
-  fit.one_sided = false;
+  CamFit fit = fit_of_size25();
   const OvalCup cup(size25(), kSteelOfCup, fit,
-                    {.most_waves = 8, .large_rotations = LargeRotations::off});
+                    {.one_sided = false, .most_waves = 8, .large_rotations = LargeRotations::off});
   const double w0 = fit.radial_displacement;
   const double r = 31.023e-3;
   const auto faces = [&](double z, double thickness, double angle, std::size_t component) {
@@ -99,13 +97,12 @@ TEST(OvalCup, LimitShearByTorque) {
 // plus the mean that the perimeter and the clearance give.  Tolerance 2 % of the small terms: the
 // mean over the width of the band against its middle.
 TEST(OvalCup, ReferenceShapeOfTheCam) {
-  OvalFit fit = fit_of_size25();
-  fit.one_sided = false;
+  CamFit fit = fit_of_size25();
   fit.flattening = 30;
   fit.clearance = 0.02e-3;
   fit.perimeter_excess = 2 * pi * 0.05e-3;
   const OvalCup cup(size25(), kSteelOfCup, fit,
-                    {.most_waves = 8, .large_rotations = LargeRotations::off});
+                    {.one_sided = false, .most_waves = 8, .large_rotations = LargeRotations::off});
   const double R = 62.801e-3 / 2 - 0.755e-3 / 2;
   const double bore = R - 0.755e-3 / 2;
   const OvalPlace place = cup.at(bore, kBarrelFoot + kLoadLine);
@@ -122,10 +119,9 @@ TEST(OvalCup, ReferenceShapeOfTheCam) {
 // its resultant over half a turn round a lobe is p R b int cos 2x cos x dx = 2/3 p R b.  Tolerance
 // 1e-6: rounding.
 TEST(OvalCup, IdentityForceOfALobe) {
-  OvalFit fit = fit_of_size25();
-  fit.one_sided = false;
+  CamFit fit = fit_of_size25();
   const OvalCup cup(size25(), kSteelOfCup, fit,
-                    {.most_waves = 8, .large_rotations = LargeRotations::off});
+                    {.one_sided = false, .most_waves = 8, .large_rotations = LargeRotations::off});
   const OvalContact& contact = cup.contact();
   const double bore = 62.801e-3 / 2 - 0.755e-3;
   EXPECT_NEAR(contact.lobe_force / (contact.largest_pressure * bore * 9.2e-3 * 2 / 3), 1, 1e-6);
@@ -136,7 +132,7 @@ TEST(OvalCup, IdentityForceOfALobe) {
 // the cam, and a cam with clearance presses on a shorter arc.  Tolerance 1.5 % of w_0: the cam with
 // the perimeter of the bore lies w_0/R = 1 % inside the cosine.
 TEST(OvalCup, BehaviourOneSidedContact) {
-  OvalFit fit = fit_of_size25();
+  CamFit fit = fit_of_size25();
   const OvalOptions options{.order = 4};
   const OvalCup tight(size25(), kSteelOfCup, fit, options);
   fit.clearance = 0.05e-3;
@@ -185,9 +181,8 @@ TEST(OvalCup, ConvergenceOfOrderAndWaves) {
 // warping.
 TEST(OvalCup, LimitPerimeterStretchesTheRim) {
   const double R = 31.023e-3;
-  OvalFit fit = fit_of_size25();
-  fit.one_sided = false;
-  const OvalOptions options{.order = 4, .most_waves = 16};
+  CamFit fit = fit_of_size25();
+  const OvalOptions options{.one_sided = false, .order = 4, .most_waves = 16};
   const double w0 = fit.radial_displacement;
   const auto mean_hoop = [&](const OvalCup& cup) {
     const OvalPlace place = cup.at(R, kBarrelFoot + kLoadLine);
@@ -209,7 +204,7 @@ TEST(OvalCup, LimitPerimeterStretchesTheRim) {
 // Kind: limit.  A hundredth of the displacement leaves the answer of small rotations, and `off`
 // gives that answer at any displacement.
 TEST(OvalCup, LimitSmallRotations) {
-  OvalFit fit = fit_of_size25();
+  CamFit fit = fit_of_size25();
   OvalOptions options{.most_waves = 16, .large_rotations = LargeRotations::on};
   fit.radial_displacement *= 0.01;
   const OvalCup small(size25(), kSteelOfCup, fit, options);
@@ -232,10 +227,10 @@ TEST(OvalCup, InputRefused) {
   CupSection bare = size25();
   bare.rim.reset();
   EXPECT_THROW(OvalCup(bare, kSteelOfCup, fit_of_size25()), InputError);
-  OvalFit loose = fit_of_size25();
+  CamFit loose = fit_of_size25();
   loose.clearance = 0.4e-3;  // more than the displacement
   EXPECT_THROW(OvalCup(size25(), kSteelOfCup, loose), InputError);
-  OvalFit none = fit_of_size25();
+  CamFit none = fit_of_size25();
   none.radial_displacement = 0;
   EXPECT_THROW(OvalCup(size25(), kSteelOfCup, none), InputError);
   EXPECT_THROW(OvalCup(size25(), kSteelOfCup, fit_of_size25(), {.most_waves = 10}), InputError);

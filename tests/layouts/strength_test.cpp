@@ -31,6 +31,16 @@ long occurrences(const std::string& text, const std::string& part) {
   return n;
 }
 
+TEST(StiffnessText, BehaviourATurnIsStated) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml");
+  const StiffnessResult result = evaluate(gear, Method::corrected, {.over_turn = true});
+  EXPECT_NE(stiffness_text(result, gear, {})
+                .find("over a turn at work:              K_I runs from 0 to 3.06"),
+            std::string::npos);
+  EXPECT_EQ(stiffness_text(evaluate(gear, Method::corrected), gear, {}).find("at work:"),
+            std::string::npos);
+}
+
 TEST(StrengthReport, BehaviourACriticalCrackIsAnswered) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);

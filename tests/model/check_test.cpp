@@ -1608,6 +1608,7 @@ TEST(CheckRange, ReferenceRanges) {
                                      "circular_spline.crack[0].position",
                                      "material.steel.growth[5].slope_plus",
                                      "material.steel.growth[5].slope_minus",
+                                     "wave_generator.cam_perimeter_excess",
                                      "duty.block[0].output_speed",
                                      "duty.block[0].input_speed",
                                      "duty.block[0].torque",

@@ -39,6 +39,25 @@ TurnTable made_up_table_of_turn() {
                              });
 }
 
+// (GR-31) Kind: exact.  K_I = 3 + 2 cos 2 theta at one face, and 1 + 4 cos 2 theta at the other:
+// pressed faces count as 0, so the second has the larger range, 5, and R = 0.
+TEST(TurnTable, ReferenceRangeOverATurn) {
+  const TurnTable table =
+      test::turn_table_of({.sizes = {2e-3}, .torques = {100}, .stations = {-1, 1}}, "half_length",
+                          [](double, double, double, std::size_t s, double theta) {
+                            const double wave = std::cos(2 * theta);
+                            return Modes3{1e6 * (s == 0 ? 3 + 2 * wave : 1 + 4 * wave), 0, 0};
+                          });
+  const TurnRange turn = turn_range(table, 2e-3, 1.0, 100);
+  EXPECT_NEAR(turn.largest, 5e6, 1e-3);
+  EXPECT_EQ(turn.least, 0);
+  EXPECT_NEAR(turn.range, 5e6, 1e-3);
+  EXPECT_EQ(turn.ratio, 0);
+  EXPECT_EQ(turn.at_largest, 0);
+  EXPECT_NEAR(turn.open_share, 13.0 / 24, 1e-12);  // cos 2 theta > -1/4
+  EXPECT_THROW((void)turn_range(table, 2e-3, 1.0, -100), InputError);
+}
+
 TEST(TurnTable, IdentityCubicOverTheSizeLinearOverTheTorque) {  // GR-30, FE-41
   // The interpolation reproduces what it assumes.
   const TurnTable table = made_up_table_of_turn();

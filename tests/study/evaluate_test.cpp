@@ -11,6 +11,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
+#include "strainwave/drive_turn/drive_turn.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/stiffness.hpp"
 #include "strainwave/study/outputs.hpp"
@@ -116,6 +117,32 @@ TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {
   std::get<OuterRaceCrack>(shallow.wave_generator->crack[0]).depth = 1e-5;
   const StiffnessResult small = evaluate(shallow, Method::corrected, {.over_turn = true});
   EXPECT_EQ(note_of(small, "curve.one_angle").severity, Severity::information);
+}
+
+// K over a turn is that of the shell, or that of the table that the crack names; it is not computed
+// unasked, and a drive that the shell does not model has none.
+TEST(Evaluate, CrosscheckKOverATurn) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml");
+  EXPECT_FALSE(evaluate(gear, Method::corrected).cracks.at(0).at_work.has_value());
+  const StiffnessResult result = evaluate(gear, Method::corrected, {.over_turn = true});
+  const DriveTurn turn = drive_turn(gear, {.torques = {gear.load.torque}});
+  EXPECT_EQ(result.cracks.at(0).at_work.value().range, turn.range());
+  EXPECT_EQ(result.cracks.at(0).at_work.value().ratio, turn.ratio());
+  EXPECT_EQ(test::count_notes(result.notes, "turn.at_work"), 1);
+  EXPECT_NE(std::ranges::find(result.equations, "IN-2"), result.equations.end());
+
+  TurnTable table = turn_table(drive_turn(gear));
+  for (auto& K : table.K) K[0] *= 2;
+  table.file = "turn.csv";
+  std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).turn_table = table.file;
+  gear.turn_tables[table.file] = std::make_shared<const TurnTable>(table);
+  const StiffnessResult tabulated = evaluate(gear, Method::corrected, {.over_turn = true});
+  test::expect_relative(tabulated.cracks.at(0).at_work.value().range, 2 * turn.range(), 1e-12);
+  EXPECT_EQ(test::count_notes(tabulated.notes, "turn.at_work"), 0);
+
+  const GearSet other = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
+  for (const CrackReport& crack : evaluate(other, Method::corrected, {.over_turn = true}).cracks)
+    EXPECT_FALSE(crack.at_work.has_value());
 }
 
 TEST(Evaluate, BehaviourAnAngleWithoutSolutionLeavesTheCurveOfTheFile) {

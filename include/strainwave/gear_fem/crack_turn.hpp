@@ -13,6 +13,7 @@
 #include "strainwave/gear_fem/oval_cup.hpp"
 #include "strainwave/gear_fem/tube_surface_crack.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
+#include "strainwave/model/result/crack_turn.hpp"
 
 /// @file
 /// A crack of the barrel while the wave generator turns: K over a turn, with faces that touch.
@@ -30,7 +31,7 @@ struct TurningCrack {
   /// surface crack in the barrel alone, clamped at its lower end.
   std::variant<TubeWithThroughCrack, TubeWithSurfaceCrack> tube;
   BarrelEnds ends;  ///< parts that make a cup of the barrel; there must be a rim
-  OvalFit fit;
+  CamFit fit;
   LargeRotations large_rotations = LargeRotations::automatic;
   std::vector<double> torques;  ///< T [N*m], in the sense of +theta on the rim; one or more
   int angles = 36;              ///< angles over one wave, half a turn [-]; 8 to 720
@@ -38,72 +39,6 @@ struct TurningCrack {
   bool check_growth = true;
   /// Called after each step with its name and its time [s]; may be empty.
   std::function<void(const std::string&, double)> done = {};
-};
-
-/// K_I at one station over a turn, in numbers.
-struct TurnRange {
-  double largest{};     ///< K_max of mode I [Pa*m^0.5]
-  double least{};       ///< K_min of mode I [Pa*m^0.5]; 0 if the crack closes there
-  double range{};       ///< K_max - K_min [Pa*m^0.5]
-  double ratio{};       ///< R = K_min/K_max [-]; 0 if the station never opens
-  double open_share{};  ///< share of the turn during which the station is open [-]
-  double at_largest{};  ///< angle from a lobe to the crack at K_max [rad]
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    using R = TurnRange;
-    field({"largest", "Pa*m^0.5", "largest K_I over a turn"}, &R::largest);
-    field({"least", "Pa*m^0.5", "least K_I over a turn; 0 if the crack closes there"}, &R::least);
-    field({"range", "Pa*m^0.5", "Delta K of mode I"}, &R::range);
-    field({"ratio", "1", "R = least/largest; 0 if the station never opens"}, &R::ratio);
-    field({"open_share", "1", "share of the turn during which the station is open"},
-          &R::open_share);
-    field({"at_largest", "rad", "angle from a lobe to the crack at the largest K_I"},
-          &R::at_largest);
-  }
-};
-
-/// K at one angle.
-struct TurnFactor {
-  static constexpr bool kTableRow = true;
-  double angle{};  ///< from a lobe of the wave generator to the crack, toward +theta [rad]
-  double K_I{};    ///< [Pa*m^0.5]; 0 where the faces touch
-  double K_II{};   ///< [Pa*m^0.5]
-  double K_III{};  ///< [Pa*m^0.5]
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    using R = TurnFactor;
-    field({"angle", "rad", "from a lobe of the wave generator to the crack, toward +theta"},
-          &R::angle);
-    field({"K_I", "Pa*m^0.5", "opening mode; 0 if the faces touch"}, &R::K_I);
-    field({"K_II", "Pa*m^0.5", "sliding mode"}, &R::K_II);
-    field({"K_III", "Pa*m^0.5", "tearing"}, &R::K_III);
-  }
-};
-
-/// One station of a front over a turn, under one torque.
-struct StationTurn {
-  std::string_view tip;  ///< "upper": toward +z, at 90 degrees toward -theta; "lower"
-  /// Of a through crack from -1 at the inner face of the wall to 1 at the outer face; of a surface
-  /// crack the sine of the ellipse's angle, 1 at the deepest point [-].  Where the front of a
-  /// surface crack meets the surface, K is not defined, and this place is left out.
-  double station{};
-  TurnRange mode_I;
-  std::vector<TurnFactor> factors;  ///< over one wave; the last angle is the first one again
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    using R = StationTurn;
-    field({"tip", "", "upper: toward +z, at 90 degrees toward -theta; lower: the other tip"},
-          &R::tip);
-    field({"station", "1",
-           "through crack: from -1 at the inner face of the wall to 1 at the outer face; surface "
-           "crack: from 0 at the surface to 1 at the deepest point"},
-          &R::station);
-    field({"mode_I", "", "K_I over a turn"}, &R::mode_I);
-    field({"factors", "", "K over one wave; the last angle is the first one again"}, &R::factors);
-  }
 };
 
 /// A turn under one torque.

@@ -33,9 +33,6 @@ struct CupSection {
 /// @throws InputError  if the flexspline has no barrel: crack_free is not "sections"
 [[nodiscard]] CupSection cup_section(const Flexspline& flexspline);
 
-/// Whether the rim's wall covers the barrel's wall inside and outside, as a solid requires.
-[[nodiscard]] bool rim_covers(const TubeSection& rim, const TubeSection& barrel);
-
 /// Meshes a cup.
 /// @throws InputError  for sections that do not meet: a diaphragm whose outer diameter is not
 ///                     inside the barrel's wall, a boss that is not as wide as its bore, ...

@@ -11,6 +11,7 @@
 #include "strainwave/fem/elasticity.hpp"
 #include "strainwave/fem/harmonic_section.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
+#include "strainwave/model/input/turning_cup.hpp"
 
 /// @file
 /// A sound flexspline at work: bent oval by the wave generator, and twisted by the torque.
@@ -34,24 +35,9 @@ struct EnumNames<gear_fem::LargeRotations> {
 
 namespace gear_fem {
 
-/// The cam, as the bore of the rim sees it, and the band on which it presses.
-///
-/// At the angle phi from a lobe, the cam lies w_0 cos 2 phi + c_cam w_0^2/(2 R) cos 4 phi + m
-/// outside the round bore, with R the radius of the rim's middle surface.  The mean m follows from
-/// the perimeter, less the clearance (FE-52).
-struct OvalFit {
-  double radial_displacement{};  ///< w_0 [m]; > 0
-  double flattening = 0;         ///< c_cam [-]; >= 0; 1.5 for an ellipse
-  /// perimeter of the cam without clearance minus that of the round bore [m]; > 0 stretches the rim
-  double perimeter_excess = 0;
-  double clearance = 0;  ///< the cam lies this far inside, all round [m]; >= 0
-  /// width of the band, in the middle of the rim [m]; 0: the whole rim
-  double band_width = 0;
+struct OvalOptions {
   /// true: the cam only pushes; false: the band follows the cam all round
   bool one_sided = true;
-};
-
-struct OvalOptions {
   int order = 5;        ///< p of the section [-]; in 3..8
   int most_waves = 48;  ///< highest number of waves of the pressure [-]; a multiple of 4, 8 to 96
   LargeRotations large_rotations = LargeRotations::automatic;
@@ -119,7 +105,7 @@ class OvalCup {
   /// touch
   ///                      the bore
   /// @throws SolverError  if the contact or the large rotations do not converge
-  OvalCup(const CupSection& cup, const fem::Elasticity& steel, const OvalFit& fit,
+  OvalCup(const CupSection& cup, const fem::Elasticity& steel, const CamFit& fit,
           const OvalOptions& options = {});
   ~OvalCup();
   OvalCup(OvalCup&&) noexcept;

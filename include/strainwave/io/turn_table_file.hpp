@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/io/history_file.hpp"
@@ -25,6 +27,11 @@ inline constexpr std::size_t kMaxTurnRows = 500'000;
 ///                     missing; if the table has fewer than kMinTurnAngles angles, or K at the last
 ///                     angle is not that at the first one; the message names the line
 [[nodiscard]] TurnTable read_turn_table(HistoryFile& file);
+
+/// Writes a table of K over a turn, as read_turn_table reads it.
+/// @param remarks  sentences at its head, one a line
+[[nodiscard]] std::string turn_table_text(const TurnTable& table,
+                                          const std::vector<std::string>& remarks);
 
 /// Reads the tables of K over a turn that the cracks of a drive name.
 void read_turn_tables(GearSet& gear, const Attachments& attachments);

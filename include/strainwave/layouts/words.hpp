@@ -24,6 +24,8 @@ namespace strainwave {
 [[nodiscard]] std::string_view words_of(StrengthVerdict verdict);
 /// A state of strength in words, such as "T > 0, with the assembly".
 [[nodiscard]] std::string words_of(const StrengthState& state);
+/// K_I over a turn of the wave generator as a sentence; absent if it is not known.
+[[nodiscard]] std::optional<std::string> at_work_sentence(const CrackReport& crack);
 /// The name of an output in words, such as "stiffness, T > 0" for "cracked.positive.stiffness" or
 /// "K1, sound" for "curve.intact.K1".
 [[nodiscard]] std::string output_words(std::string_view output);

@@ -15,8 +15,8 @@ struct EvaluationOptions {
   /// milliseconds. If false, the accuracies of the sum are those of a drive without a coupled
   /// solution.
   bool coupled_drive = true;
-  /// Whether to solve the coupled drive at all angles of a turn too, if a crack turns relative to
-  /// the lobes.  This takes some tenths of a second.
+  /// Whether to compute over a turn too: the coupled drive at all angles, if a crack turns relative
+  /// to the lobes, which takes some tenths of a second, and K of the flexspline's cracks.
   bool over_turn = false;
   /// Whether to compute the life over the duty, with its cracks, if the file gives a duty in
   /// blocks. This takes some tenths of a second.

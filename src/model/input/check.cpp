@@ -596,6 +596,13 @@ void check_wave_generator(const GearSet& gear) {
     require(*wg.inner_ring_thickness < *wg.inner_ring_mean_radius,
             (path / "inner_ring_thickness").text(), *wg.inner_ring_thickness, "m",
             "inner_ring_thickness < inner_ring_mean_radius");
+  if (wg.cam_perimeter_excess) {
+    const double most = 0.005 * std::numbers::pi * gear.drive.pitch_diameter;
+    require(std::abs(*wg.cam_perimeter_excess) < most, (path / "cam_perimeter_excess").text(),
+            *wg.cam_perimeter_excess, "m",
+            fmt::format("less than 0.5 % of the pitch circle, {:.4g} mm, in magnitude",
+                        most / units::mm));
+  }
   if (wg.bearing) {
     const FieldPath bearing = path / "bearing";
     require(wg.bearing->outer_raceway_diameter > wg.bearing->inner_raceway_diameter,

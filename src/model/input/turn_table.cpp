@@ -160,6 +160,23 @@ int waves_of(const TurnTable& table, int wave_number) {
   return std::max(1, static_cast<int>(std::lround(span * wave_number / (2 * pi))));
 }
 
+TurnRange turn_range(const TurnTable& table, double size, double aspect_ratio, double torque) {
+  const TurnFactors turn(table, size, aspect_ratio);
+  TurnRange widest;
+  for (std::size_t i = 0; i < turn.stations(); ++i) {
+    std::vector<TurnFactor> factors;
+    for (const auto& [K_I, K_II, K_III] : turn.at(i, torque))
+      factors.push_back({.angle = table.angles[factors.size()],
+                         .K_I = std::max(K_I, 0.0),
+                         .K_II = K_II,
+                         .K_III = K_III});
+    factors.push_back(factors.front());
+    const TurnRange range = turn_range(factors);
+    if (i == 0 || range.range > widest.range) widest = range;
+  }
+  return widest;
+}
+
 void check_turn_tables(const GearSet& gear) {
   for_each_crack_with_turn(gear, [&](const std::string& path, const auto& crack) {
     if (crack.turn_table) check_turn(gear, path, crack);

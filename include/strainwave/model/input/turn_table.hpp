@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/crack_turn.hpp"
 
 /// @file
 /// Stress intensity of a crack over a turn of the wave generator, from a table.
@@ -72,6 +73,14 @@ class TurnFactors {
 
 /// Number of waves over which the angles of a table run, of a drive of this wave number: 1 or all.
 [[nodiscard]] int waves_of(const TurnTable& table, int wave_number);
+
+/// K_I over a turn under a torque, at the place of the front where its range is largest; pressed
+/// faces have K_I = 0.
+/// @param size, aspect_ratio  as TurnFactors
+/// @param torque              T [N*m]
+/// @throws InputError  if the torque is beyond the table
+[[nodiscard]] TurnRange turn_range(const TurnTable& table, double size, double aspect_ratio,
+                                   double torque);
 
 /// Checks the cracks of a drive against the tables of K that they name; `check` calls it.
 ///

@@ -211,8 +211,11 @@ struct WaveGenerator {
   std::optional<double> inner_ring_width;                  ///< B, axial [m]; > 0
   std::optional<double> inner_ring_mean_radius;  ///< R, centre line [m]; > inner_ring_thickness
   /// Flattening c_cam [-]: the cam lies c_cam (w_0^2/R) sin^2(2 psi) inside the cosine; 1.5 for an
-  /// ellipse; coupled drive only.
+  /// ellipse; coupled drive and K over a turn only.
   double cam_flattening = 0.0;
+  /// Perimeter of the cam, as the bore of the flexspline sees it through the bearing, minus that of
+  /// the round bore [m]; > 0 stretches the rim; K over a turn only.  Absent: 0.
+  std::optional<double> cam_perimeter_excess;
   std::vector<WaveGeneratorCrack> crack;
 
   template <class Visitor>
@@ -279,12 +282,21 @@ struct WaveGenerator {
     field(Field{.name = "cam_flattening",
                 .unit = "1",
                 .doc = "c_cam, how far the cam lies inside the cosine; 1.5 for an ellipse; coupled "
-                       "drive only",
+                       "drive and K over a turn only",
                 .range = kNonNegative,
                 .example = "0",
                 .fallback = "0",
                 .in_template = InTemplate::commented},
           &WaveGenerator::cam_flattening);
+    field(
+        Field{.name = "cam_perimeter_excess",
+              .unit = "m",
+              .doc = "perimeter of the cam, as the flexspline's bore sees it through the bearing, "
+                     "minus that of the round bore; > 0 stretches the rim; K over a turn only; "
+                     "equal perimeters if left out",
+              .example = R"("0.02 mm")",
+              .in_template = InTemplate::commented},
+        &WaveGenerator::cam_perimeter_excess);
     field(Field{.name = "displacements",
                 .unit = "",
                 .doc = "displacements of one lobe at the force of the given torque",

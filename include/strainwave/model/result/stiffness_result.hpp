@@ -13,6 +13,7 @@
 #include "strainwave/model/input/method.hpp"
 #include "strainwave/model/result/coupled_result.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
+#include "strainwave/model/result/crack_turn.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/model/result/life_result.hpp"
 
@@ -143,6 +144,9 @@ struct CrackReport {
   std::optional<StressIntensities> largest = {};
   /// Relative uncertainty of the largest K along the front [-]; absent without K.
   std::optional<double> intensity_uncertainty = {};
+  /// K_I over a turn of the wave generator at the given torque, at the place of the front where its
+  /// range is largest; absent if it was not computed.
+  std::optional<TurnRange> at_work = {};
 };
 
 /// A value for each sense of torque.
@@ -199,6 +203,9 @@ struct CrackOutputs {
               [](const CrackReport& r) {
                 return FrontIntensities{r.deepest, r.largest};
               });
+    field({"at_work", "",
+           "K_I over a turn of the wave generator at the given torque, where its range is largest"},
+          [](const C& c) { return c.report != nullptr ? c.report->at_work : std::nullopt; });
     field({"strength", "", "strength at the given load"}, [](const C& c) {
       return c.strength != nullptr ? std::optional(*c.strength) : std::nullopt;
     });

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// K over a turn of the wave generator without finite elements: 36 angles, under the given number of
+// torques.
+#include <benchmark/benchmark.h>
+
+#include "strainwave/drive_turn/drive_turn.hpp"
+#include "strainwave/io/gear_reader.hpp"
+
+namespace strainwave {
+namespace {
+
+void drive_turn_of_through_crack(benchmark::State& state) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml");
+  DriveTurnOptions asked{.torques = {48, 0, -48}};
+  asked.torques.resize(static_cast<std::size_t>(state.range(0)));
+  (void)drive_turn(gear);  // reads the table
+  double K = 0;
+  for (auto _ : state) {
+    const DriveTurn turn = drive_turn(gear, asked);
+    benchmark::DoNotOptimize(K = turn.range());
+  }
+  state.counters["range"] = K;
+}
+BENCHMARK(drive_turn_of_through_crack)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+
+void drive_turn_of_surface_crack(benchmark::State& state) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_surface_crack.toml");
+  double K = 0;
+  for (auto _ : state) {
+    const DriveTurn turn = drive_turn(gear);
+    benchmark::DoNotOptimize(K = turn.range());
+  }
+  state.counters["range"] = K;
+}
+BENCHMARK(drive_turn_of_surface_crack)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace strainwave

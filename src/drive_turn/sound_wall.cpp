@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sound_wall.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace strainwave {
+
+SoundWall::SoundWall(const OvalShell& shell, double place, double angle,
+                     std::vector<double> offsets)
+    : shell_(shell),
+      radius_((shell.cup.barrel.outer_diameter - shell.cup.barrel.wall_thickness) / 2),
+      sine_(std::sin(angle)),
+      cosine_(std::cos(angle)),
+      offsets_(std::move(offsets)) {
+  for (const double offset : offsets_) waves_.push_back(shell.waves_at(place + offset * cosine_));
+}
+
+PlaneStress SoundWall::at(std::size_t offset, double zeta, double from_lobe, double torque) const {
+  const double here = from_lobe - offsets_[offset] * sine_ / radius_;
+  const WallStress s =
+      wall_stress(shell_.cup, waves_[offset], shell_.large_rotations, zeta, here, torque);
+  // (IN-2)
+  return {.normal =
+              s.hoop * cosine_ * cosine_ + s.axial * sine_ * sine_ + 2 * s.shear * sine_ * cosine_,
+          .along =
+              (s.hoop - s.axial) * sine_ * cosine_ - s.shear * (cosine_ * cosine_ - sine_ * sine_)};
+}
+
+}  // namespace strainwave
