@@ -255,7 +255,8 @@ void add_turns(StiffnessResult& result, const GearSet& gear) {
          .path = path,
          .equation = "IN-2",
          .severity = Severity::information,
-         .next_step = "Write its table by strainwave turn, and name the table as turn_table."});
+         .next_step = "Write its table by strainwave turn --format csv, and name the table as "
+                      "turn_table."});
   });
 }
 

@@ -71,7 +71,7 @@ Command turn_command() {
           "during which this place is open. A crack of a drive can name the CSV table as its "
           "turn_table; growth and strength then use it. `strainwave fe turn` computes the same by "
           "finite elements.",
-      .example = "strainwave turn examples/breathing_crack.toml -o turn.csv",
+      .example = "strainwave turn examples/breathing_crack.toml --format csv -o turn.csv",
       .takes = Takes::drive,
       .function = turn,
       .documents =
