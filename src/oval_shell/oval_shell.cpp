@@ -100,7 +100,25 @@ class Solver {
 
  private:
   static double angle(int j) { return pi / 2 * j / kIntervals; }
-  static double cosine(int k, int j) { return std::cos(2 * k * angle(j)); }
+  static double cosine(int k, int j) { return circle()[turned(k, j)][0]; }
+  static double sine(int k, int j) { return circle()[turned(k, j)][1]; }
+  static constexpr std::size_t kSteps = std::size_t{2} * kIntervals;
+  /// 2 k angle(j) in steps of pi/kIntervals, within a turn.
+  static std::size_t turned(int k, int j) {
+    return static_cast<std::size_t>(k) * static_cast<std::size_t>(j) % kSteps;
+  }
+  /// Cosine and sine of these steps.
+  static const std::array<std::array<double, 2>, kSteps>& circle() {
+    static const auto table = [] {
+      std::array<std::array<double, 2>, kSteps> filled;
+      for (std::size_t i = 0; i < filled.size(); ++i) {
+        const double at = pi * static_cast<double>(i) / kIntervals;
+        filled[i] = {std::cos(at), std::sin(at)};
+      }
+      return filled;
+    }();
+    return table;
+  }
   static double share(int j) { return j == 0 || j == kIntervals ? 0.5 : 1.0; }
   /// Amplitude of wave 2 k in a function that is 1 at angle j and 0 at the others.
   static double amplitude(int k, int j) {
@@ -157,9 +175,9 @@ class Solver {
         for (int k = 0; k <= kIntervals; ++k) {
           const auto at = static_cast<std::size_t>(k);
           outward += load_[at].dot(waves_[at]) * cosine(k, j);
-          round += round_[at].dot(waves_[at]) * std::sin(2 * k * angle(j));
+          round += round_[at].dot(waves_[at]) * sine(k, j);
           axial_tilt += axial_tilt_[at].dot(waves_[at]) * cosine(k, j);
-          hoop_tilt += hoop_tilt_[at].dot(waves_[at]) * std::sin(2 * k * angle(j));
+          hoop_tilt += hoop_tilt_[at].dot(waves_[at]) * sine(k, j);
         }
         // The bore hangs on the tilted normal, so it lies further out than the middle surface says.
         const double lift =
@@ -174,7 +192,7 @@ class Solver {
         double amplitude = 0;
         for (int j = 0; j <= kIntervals; ++j)
           amplitude += 2.0 / kIntervals * tangential[static_cast<std::size_t>(j)] *
-                       std::sin(2 * static_cast<double>(k) * angle(j));
+                       sine(static_cast<int>(k), j);
         added[k] += amplitude * bore_ * width_ * round_[k];
         free.push_back(equations_[k].solve(added[k]));
         displaced.push_back(load_[k].dot(free.back()));
@@ -212,11 +230,17 @@ class Solver {
   /// Loads of the waves 0 to 12 by which large rotations act on the linear stiffness.
   [[nodiscard]] std::vector<VectorXd> rotation_loads() const {
     std::vector<VectorXd> loads(kBentWaves, VectorXd::Zero(line_.unknowns));
+    std::array<Eigen::Matrix<double, kElementUnknowns, 1>, kBentWaves> part;
+    std::size_t last = line_.elements.size();
     for (const BentPlace& place : places_) {
       const Element& element = line_.elements[place.element];
       const Eigen::Matrix3d D = elasticity(cup_, element.thickness).topLeftCorner<3, 3>();
+      if (place.element != last) {  // the places of an element follow each other
+        last = place.element;
+        for (std::size_t k = 0; k < kBentWaves; ++k) part[k] = of(waves_[k], element);
+      }
       std::array<Strains, kBentWaves> wave;
-      for (std::size_t k = 0; k < kBentWaves; ++k) wave[k] = place.rows[k] * of(waves_[k], element);
+      for (std::size_t k = 0; k < kBentWaves; ++k) wave[k] = place.rows[k].lazyProduct(part[k]);
       std::array<Strains, kBentWaves> force;
       force.fill(Strains::Zero());
       for (int j = 0; j <= kBentAngles; ++j) {
@@ -241,7 +265,7 @@ class Solver {
               f.cwiseProduct(trigonometric(k, j)) * (ends * (k == 0 ? 1.0 : 2.0) / kBentAngles);
       }
       for (std::size_t k = 0; k < kBentWaves; ++k)
-        add(loads[k], element, -place.weight * (place.rows[k].transpose() * force[k]));
+        add(loads[k], element, -place.weight * place.rows[k].transpose().lazyProduct(force[k]));
     }
     return loads;
   }
