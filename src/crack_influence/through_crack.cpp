@@ -230,25 +230,21 @@ ThroughCrackTable::ThroughCrackTable(std::string_view text) : parts_(std::make_u
   if (!words.at_end()) throw InputError("through_crack", "has text behind its last case");
 }
 
-std::array<double, 2> ThroughCrackTable::half_lengths() const {
-  return {parts_->half_lengths.front(), parts_->half_lengths.back()};
-}
-std::array<double, 2> ThroughCrackTable::radii() const {
-  return {parts_->radii.front(), parts_->radii.back()};
-}
-
 ThroughCrackResponse ThroughCrackTable::at(double half_length, double thickness, double mean_radius,
                                            double angle) const {
   const Parts& parts = *parts_;
   require(thickness > 0, "wall_thickness", thickness, "m", "> 0");
   const double a_t = half_length / thickness;
   const double R_t = mean_radius / thickness;
-  require(a_t > 0 && a_t <= parts.half_lengths.back() * (1 + 1e-12), "half_length", half_length,
-          "m", fmt::format("> 0 and <= {:g} walls", parts.half_lengths.back()));
+  constexpr double kRounding = 1e-12;
+  require(a_t >= parts.half_lengths.front() * (1 - kRounding) &&
+              a_t <= parts.half_lengths.back() * (1 + kRounding),
+          "half_length", half_length, "m",
+          fmt::format("from {:g} to {:g} walls", parts.half_lengths.front(),
+                      parts.half_lengths.back()));
   require(R_t >= parts.radii.front() && R_t <= parts.radii.back(), "mean_radius", mean_radius, "m",
           fmt::format("from {:g} to {:g} walls", parts.radii.front(), parts.radii.back()));
-  const AxisWeights by_length =
-      nearest_points(parts.half_lengths, std::max(a_t, parts.half_lengths.front()));
+  const AxisWeights by_length = nearest_points(parts.half_lengths, a_t);
   const AxisWeights by_radius = nearest_points(parts.radii, R_t);
   const std::vector<double> even = over_angles(parts.angles, angle, true);
   const std::vector<double> odd = over_angles(parts.angles, angle, false);

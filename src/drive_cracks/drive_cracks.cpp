@@ -40,8 +40,7 @@ const StrengthNote kThroughBending = {
     "a through crack is assessed with the full bending of the assembly at the outer fibre; this is "
     "exact for a crack that is short compared with the wall's thickness, and up to 1.6 times too "
     "much for a long crack; contact of its closed half is left out; strainwave turn computes K "
-    "over a "
-    "turn of a crack of the barrel, and the crack takes its table as turn_table",
+    "over a turn of a crack of the barrel, and the crack takes its table as turn_table",
     "FA-14"};
 const StrengthNote kFit = {
     "stresses of fit and rotation in the ring are unknown and left out; the stress of the crack is "

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -11,7 +12,6 @@
 #include <variant>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
 #include "turning_crack.hpp"
@@ -20,76 +20,6 @@ namespace strainwave {
 namespace {
 
 using std::numbers::pi;
-
-/// A crack of the barrel with its path.
-struct ChosenCrack {
-  std::string path;
-  std::variant<WallThroughCrack, WallSurfaceCrack> crack;
-};
-
-/// The crack of the barrel that a turn can compute; absent if it is of another kind or place.
-std::optional<ChosenCrack> in_barrel(const std::string& path, const FlexsplineCrack& crack) {
-  if (const auto* const through = std::get_if<WallThroughCrack>(&crack);
-      through != nullptr && through->section == WallSection::barrel)
-    return ChosenCrack{path, *through};
-  if (const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
-      surface != nullptr && surface->section == WallSection::barrel)
-    return ChosenCrack{path, *surface};
-  return std::nullopt;
-}
-
-ChosenCrack chosen(const Flexspline& flexspline, const std::optional<std::string>& asked) {
-  std::vector<ChosenCrack> found;
-  for (std::size_t n = 0; n < flexspline.crack.size(); ++n) {
-    const std::string path = fmt::format("flexspline.crack[{}]", n);
-    if (asked && *asked != path) continue;
-    if (std::optional<ChosenCrack> crack = in_barrel(path, flexspline.crack[n]))
-      found.push_back(std::move(*crack));
-    else if (asked)
-      throw InputError(path,
-                       "must be a through or surface crack of the barrel; choose another crack by "
-                       "--crack");
-  }
-  if (found.empty() && asked)
-    throw InputError("--crack", fmt::format("\"{}\" is not a crack of the flexspline; give a path "
-                                            "such as flexspline.crack[0]",
-                                            shown(*asked)));
-  if (found.empty())
-    throw InputError("flexspline.crack", "must have a through or surface crack of the barrel");
-  if (found.size() > 1)
-    throw InputError("flexspline.crack",
-                     "has several cracks of the barrel; choose one of them by --crack");
-  return std::move(found.front());
-}
-
-/// Values in ascending order, each once.
-std::vector<double> ascending(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  for (double& value : values)
-    if (value == 0) value = 0.0;  // not -0
-  return values;
-}
-
-/// The sizes of a crack: its own, or those that the options ask for.
-std::vector<double> sizes_of(const WallThroughCrack& crack, const DriveTurnOptions& options) {
-  if (!options.depths.empty())
-    throw InputError("--depth", "is not the size of a through crack; give --half-length");
-  return options.half_lengths.empty() ? std::vector{crack.half_length}
-                                      : ascending(options.half_lengths);
-}
-std::vector<double> sizes_of(const WallSurfaceCrack& crack, const DriveTurnOptions& options) {
-  if (!options.half_lengths.empty())
-    throw InputError("--half-length", "is not the size of a surface crack; give --depth");
-  return options.depths.empty() ? std::vector{crack.depth} : ascending(options.depths);
-}
-
-SizedTurn sized(const WallThroughCrack&, double size) {
-  return {.depth = {}, .half_length = size, .torques = {}};
-}
-SizedTurn sized(const WallSurfaceCrack& crack, double size) {
-  return {.depth = size, .half_length = crack.half_length * size / crack.depth, .torques = {}};
-}
 
 LoadedTurn turn_under(double torque, int angles, TurningCrack& crack, double& largest_stress) {
   LoadedTurn turn{.torque = torque, .stations = {}};
@@ -113,10 +43,9 @@ LoadedTurn turn_under(double torque, int angles, TurningCrack& crack, double& la
 }
 
 /// Refuses a crack whose end leaves the barrel.
-void require_inside(const ChosenCrack& of, double place, double half_length,
+void require_inside(const BarrelCrack& of, double place, double half_length,
                     const TubeSection& barrel) {
-  const double angle = std::visit([](const auto& crack) { return crack.angle; }, of.crack);
-  const double reach = half_length * std::abs(std::cos(angle));
+  const double reach = half_length * std::abs(std::cos(of.angle()));
   if (place - reach > 0 && place + reach < barrel.length) return;
   throw InputError(of.path,
                    fmt::format("must lie in the barrel; at a half length of {:.4g} mm it reaches "
@@ -125,9 +54,21 @@ void require_inside(const ChosenCrack& of, double place, double half_length,
                                (place + reach) / units::mm, barrel.length / units::mm));
 }
 
-/// Notes a crack that comes so near to a joint that the model was not judged there.
+/// Length of a through crack over that of the barrel up to which K is as good as stated [-].
+constexpr double kLong = 0.4;
+
+/// Notes a crack that comes so near to a joint that the model was not judged there, or that is so
+/// long that the joints let it open further than in a long tube.
 void note_joint(DriveTurn& turn, const TubeSection& barrel, double angle) {
-  const double reach = turn.sizes.back().half_length * std::abs(std::cos(angle));
+  const SizedTurn& longest = turn.sizes.back();
+  if (!longest.depth && 2 * longest.half_length > kLong * barrel.length)
+    turn.notes.push_back(
+        {"turn.long_crack",
+         fmt::format("the crack is longer than {:g} of the barrel; K_I of such cracks was up to "
+                     "4.2 % too small",
+                     kLong),
+         turn.path, "IN-2", Severity::care, "Compute K by strainwave fe turn too."});
+  const double reach = longest.half_length * std::abs(std::cos(angle));
   const double left = std::min(turn.distance, barrel.length - turn.distance) - reach;
   const double edge =
       std::sqrt((barrel.outer_diameter - barrel.wall_thickness) / 2 * barrel.wall_thickness);
@@ -141,7 +82,7 @@ void note_joint(DriveTurn& turn, const TubeSection& barrel, double angle) {
        turn.path, "IN-2", Severity::care, "Compute K by strainwave fe turn too."});
 }
 
-std::vector<Note> notes_of(const GearSet& gear, const ChosenCrack& of) {
+std::vector<Note> notes_of(const GearSet& gear, const BarrelCrack& of) {
   std::vector<Note> notes;
   notes.push_back(
       {"turn.model",
@@ -152,8 +93,7 @@ std::vector<Note> notes_of(const GearSet& gear, const ChosenCrack& of) {
     notes.push_back({"turn.cam_perimeter", "the cam is taken to have the perimeter of the bore",
                      "wave_generator.cam_perimeter_excess", "CU-2", Severity::care,
                      "Give cam_perimeter_excess if the perimeter is known."});
-  if (const auto* const surface = std::get_if<WallSurfaceCrack>(&of.crack);
-      surface != nullptr && !surface->mouth)
+  if (of.mouth_unknown())
     notes.push_back({"turn.mouth_outside",
                      "the mouth of the surface crack is assumed on the outer surface, because the "
                      "file does not state it",
@@ -161,20 +101,18 @@ std::vector<Note> notes_of(const GearSet& gear, const ChosenCrack& of) {
   if (gear.load.axial_force != 0)
     notes.push_back({"turn.axial_force", "the axial force is not applied to the flexspline",
                      "load.axial_force", "", Severity::care});
+  if (gear.flexspline->boss)
+    notes.push_back({"turn.boss", "the boss is taken as rigid: the bore of the diaphragm is held",
+                     "flexspline.boss", "CU-1", Severity::information});
+  if (gear.flexspline->stress_nonuniformity != 1)
+    notes.push_back({"turn.stress_nonuniformity",
+                     "flexspline.stress_nonuniformity is not applied, because the torque of a tube "
+                     "is even",
+                     "flexspline.stress_nonuniformity", "CU-4", Severity::care});
   return notes;
 }
 
 }  // namespace
-
-const StationTurn& DriveTurn::governing() const {
-  const StationTurn* governing = nullptr;
-  for (const SizedTurn& size : sizes)
-    for (const LoadedTurn& torque : size.torques) {
-      const StationTurn* const here = governing_station(torque.stations);
-      if (governing == nullptr || here->mode_I.range > governing->mode_I.range) governing = here;
-    }
-  return *governing;
-}
 
 ShellCup shell_cup(const GearSet& gear) {
   const Flexspline& flexspline = *gear.flexspline;
@@ -187,17 +125,9 @@ ShellCup shell_cup(const GearSet& gear) {
           .poissons_ratio = steel.nu};
 }
 
-DriveTurn drive_turn(const GearSet& gear, const DriveTurnOptions& options) {
-  check(gear);
-  require_turning_cup(gear);
-  const ChosenCrack of = chosen(*gear.flexspline, options.crack);
-  require(options.angles >= 8 && options.angles <= 720, "angles", options.angles, "1",
-          ">= 8 and <= 720");
-  const double T = gear.load.torque;
-  const std::vector<double> torques =
-      ascending(options.torques.empty() ? std::vector{-T, 0.0, T} : options.torques);
-  for (const double torque : torques)
-    require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
+DriveTurn drive_turn(const GearSet& gear, const TurnRequest& request) {
+  const TurnPlan plan = plan_turn(gear, request);
+  const BarrelCrack& of = plan.crack;
   const ShellCup cup = shell_cup(gear);
   const OvalShell shell = oval_shell(cup, cam_fit(gear));
   DriveTurn turn;
@@ -207,22 +137,22 @@ DriveTurn drive_turn(const GearSet& gear, const DriveTurnOptions& options) {
   std::visit(
       [&](const auto& crack) {
         turn.distance = crack.distance.value_or(cup.barrel.length / 2);
-        for (const double size : sizes_of(crack, options)) {
-          SizedTurn& at = turn.sizes.emplace_back(sized(crack, size));
-          require_inside(of, turn.distance, at.half_length, cup.barrel);
+        for (const TurnSize& size : plan.sizes) {
+          require_inside(of, turn.distance, size.half_length, cup.barrel);
+          SizedTurn& at = turn.sizes.emplace_back(SizedTurn{size, {}});
           std::unique_ptr<TurningCrack> turning;
           try {
             turning = turning_crack(crack, shell, turn.distance, size);
           } catch (const InputError& error) {
             throw InputError(of.path, error.what());
           }
-          for (const double torque : torques)
-            at.torques.push_back(turn_under(torque, options.angles, *turning, turn.largest_stress));
+          for (const double torque : plan.torques)
+            at.torques.push_back(turn_under(torque, plan.angles, *turning, turn.largest_stress));
         }
       },
       of.crack);
   turn.notes = notes_of(gear, of);
-  note_joint(turn, cup.barrel, std::visit([](const auto& crack) { return crack.angle; }, of.crack));
+  note_joint(turn, cup.barrel, of.angle());
   turn.equations = {"CU-1", "CU-2"};
   if (turn.large_rotations) turn.equations.emplace_back("CU-3");
   turn.equations.emplace_back("CU-4");
@@ -232,33 +162,6 @@ DriveTurn drive_turn(const GearSet& gear, const DriveTurnOptions& options) {
     turn.equations.emplace_back(tag);
   turn.equations.emplace_back("GR-30");
   return turn;
-}
-
-TurnTable turn_table(const DriveTurn& turn) {
-  TurnTable table{.file = {},
-                  .size_name = turn.sizes.front().depth ? "depth" : "half_length",
-                  .sizes = {},
-                  .torques = {},
-                  .stations = {},
-                  .angles = {},
-                  .K = {}};
-  const std::string_view tip = turn.governing_tip();
-  for (const LoadedTurn& torque : turn.sizes.front().torques)
-    table.torques.push_back(torque.torque);
-  for (const StationTurn& station : turn.sizes.front().torques.front().stations) {
-    if (station.tip != tip) continue;
-    table.stations.push_back(station.station);
-    if (!table.angles.empty()) continue;
-    for (const TurnFactor& K : station.factors) table.angles.push_back(K.angle);
-  }
-  for (const SizedTurn& size : turn.sizes) {
-    table.sizes.push_back(size.depth.value_or(size.half_length));
-    for (const LoadedTurn& torque : size.torques)
-      for (const StationTurn& station : torque.stations)
-        if (station.tip == tip)
-          for (const TurnFactor& K : station.factors) table.K.push_back({K.K_I, K.K_II, K.K_III});
-  }
-  return table;
 }
 
 }  // namespace strainwave

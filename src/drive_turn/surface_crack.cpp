@@ -30,6 +30,10 @@ double angle_of(std::size_t station) {
 /// stress at the station itself: 2/3 for a penny-shaped crack (IN-3).
 constexpr double kOfSlope = 2.0 / 3.0;
 
+/// Effect of a stress x/a, with x the depth, over that of an even stress: that of |x|/a on a
+/// penny-shaped crack, to the fourth wave round its front (IN-3).
+double of_depth(double phi) { return 0.5 - std::cos(2 * phi) / 4 - std::cos(4 * phi) / 24; }
+
 class TurningSurfaceCrack : public TurningCrack {
  public:
   TurningSurfaceCrack(const ShellCup& cup, double depth, double half_length, bool inner,
@@ -41,7 +45,7 @@ class TurningSurfaceCrack : public TurningCrack {
         sheared_(depth / half_length, cup.poissons_ratio),
         wall_(std::move(wall)) {}
 
-  /// Offsets of the places of `at`: the middle, then the stations of both halves.
+  /// Offsets at which `at` takes the stress: first the middle, then the stations of both halves.
   [[nodiscard]] static std::vector<double> offsets(double half_length) {
     std::vector<double> offsets = {0.0};
     for (const double side : {1.0, -1.0})
@@ -71,9 +75,13 @@ class TurningSurfaceCrack : public TurningCrack {
         const double opening =
             tension * (mean(&Through::membrane) +
                        mean(&Through::bending) * plate_.bending_ratio(alpha_, phi));
-        const double shear = mean(&Through::shear) * root;
-        K.push_back({std::max(opening, 0.0), shear * sheared_.factor_II(phi),
-                     shear * sheared_.factor_III(phi)});
+        const double shear =
+            (mean(&Through::shear) + mean(&Through::shear_slope) * alpha_ * of_depth(phi)) * root;
+        // The tangent of the front leads from one tip to the other, so K_II changes its sign on
+        // the way; the frame of an inner mouth is that of an outer one, turned about the crack.
+        const double tip = half == 0 ? 1.0 : -1.0;
+        K.push_back({std::max(opening, 0.0), -mouth_ * tip * shear * sheared_.factor_II(phi),
+                     mouth_ * shear * sheared_.factor_III(phi)});
       }
     return K;
   }
@@ -83,19 +91,20 @@ class TurningSurfaceCrack : public TurningCrack {
   }
 
  private:
-  /// The stress through the wall at one place: normal to the crack, and the shear at the middle of
-  /// the crack's depth [Pa].
+  /// The stress through the wall at one place [Pa].
   struct Through {
     double membrane;
-    double bending;  ///< at the surface of the mouth
-    double shear;
+    double bending;      ///< at the surface of the mouth
+    double shear;        ///< along the crack, at the surface of the mouth
+    double shear_slope;  ///< its change through the wall
   };
   [[nodiscard]] Through through(std::size_t offset, double from_lobe, double torque) const {
     const PlaneStress mouth = wall_.at(offset, mouth_, from_lobe, torque);
     const PlaneStress other = wall_.at(offset, -mouth_, from_lobe, torque);
     return {.membrane = (mouth.normal + other.normal) / 2,
             .bending = (mouth.normal - other.normal) / 2,
-            .shear = mouth.along + (other.along - mouth.along) * alpha_ / 2};
+            .shear = mouth.along,
+            .shear_slope = other.along - mouth.along};
   }
 
   double depth_;
@@ -109,8 +118,9 @@ class TurningSurfaceCrack : public TurningCrack {
 }  // namespace
 
 std::unique_ptr<TurningCrack> turning_crack(const WallSurfaceCrack& crack, const OvalShell& shell,
-                                            double place, double depth) {
-  const double half_length = crack.half_length * depth / crack.depth;
+                                            double place, const TurnSize& size) {
+  const double depth = size.depth.value();
+  const double half_length = size.half_length;
   require(depth > 0 && depth <= kDeepest * shell.cup.barrel.wall_thickness, "depth", depth, "m",
           "> 0 and <= 0.8 of the wall");
   require(crack.depth <= crack.half_length && crack.depth >= kLongest * crack.half_length,

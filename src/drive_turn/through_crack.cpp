@@ -81,7 +81,8 @@ class TurningThroughCrack : public TurningCrack {
 }  // namespace
 
 std::unique_ptr<TurningCrack> turning_crack(const WallThroughCrack& crack, const OvalShell& shell,
-                                            double place, double half_length) {
+                                            double place, const TurnSize& size) {
+  const double half_length = size.half_length;
   const double nu = shell.cup.poissons_ratio;
   require(nu >= kLeastRatio && nu <= kLargestRatio, "poissons_ratio", nu, "1",
           fmt::format("from {:g} to {:g}, because K over a turn is tabulated for 0.3", kLeastRatio,

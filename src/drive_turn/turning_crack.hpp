@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strainwave/model/input/crack.hpp"
+#include "strainwave/model/result/crack_turn.hpp"
 #include "strainwave/oval_shell/oval_shell.hpp"
 
 namespace strainwave {
@@ -35,17 +36,16 @@ class TurningCrack {
   [[nodiscard]] virtual double largest_stress(double from_lobe, double torque) const = 0;
 };
 
-/// @param shell        must outlive the result
-/// @param place        z of the middle of the crack [m]
-/// @param half_length  in place of that of the crack [m]
+/// @param shell   must outlive the result
+/// @param place   z of the middle of the crack [m]
+/// @param size    in place of that of the crack
 /// @throws InputError  beyond the range of the table
 [[nodiscard]] std::unique_ptr<TurningCrack> turning_crack(const WallThroughCrack& crack,
                                                           const OvalShell& shell, double place,
-                                                          double half_length);
-/// @param depth        in place of that of the crack, which keeps its shape [m]
+                                                          const TurnSize& size);
 /// @throws InputError  beyond the range of the solution
 [[nodiscard]] std::unique_ptr<TurningCrack> turning_crack(const WallSurfaceCrack& crack,
                                                           const OvalShell& shell, double place,
-                                                          double depth);
+                                                          const TurnSize& size);
 
 }  // namespace strainwave

@@ -25,89 +25,15 @@ constexpr std::size_t kTurnSolutions = 4;
 /// Memory of the responses of the crack's nodes, over that of one solution [-].
 constexpr double kResponseMemory = 1.3;
 
-std::string path_of(std::size_t n) { return fmt::format("flexspline.crack[{}]", n); }
-
-/// Values in ascending order, each once.
-std::vector<double> ascending(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
-
-/// The crack to turn, with its number in the file.
-struct ChosenCrack {
-  std::size_t number;
-  std::variant<WallThroughCrack, WallSurfaceCrack> crack;
-};
-
-/// The crack of the barrel that a turn can compute; absent if it is of another kind or place.
-std::optional<ChosenCrack> in_barrel(std::size_t number, const FlexsplineCrack& crack) {
-  if (const auto* const through = std::get_if<WallThroughCrack>(&crack);
-      through != nullptr && through->section == WallSection::barrel)
-    return ChosenCrack{number, *through};
-  if (const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
-      surface != nullptr && surface->section == WallSection::barrel)
-    return ChosenCrack{number, *surface};
-  return std::nullopt;
-}
-
-ChosenCrack chosen(const GearSet& gear, const TurnOptions& options) {
-  std::vector<ChosenCrack> found;
-  const auto& cracks = gear.flexspline->crack;
-  for (std::size_t n = 0; n < cracks.size(); ++n) {
-    const bool asked = options.crack && *options.crack == path_of(n);
-    const std::optional<ChosenCrack> crack = in_barrel(n, cracks[n]);
-    if (asked && !crack)
-      throw InputError(path_of(n),
-                       "must be a through or surface crack of the barrel; choose "
-                       "another crack by --crack");
-    if (crack && (asked || !options.crack)) found.push_back(*crack);
-  }
-  if (found.empty() && options.crack)
-    throw InputError("--crack",
-                     fmt::format("\"{}\" is not a crack of the flexspline", shown(*options.crack)));
-  if (found.empty())
-    throw InputError("flexspline.crack", "must have a through or surface crack of the barrel");
-  if (found.size() > 1)
-    throw InputError("flexspline.crack",
-                     "has several cracks of the barrel; choose one of them by --crack");
-  return found.front();
-}
-
-/// The sizes of a crack: its own, or those that the options ask for.
-/// @param unread  the option for the other kind of crack
-std::vector<double> sizes_of(const std::vector<double>& asked, double own, const char* unread,
-                             const std::vector<double>& other) {
-  if (!other.empty()) throw InputError(unread, "is not the size of this kind of crack");
-  return asked.empty() ? std::vector{own} : ascending(asked);
-}
-
-/// The crack at each of its sizes.
-std::vector<TurnAtSize> sizes_of(const WallThroughCrack& crack, const TurnOptions& options) {
-  std::vector<TurnAtSize> sizes;
-  for (const double half_length :
-       sizes_of(options.half_lengths, crack.half_length, "--depth", options.depths))
-    sizes.push_back({.depth = {}, .half_length = half_length, .turn = {}});
-  return sizes;
-}
-std::vector<TurnAtSize> sizes_of(const WallSurfaceCrack& crack, const TurnOptions& options) {
-  std::vector<TurnAtSize> sizes;
-  for (const double depth :
-       sizes_of(options.depths, crack.depth, "--half-length", options.half_lengths))
-    sizes.push_back(
-        {.depth = depth, .half_length = crack.half_length * depth / crack.depth, .turn = {}});
-  return sizes;
-}
-
 gear_fem::TubeWithThroughCrack body_of(const GearSet& gear, const WallThroughCrack& crack,
-                                       const TurnAtSize& size, int order) {
+                                       const TurnSize& size, int order) {
   gear_fem::TubeWithThroughCrack tube = tube_of(gear, crack, order, Surroundings::as_given);
   tube.half_length = size.half_length;
   tube.layers = gear_fem::kTurnLayers;
   return tube;
 }
 gear_fem::TubeWithSurfaceCrack body_of(const GearSet& gear, const WallSurfaceCrack& crack,
-                                       const TurnAtSize& size, int order) {
+                                       const TurnSize& size, int order) {
   gear_fem::TubeWithSurfaceCrack tube = tube_of(gear, crack, order);
   tube.depth = *size.depth;
   tube.half_length = size.half_length;
@@ -127,28 +53,23 @@ struct TurnWork {
 };
 
 TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
-  check(gear);
-  require_turning_cup(gear);
-  const ChosenCrack of = chosen(gear, options);
+  const TurnPlan plan = plan_turn(gear, options.request);
   const Flexspline& flexspline = *gear.flexspline;
   const int order = options.order.value_or(kSolidOrder);
   require(order >= 2 && order <= 4, "order", order, "1", ">= 2 and <= 4 for a turn");
   TurnWork work;
   TurnRun& run = work.run;
-  run.path = path_of(of.number);
-  run.angles = options.angles;
-  const double T = gear.load.torque;
-  run.torques = ascending(options.torques.empty() ? std::vector{-T, 0.0, T} : options.torques);
-  for (double& torque : run.torques)
-    if (torque == 0) torque = 0.0;  // not -0
-  run.sizes = std::visit([&](const auto& crack) { return sizes_of(crack, options); }, of.crack);
-  for (const TurnAtSize& size : run.sizes) {
+  run.path = plan.crack.path;
+  run.angles = plan.angles;
+  run.torques = plan.torques;
+  for (const TurnSize& size : plan.sizes) {
+    run.sizes.push_back({size, {}});
     gear_fem::TurningCrack& turning = work.sizes.emplace_back();
     turning.ends = {
         .rim = flexspline.rim, .diaphragm = flexspline.diaphragm, .boss = flexspline.boss};
     turning.fit = cam_fit(gear);
     turning.torques = run.torques;
-    turning.angles = options.angles;
+    turning.angles = plan.angles;
     turning.large_rotations = options.large_rotations;
     std::visit(
         [&](const auto& crack) {
@@ -166,19 +87,17 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
           }
           turning.tube = std::move(tube);
         },
-        of.crack);
+        plan.crack.crack);
   }
   run.notes.push_back({"fe.turn_model",
                        "the crack is alone; the cam is rigid and has no friction; the torque acts "
                        "evenly round the rim, not in the zones of the teeth",
                        run.path, "FE-52", Severity::care});
   if (!gear.wave_generator || !gear.wave_generator->cam_perimeter_excess)
-    run.notes.push_back({"fe.cam_perimeter",
-                         "the cam is taken to have the perimeter of the bore",
+    run.notes.push_back({"fe.cam_perimeter", "the cam is taken to have the perimeter of the bore",
                          "wave_generator.cam_perimeter_excess", "FE-52", Severity::care,
                          "Give cam_perimeter_excess if the perimeter is known."});
-  if (const auto* const surface = std::get_if<WallSurfaceCrack>(&of.crack);
-      surface != nullptr && !surface->mouth)
+  if (plan.crack.mouth_unknown())
     run.notes.push_back({"fe.mouth_outside",
                          "the mouth of the surface crack is assumed on the outer surface, because "
                          "the file does not state it",
@@ -196,22 +115,18 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
 
 }  // namespace
 
-std::string TurnAtSize::name() const {
-  return depth ? fmt::format("depth {:.6g} mm", *depth / units::mm)
-               : fmt::format("half length {:.6g} mm", half_length / units::mm);
-}
-
-std::string_view TurnRun::governing_tip() const {
-  double largest = -1;
-  std::string_view tip;
-  for (const TurnAtSize& size : sizes)
-    for (const gear_fem::TorqueTurn& torque : size.turn.torques)
-      for (const StationTurn& station : torque.stations)
-        if (station.mode_I.range > largest) {
-          largest = station.mode_I.range;
-          tip = station.tip;
-        }
-  return tip;
+std::vector<SizedTurn> TurnRun::turns() const {
+  std::vector<SizedTurn> turns;
+  for (const TurnAtSize& size : sizes) {
+    SizedTurn& sized = turns.emplace_back(SizedTurn{size, {}});
+    for (const gear_fem::TorqueTurn& torque : size.turn.torques) {
+      std::vector<StationTurn>& stations =
+          sized.torques.emplace_back(LoadedTurn{torque.torque, torque.stations}).stations;
+      for (std::size_t i = 0; size.depth && i < stations.size(); ++i)
+        if (i == 0 || stations[i].tip != stations[i - 1].tip) stations[i].station = 0;
+    }
+  }
+  return turns;
 }
 
 std::string TurnRun::reason() const {
@@ -234,7 +149,7 @@ ResultEvidence evidence_of(const TurnRun& result) {
   return evidence;
 }
 
-TurnRun plan_turn(const GearSet& gear, const TurnOptions& options) {
+TurnRun planned_turn(const GearSet& gear, const TurnOptions& options) {
   return work_of(gear, options).run;
 }
 

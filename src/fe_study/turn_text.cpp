@@ -47,40 +47,17 @@ void write(std::string& text, const TurnAtSize& size) {
 std::string turn_csv(const TurnRun& run) {
   if (!run.calculated) return plan_text(run.plan);
   const bool surface = run.sizes.front().depth.has_value();
-  const std::string_view tip = run.governing_tip();
-  TurnTable table{.file = {},
-                  .size_name = surface ? "depth" : "half_length",
-                  .sizes = {},
-                  .torques = {},
-                  .stations = {},
-                  .angles = {},
-                  .K = {}};
-  for (const TorqueTurn& torque : run.sizes.front().turn.torques)
-    table.torques.push_back(torque.torque);
-  for (const StationTurn& station : run.sizes.front().turn.torques.front().stations) {
-    if (station.tip != tip) continue;
-    // The place next to the surface counts as the surface, where K is not defined.
-    table.stations.push_back(surface && table.stations.empty() ? 0.0 : station.station);
-    if (!table.angles.empty()) continue;
-    for (const TurnFactor& K : station.factors) table.angles.push_back(K.angle);
-  }
-  for (const TurnAtSize& size : run.sizes) {
-    table.sizes.push_back(size.depth.value_or(size.half_length));
-    for (const TorqueTurn& torque : size.turn.torques)
-      for (const StationTurn& station : torque.stations)
-        if (station.tip == tip)
-          for (const TurnFactor& K : station.factors) table.K.push_back({K.K_I, K.K_II, K.K_III});
-  }
+  const std::vector<SizedTurn> turns = run.turns();
   std::vector<std::string> remarks = {
       fmt::format("K of {} over a turn of the wave generator by finite elements, {} tip.", run.path,
-                  tip),
+                  governing_station(turns)->tip),
       fmt::format(
           "Stations {}; the faces may touch, then K_I = 0.",
           surface ? "from the place of the front next to the surface, 0, to the deepest point, 1"
                   : "from -1 at the inner face to 1 at the outer face")};
   if (const std::string reason = run.reason(); !reason.empty())
     remarks.push_back(fmt::format("NOT usable: {}", reason));
-  return turn_table_text(table, remarks);
+  return turn_table_text(turn_table(turns), remarks);
 }
 
 std::string turn_text(const TurnRun& run, const GearSet& gear) {
@@ -110,15 +87,7 @@ std::string turn_text(const TurnRun& run, const GearSet& gear) {
 }
 
 std::string turn_plot(const TurnRun& run, const GearSet& gear) {
-  std::vector<PlotPanel> panels;
-  for (const TurnAtSize& size : run.sizes)
-    for (const TorqueTurn& torque : size.turn.torques) {
-      panels.push_back(turn_panel(fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque,
-                                              size.name(), run.governing_tip()),
-                                  torque.stations, run.governing_tip(), !size.depth));
-      if (panels.size() == 1) panels.front().subtitle = gear.name;
-    }
-  return svg_plot(panels);
+  return strainwave::turn_plot(run.turns(), gear.name);
 }
 
 }  // namespace strainwave::fe_study

@@ -12,15 +12,6 @@
 #include "strainwave/present/turn.hpp"
 
 namespace strainwave {
-namespace {
-
-std::string size_text(const SizedTurn& size) {
-  return size.depth ? fmt::format("depth {:.6g} mm", *size.depth / units::mm)
-                    : fmt::format("half length {:.6g} mm", size.half_length / units::mm);
-}
-
-}  // namespace
-
 std::string drive_turn_text(const DriveTurn& turn, const GearSet& gear) {
   std::string text = name_of(gear) + "\n\n" + verdict_text(evidence_of(turn).verdict) + '\n';
   const TurnRange& K = turn.governing().mode_I;
@@ -37,23 +28,18 @@ std::string drive_turn_text(const DriveTurn& turn, const GearSet& gear) {
       turn.large_rotations ? ", with large rotations of the oval" : ""));
   for (const SizedTurn& size : turn.sizes)
     for (const LoadedTurn& torque : size.torques)
-      text += fmt::format("\n{}, torque {:+.6g} N*m\n", size_text(size), torque.torque) +
+      text += fmt::format("\n{}, torque {:+.6g} N*m\n", size.name(), torque.torque) +
               turn_rows(torque.stations, !size.depth);
   text += "\nNotes\n" + notes_text(turn.notes);
   return text + '\n' + equations_text(turn.equations);
 }
 
-std::string drive_turn_csv(const DriveTurn& turn) { return turn_table_text(turn_table(turn), {}); }
+std::string drive_turn_csv(const DriveTurn& turn) {
+  return turn_table_text(turn_table(turn.sizes), {});
+}
 
 std::string drive_turn_plot(const DriveTurn& turn, const GearSet& gear) {
-  std::vector<PlotPanel> panels;
-  for (const SizedTurn& size : turn.sizes)
-    for (const LoadedTurn& torque : size.torques)
-      panels.push_back(turn_panel(fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque,
-                                              size_text(size), turn.governing_tip()),
-                                  torque.stations, turn.governing_tip(), !size.depth));
-  panels.front().subtitle = gear.name;
-  return svg_plot(panels);
+  return turn_plot(turn.sizes, gear.name);
 }
 
 }  // namespace strainwave

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "strainwave/chart/chart.hpp"
 #include "strainwave/core/units.hpp"
 
 namespace strainwave {
@@ -35,23 +38,28 @@ std::string turn_rows(std::span<const StationTurn> stations, bool through) {
   return text;
 }
 
-PlotPanel turn_panel(std::string title, std::span<const StationTurn> stations, std::string_view tip,
-                     bool through) {
-  PlotPanel panel;
-  panel.title = std::move(title);
-  panel.x_label = "angle from a lobe to the crack [deg]";
-  panel.y_label = "K_I [MPa·√m]";
-  panel.legend_title = "station";
-  for (const StationTurn& station : stations) {
-    if (station.tip != tip) continue;
-    PlotSeries line{.label = place_of(station, through)};
-    for (const TurnFactor& K : station.factors) {
-      line.x.push_back(K.angle / units::deg);
-      line.y.push_back(K.K_I / kMPaRootMetre);
+std::string turn_plot(std::span<const SizedTurn> sizes, const std::string& subtitle) {
+  const std::string_view tip = governing_station(sizes)->tip;
+  std::vector<PlotPanel> panels;
+  for (const SizedTurn& size : sizes)
+    for (const LoadedTurn& torque : size.torques) {
+      PlotPanel& panel = panels.emplace_back();
+      panel.title = fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque, size.name(), tip);
+      panel.x_label = "angle from a lobe to the crack [deg]";
+      panel.y_label = "K_I [MPa·√m]";
+      panel.legend_title = "station";
+      for (const StationTurn& station : torque.stations) {
+        if (station.tip != tip) continue;
+        PlotSeries line{.label = place_of(station, !size.depth)};
+        for (const TurnFactor& K : station.factors) {
+          line.x.push_back(K.angle / units::deg);
+          line.y.push_back(K.K_I / kMPaRootMetre);
+        }
+        panel.series.push_back(std::move(line));
+      }
     }
-    panel.series.push_back(std::move(line));
-  }
-  return panel;
+  panels.front().subtitle = subtitle;
+  return svg_plot(panels);
 }
 
 }  // namespace strainwave

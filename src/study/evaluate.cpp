@@ -245,13 +245,14 @@ void add_turns(StiffnessResult& result, const GearSet& gear) {
     if (!turn) return;
     report->at_work = turn->governing().mode_I;
     use_equations(result.equations, turn->equations);
+    std::string assumptions;
+    for (const Note& note : turn->notes) assumptions += "; " + note.text;
     result.notes.push_back(
         {.code = "turn.at_work",
-         .text =
-             fmt::format("K_I over a turn of the wave generator is that of strainwave turn; the "
-                         "crack is open during {:.3g} % of the turn where K_I varies most; "
-                         "failure assessment and growth do not use this K_I",
-                         100 * report->at_work->open_share),
+         .text = fmt::format("over a turn of the wave generator this crack is open during {:.3g} % "
+                             "of the turn at the place where K_I varies most; this K_I is that of "
+                             "strainwave turn, and failure assessment and growth do not use it{}",
+                             100 * report->at_work->open_share, assumptions),
          .path = path,
          .equation = "IN-2",
          .severity = Severity::information,

@@ -84,12 +84,29 @@ struct Judged {
   double ours;
 };
 
-/// The value at a place of the front, linear between the stations.
-double at_place(const LoadedTurn& turn, double place, bool range) {
+/// A quantity of a station: K_max or Delta K, or a sheared mode at an angle, "K_II_30".
+double quantity_of(const StationTurn& station, const std::string& quantity) {
+  if (quantity == "range") return station.mode_I.range;
+  if (quantity == "K_max") return station.mode_I.largest;
+  const std::size_t last = quantity.rfind('_');
+  const double angle = std::stod(quantity.substr(last + 1)) * deg;
+  const auto& K = *std::ranges::min_element(station.factors, {}, [&](const TurnFactor& factor) {
+    return std::abs(factor.angle - angle);
+  });
+  return quantity.substr(0, last) == "K_II" ? K.K_II : K.K_III;
+}
+
+bool is_sheared(const std::string& quantity) { return quantity.starts_with("K_II"); }
+
+/// The value at a place of the front, linear between the stations: of the worse tip, or of the
+/// upper tip for a sheared mode.
+double at_place(const LoadedTurn& turn, double place, const std::string& quantity) {
   std::map<double, double> found;
   for (const StationTurn& station : turn.stations) {
-    double& value = found[station.station];
-    value = std::max(value, range ? station.mode_I.range : station.mode_I.largest);
+    if (is_sheared(quantity) && station.tip != "upper") continue;
+    const double value = quantity_of(station, quantity);
+    const auto [at, is_new] = found.try_emplace(station.station, value);
+    if (!is_new) at->second = std::max(at->second, value);
   }
   const auto above = found.lower_bound(place);
   if (above->first == place) return above->second;
@@ -117,7 +134,7 @@ std::vector<std::vector<Judged>> judged_cracks() {
     const auto loaded = std::ranges::min_element(
         turn.sizes[0].torques, {},
         [&](const LoadedTurn& one) { return std::abs(one.torque - torque); });
-    cracks.back().push_back({row, at_place(*loaded, row("station"), row.quantity == "range")});
+    cracks.back().push_back({row, at_place(*loaded, row("station"), row.quantity)});
   }
   return cracks;
 }
@@ -125,7 +142,8 @@ std::vector<std::vector<Judged>> judged_cracks() {
 /// Holds the cracks of one kind against their finite elements.
 /// @param tolerance  of K_max and Delta K of a crack [-]
 /// @param of_place   of a single station under one torque, over K_max of the crack [-]
-void judge(bool surface, double tolerance, double of_place, int least_count) {
+/// @param of_shear   of K_II and K_III, over the largest K of all modes [-]
+void judge(bool surface, double tolerance, double of_place, double of_shear, int least_count) {
   int count = 0;
   for (const std::vector<Judged>& crack : judged_cracks()) {
     const test::CsvRow& first = crack.front().row;
@@ -133,35 +151,48 @@ void judge(bool surface, double tolerance, double of_place, int least_count) {
     ++count;
     std::map<std::string, std::array<double, 2>> most;  // ours, theirs
     double difference = 0;
+    double sheared = 0;
+    double largest = 0;
     for (const Judged& one : crack) {
+      largest = std::max(largest, std::abs(one.row.value));
+      if (is_sheared(one.row.quantity)) {
+        sheared = std::max(sheared, std::abs(one.ours - one.row.value));
+        continue;
+      }
       auto& [ours, theirs] = most[one.row.quantity];
       ours = std::max(ours, one.ours);
       theirs = std::max(theirs, one.row.value);
       difference = std::max(difference, std::abs(one.ours - one.row.value));
     }
+    // A long crack opens further in the cup than in the tube of the table.
+    const bool is_long = !surface && 2 * first("half_length") > 0.4 * first("barrel_length");
     for (const auto& [quantity, values] : most)
-      EXPECT_NEAR(values[0] / values[1], 1, tolerance) << quantity << ", from " << first.place;
+      EXPECT_NEAR(values[0] / values[1], 1, is_long ? 0.05 : tolerance)
+          << quantity << ", from " << first.place;
     EXPECT_LT(difference / most["K_max"][1], of_place) << "from " << first.place;
+    EXPECT_LT(sheared / largest, of_shear) << "from " << first.place;
   }
   EXPECT_GE(count, least_count);
 }
 
 // (IN-1), (IN-2), (CU-1) to (CU-4) Kind: crosscheck with finite elements.  Source: `strainwave fe
-// turn`, written by tools/judge_turns.py.  Tolerance 3 % of K_max and of Delta K of a crack, 6 % of
-// K_max for a single station under one torque: the shell, the joints of the cup, the interpolation
+// turn`, written by tools/judge_turns.py.  Tolerance 3 % of K_max and of Delta K of a crack, 5 % if
+// the crack is longer than 0.4 of the barrel; 6.5 % of K_max for a single station under one torque,
+// 9 % for K_II and K_III: the shell, the joints of the cup, the interpolation
 // over size and angle, and 2 % of the finite elements themselves (FE-55).
-TEST(DriveTurn, CrosscheckThroughCracks) { judge(false, 0.03, 0.06, 35); }
+TEST(DriveTurn, CrosscheckThroughCracks) { judge(false, 0.03, 0.065, 0.09, 40); }
 
 // (IN-3) Kind: crosscheck with finite elements.  Source: as above.  Tolerance 7 % of K_max and of
-// Delta K of a crack, 15 % of K_max for a single station under one torque: Newman and Raju's
+// Delta K of a crack, 15 % of K_max for a single station under one torque, 10 % for
+// K_II and K_III: Newman and Raju's
 // equation for a plate (FR-4), and the contact of the mouth, which wedges deep stations open.
-TEST(DriveTurn, CrosscheckSurfaceCracks) { judge(true, 0.07, 0.15, 12); }
+TEST(DriveTurn, CrosscheckSurfaceCracks) { judge(true, 0.07, 0.15, 0.10, 12); }
 
 // Kind: identity.  The table is read back by the reader of turn tables (GR-30).
 TEST(DriveTurn, IdentityOfTheTable) {
   const DriveTurn turn = drive_turn(
       breathing(), {.torques = {48, -48}, .half_lengths = {2 * mm, 1 * mm}, .angles = 12});
-  const TurnTable table = turn_table(turn);
+  const TurnTable table = turn_table(turn.sizes);
   const std::string text = turn_table_text(table, {"A table."});
   EXPECT_TRUE(text.starts_with("# A table.\nhalf_length [mm],torque [N*m],"));
   HistoryFile file(pieces_of(text), "turn.csv");
@@ -222,9 +253,20 @@ TEST(DriveTurn, BehaviourOfTorque) {
   GearSet near = breathing();
   crack_of(near).distance = 5 * mm;
   EXPECT_EQ(test::count_notes(drive_turn(near).notes, "turn.near_joint"), 1);
+  EXPECT_EQ(test::count_notes(turn.notes, "turn.long_crack"), 0);
+  EXPECT_EQ(test::count_notes(drive_turn(breathing(), {.half_lengths = {4 * mm}}).notes,
+                              "turn.long_crack"),
+            1);
   GearSet pulled = breathing();
   pulled.load.axial_force = 5;
-  EXPECT_EQ(test::count_notes(drive_turn(pulled).notes, "turn.axial_force"), 1);
+  pulled.flexspline->stress_nonuniformity = 1.1;
+  pulled.flexspline->boss =
+      Boss{{.outer_diameter = 36.8 * mm, .wall_thickness = 4 * mm, .length = 6 * mm}};
+  const DriveTurn noted = drive_turn(pulled);
+  for (const char* const code : {"turn.axial_force", "turn.stress_nonuniformity", "turn.boss"}) {
+    EXPECT_EQ(test::count_notes(noted.notes, code), 1) << code;
+    EXPECT_EQ(test::count_notes(turn.notes, code), 0) << code;
+  }
   pulled.flexspline->crack.front() = WallSurfaceCrack{.depth = 0.1 * mm, .half_length = 0.2 * mm};
   EXPECT_EQ(test::count_notes(drive_turn(pulled).notes, "turn.mouth_outside"), 1);
 }
@@ -267,7 +309,7 @@ TEST(DriveTurn, LimitShallowSurfaceCrack) {
 }
 
 TEST(DriveTurn, InputOfADrive) {
-  const auto rule = [](const auto& change, const DriveTurnOptions& options = {}) {
+  const auto rule = [](const auto& change, const TurnRequest& options = {}) {
     GearSet gear = breathing();
     change(gear);
     return test::broken_rule([&] { return drive_turn(gear, options); });

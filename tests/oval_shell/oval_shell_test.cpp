@@ -11,6 +11,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/expect.hpp"
+#include "support/size25_shell.hpp"
 
 namespace strainwave {
 namespace {
@@ -18,19 +19,8 @@ namespace {
 using namespace units;  // NOLINT(google-build-using-namespace): 10 * mm reads as it should
 using std::numbers::pi;
 
-/// The cup of examples/breathing_crack.toml.
-ShellCup size25() {
-  return {
-      .barrel = {.outer_diameter = 62.499 * mm, .wall_thickness = 0.453 * mm, .length = 17.2 * mm},
-      .rim = {.outer_diameter = 62.801 * mm, .wall_thickness = 0.755 * mm, .length = 9.5 * mm},
-      .diaphragm = Diaphragm{.outer_diameter = 62.046 * mm,
-                             .inner_diameter = 36.8 * mm,
-                             .thickness = 0.762 * mm,
-                             .profile = {}},
-      .youngs_modulus = 206 * GPa,
-      .poissons_ratio = 0.3};
-}
-CamFit cam_of_size25() { return {.radial_displacement = 0.3175 * mm, .band_width = 9.2 * mm}; }
+ShellCup size25() { return test::size25_shell(); }
+CamFit cam_of_size25() { return test::size25_cam(); }
 
 constexpr std::size_t kTwoWaves = 1;
 

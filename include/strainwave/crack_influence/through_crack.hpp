@@ -70,13 +70,8 @@ class ThroughCrackTable {
   ThroughCrackTable(ThroughCrackTable&&) noexcept;
   ThroughCrackTable& operator=(ThroughCrackTable&&) noexcept;
 
-  /// Least and largest half length over the wall's thickness [-].
-  [[nodiscard]] std::array<double, 2> half_lengths() const;
-  /// Least and largest mean radius over the wall's thickness [-].
-  [[nodiscard]] std::array<double, 2> radii() const;
-
   /// The response of a crack (IN-1).
-  /// @param half_length  a [m]; below the table's range, K/sqrt(pi a) of the shortest crack counts
+  /// @param half_length  a [m]
   /// @param thickness    t [m]; > 0
   /// @param mean_radius  R [m]
   /// @param angle        beta from +z toward -theta [rad]

@@ -10,7 +10,7 @@
 #include "strainwave/core/ranks.hpp"
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/gear_fem/crack_turn.hpp"
-#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/turn_request.hpp"
 #include "strainwave/model/result/evidence.hpp"
 
 /// @file
@@ -20,33 +20,21 @@
 namespace strainwave::fe_study {
 
 struct TurnOptions {
-  /// Path of the crack; absent: the only crack of the barrel
-  std::optional<std::string> crack = {};
+  TurnRequest request = {};
   /// Order p of the solid elements, 2 to 4; absent: kSolidOrder
   std::optional<int> order = {};
-  /// T at the output [N*m]; empty: the given torque, none, and the given torque reversed
-  std::vector<double> torques = {};
-  std::vector<double> half_lengths = {};  ///< of a through crack [m]; empty: its own
-  std::vector<double> depths = {};        ///< of a surface crack of this shape [m]; empty: its own
-  int angles = 36;                        ///< over one wave
   gear_fem::LargeRotations large_rotations = gear_fem::LargeRotations::automatic;
   /// Called with one line after each step, on every rank; may be empty.
   std::function<void(const std::string&)> progress = {};
 };
 
 /// A turn at one size of the crack.
-struct TurnAtSize {
-  std::optional<double> depth;  ///< of a surface crack [m]
-  double half_length{};         ///< [m]
+struct TurnAtSize : TurnSize {
   gear_fem::CrackTurn turn;
-
-  /// "half length 2 mm", or "depth 0.2 mm".
-  [[nodiscard]] std::string name() const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"depth", "m", "depth of a surface crack"}, &TurnAtSize::depth);
-    field({"half_length", "m", "half length of the crack"}, &TurnAtSize::half_length);
+    TurnSize::describe(field);
     field({"turn", "", "K over a turn, with its checks"}, &TurnAtSize::turn);
   }
 };
@@ -61,8 +49,9 @@ struct TurnRun {
   std::vector<TurnAtSize> sizes;
   std::vector<Note> notes;
 
-  /// The tip with the larger range of K_I, over all sizes.
-  [[nodiscard]] std::string_view governing_tip() const;
+  /// The turns without their checks.  The station of a surface crack next to the surface counts as
+  /// that at the surface, 0, where K is not defined.
+  [[nodiscard]] std::vector<SizedTurn> turns() const;
   /// The first reason why the result must not be used; empty if it may be used.
   [[nodiscard]] std::string reason() const;
 
@@ -81,10 +70,10 @@ struct TurnRun {
 /// Plans a turn: fills a result except for the computed parts.
 /// @throws InputError  if the drive has no crack of the barrel in a cup with a rim, or several and
 ///                     none is chosen; if a size does not fit; for numbers out of range
-[[nodiscard]] TurnRun plan_turn(const GearSet& gear, const TurnOptions& options);
+[[nodiscard]] TurnRun planned_turn(const GearSet& gear, const TurnOptions& options);
 
 /// Computes a turn.  Every MPI rank must call it, and gets the result.
-/// @throws InputError, SolverError  as plan_turn and gear_fem::turn_crack; InputError before the
+/// @throws InputError, SolverError  as planned_turn and gear_fem::turn_crack; InputError before the
 ///                                  first solution if the memory does not suffice
 [[nodiscard]] TurnRun run_turn(const GearSet& gear, const TurnOptions& options, const Ranks& ranks);
 

@@ -3,9 +3,7 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 
-#include "strainwave/chart/chart.hpp"
 #include "strainwave/model/result/crack_turn.hpp"
 
 /// @file
@@ -18,8 +16,9 @@ namespace strainwave {
 /// @param through  whether the crack goes through the wall; else the last station is the deepest
 [[nodiscard]] std::string turn_rows(std::span<const StationTurn> stations, bool through);
 
-/// K_I over the turn, a line for each station of a tip.
-[[nodiscard]] PlotPanel turn_panel(std::string title, std::span<const StationTurn> stations,
-                                   std::string_view tip, bool through);
+/// K_I over the turn as one SVG document: a panel for each size and torque, a line for each station
+/// of the governing tip.
+/// @param sizes  one or more
+[[nodiscard]] std::string turn_plot(std::span<const SizedTurn> sizes, const std::string& subtitle);
 
 }  // namespace strainwave

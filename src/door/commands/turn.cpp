@@ -7,52 +7,21 @@
 namespace strainwave {
 namespace {
 
-struct TurnOptions {
+struct TurnOptions : TurnRequestOptions {
   std::optional<std::string> crack;
-  std::vector<double> torque;
-  std::vector<double> half_length;
-  std::vector<double> depth;
-  std::optional<int> angles;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    using O = TurnOptions;
     field({"crack", "",
            "path of the crack, such as flexspline.crack[0]; if left out the only crack of the "
            "barrel"},
-          &O::crack);
-    field({.name = "torque",
-           .unit = "N*m",
-           .doc = "torque at the output, may be repeated; if left out the file's torque, none, and "
-                  "the reversed torque"},
-          &O::torque);
-    field({.name = "half_length",
-           .unit = "m",
-           .doc = "half length of a through crack, may be repeated; if left out that of the file",
-           .range = kPositive},
-          &O::half_length);
-    field(
-        {.name = "depth",
-         .unit = "m",
-         .doc = "depth of a surface crack of the same shape, may be repeated; if left out that of "
-                "the file",
-         .range = kPositive},
-        &O::depth);
-    field({.name = "angles",
-           .unit = "",
-           .doc = "angles over one wave, half a turn; 36 if left out",
-           .range = {.lower = 8, .lower_open = false, .upper = 720, .upper_open = false}},
-          &O::angles);
+          &TurnOptions::crack);
+    TurnRequestOptions::describe(field);
   }
 };
 
 DriveTurn turn(const Request& request, const TurnOptions& options) {
-  DriveTurnOptions asked{.crack = options.crack,
-                         .torques = options.torque,
-                         .half_lengths = options.half_length,
-                         .depths = options.depth};
-  if (options.angles) asked.angles = *options.angles;
-  return drive_turn(request.drive.gear, asked);
+  return drive_turn(request.drive.gear, options.request(options.crack));
 }
 
 }  // namespace

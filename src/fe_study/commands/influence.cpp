@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include "strainwave/fe_study/influence.hpp"
+
 #include <numbers>
 #include <vector>
 
-#include "strainwave/fe_study/influence.hpp"
+#include "strainwave/core/ascending.hpp"
 
 namespace strainwave::fe_study {
 namespace {
@@ -30,19 +31,11 @@ struct InfluenceOptions {
         {.name = "angle",
          .unit = "rad",
          .doc = "angle from the generator, may be repeated; if left out 0 to 90 deg in four steps",
-         .range = {.lower = 0,
-                   .lower_open = false,
-                   .upper = std::numbers::pi / 2,
-                   .upper_open = false}},
+         .range =
+             {.lower = 0, .lower_open = false, .upper = std::numbers::pi / 2, .upper_open = false}},
         &O::angle);
   }
 };
-
-std::vector<double> ascending(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
 
 InfluenceOutcome influence_run(const Request& request, const InfluenceOptions& options) {
   InfluenceGrid grid = influence_grid();

@@ -5,39 +5,14 @@
 namespace strainwave::fe_study {
 namespace {
 
-struct TurnCommandOptions : CrackOptions {
-  std::vector<double> torque;
-  std::vector<double> half_length;
-  std::vector<double> depth;
-  std::optional<int> angles;
+struct TurnCommandOptions : TurnRequestOptions, CrackOptions {
   std::optional<gear_fem::LargeRotations> nonlinear;
   bool dry_run = false;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     using O = TurnCommandOptions;
-    field({.name = "torque",
-           .unit = "N*m",
-           .doc = "torque at the output, may be repeated; if left out the file's torque, none, and "
-                  "the reversed torque"},
-          &O::torque);
-    field({.name = "half_length",
-           .unit = "m",
-           .doc = "half length of a through crack, may be repeated; if left out that of the file",
-           .range = kPositive},
-          &O::half_length);
-    field(
-        {.name = "depth",
-         .unit = "m",
-         .doc = "depth of a surface crack of the same shape, may be repeated; if left out that of "
-                "the file",
-         .range = kPositive},
-        &O::depth);
-    field({.name = "angles",
-           .unit = "",
-           .doc = "angles over one wave, half a turn; 36 if left out",
-           .range = {.lower = 8, .lower_open = false, .upper = 720, .upper_open = false}},
-          &O::angles);
+    TurnRequestOptions::describe(field);
     field({"nonlinear", "",
            "large rotations of the oval: auto if they matter, on or off; auto if left out"},
           &O::nonlinear);
@@ -48,18 +23,19 @@ struct TurnCommandOptions : CrackOptions {
 
 TurnRun turn_run(const Request& request, const TurnCommandOptions& options) {
   const RunOptions run = run_options(request, options);
-  TurnOptions asked{.crack = run.crack,
-                    .order = run.order,
-                    .torques = options.torque,
-                    .half_lengths = options.half_length,
-                    .depths = options.depth,
-                    .progress = run.progress};
-  if (options.angles) asked.angles = *options.angles;
+  TurnOptions asked{
+      .request = options.request(run.crack), .order = run.order, .progress = run.progress};
   if (options.nonlinear) asked.large_rotations = *options.nonlinear;
   if (!options.dry_run) return run_turn(request.drive.gear, asked, request.ranks);
-  TurnRun result = plan_turn(request.drive.gear, asked);
+  TurnRun result = planned_turn(request.drive.gear, asked);
   result.refused = memory_refusal(result.plan, request.ranks);
   return result;
+}
+
+std::string plot_of_turn(const TurnRun& run, const GearSet& gear) {
+  if (!run.calculated)
+    throw OptionError("dry_run", "does not compute K; leave out --plot or choose another format");
+  return turn_plot(run, gear);
 }
 
 }  // namespace
@@ -80,7 +56,7 @@ Command turn_command() {
           {{Format::csv, turn_csv},
            {Format::text, turn_text},
            {{.name = "plot", .format = Format::svg, .option = "plot", .doc = "K_I over the turn"},
-            turn_plot}},
+            plot_of_turn}},
   });
 }
 

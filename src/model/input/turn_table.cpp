@@ -160,6 +160,27 @@ int waves_of(const TurnTable& table, int wave_number) {
   return std::max(1, static_cast<int>(std::lround(span * wave_number / (2 * pi))));
 }
 
+TurnTable turn_table(std::span<const SizedTurn> sizes) {
+  const std::string_view tip = governing_station(sizes)->tip;
+  TurnTable table;
+  table.size_name = sizes.front().depth ? "depth" : "half_length";
+  for (const LoadedTurn& torque : sizes.front().torques) table.torques.push_back(torque.torque);
+  for (const StationTurn& station : sizes.front().torques.front().stations) {
+    if (station.tip != tip) continue;
+    table.stations.push_back(station.station);
+    if (!table.angles.empty()) continue;
+    for (const TurnFactor& K : station.factors) table.angles.push_back(K.angle);
+  }
+  for (const SizedTurn& size : sizes) {
+    table.sizes.push_back(size.depth.value_or(size.half_length));
+    for (const LoadedTurn& torque : size.torques)
+      for (const StationTurn& station : torque.stations)
+        if (station.tip == tip)
+          for (const TurnFactor& K : station.factors) table.K.push_back({K.K_I, K.K_II, K.K_III});
+  }
+  return table;
+}
+
 TurnRange turn_range(const TurnTable& table, double size, double aspect_ratio, double torque) {
   const TurnFactors turn(table, size, aspect_ratio);
   TurnRange widest;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/model/result/crack_turn.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
+
+#include "strainwave/core/units.hpp"
 
 namespace strainwave {
 
@@ -30,6 +34,22 @@ const StationTurn* governing_station(std::span<const StationTurn> stations) {
   const auto largest = std::ranges::max_element(
       stations, {}, [](const StationTurn& station) { return station.mode_I.range; });
   return largest == stations.end() ? nullptr : &*largest;
+}
+
+const StationTurn* governing_station(std::span<const SizedTurn> sizes) {
+  const StationTurn* governing = nullptr;
+  for (const SizedTurn& size : sizes)
+    for (const LoadedTurn& torque : size.torques) {
+      const StationTurn* const here = governing_station(torque.stations);
+      if (here != nullptr && (governing == nullptr || here->mode_I.range > governing->mode_I.range))
+        governing = here;
+    }
+  return governing;
+}
+
+std::string TurnSize::name() const {
+  return depth ? fmt::format("depth {:.6g} mm", *depth / units::mm)
+               : fmt::format("half length {:.6g} mm", half_length / units::mm);
 }
 
 }  // namespace strainwave

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,10 @@ class TurnFactors {
 
 /// Number of waves over which the angles of a table run, of a drive of this wave number: 1 or all.
 [[nodiscard]] int waves_of(const TurnTable& table, int wave_number);
+
+/// The turn of the governing tip as a table, without a file's name.
+/// @param sizes  of one crack, ascending, each under the same torques; one or more
+[[nodiscard]] TurnTable turn_table(std::span<const SizedTurn> sizes);
 
 /// K_I over a turn under a torque, at the place of the front where its range is largest; pressed
 /// faces have K_I = 0.

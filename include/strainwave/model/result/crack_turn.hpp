@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -78,11 +80,51 @@ struct StationTurn {
   }
 };
 
+/// Size of a crack of the barrel.
+struct TurnSize {
+  std::optional<double> depth;  ///< of a surface crack [m]
+  double half_length{};         ///< [m]
+
+  /// "half length 2 mm", or "depth 0.2 mm".
+  [[nodiscard]] std::string name() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"depth", "m", "depth of a surface crack"}, &TurnSize::depth);
+    field({"half_length", "m", "half length of the crack"}, &TurnSize::half_length);
+  }
+};
+
+/// A turn under one torque.
+struct LoadedTurn {
+  double torque{};                    ///< T [N*m]
+  std::vector<StationTurn> stations;  ///< of the upper tip, then of the lower tip
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "N*m", "torque at the output"}, &LoadedTurn::torque);
+    field({"stations", "", "places of the fronts"}, &LoadedTurn::stations);
+  }
+};
+
+/// A turn at one size of the crack.
+struct SizedTurn : TurnSize {
+  std::vector<LoadedTurn> torques;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    TurnSize::describe(field);
+    field({"torques", "", "the turn under each torque"}, &SizedTurn::torques);
+  }
+};
+
 /// The range of K_I over a turn.
 /// @param factors  over one wave, two or more; the last angle is the first one again
 [[nodiscard]] TurnRange turn_range(std::span<const TurnFactor> factors);
 
 /// The station with the largest range of K_I, the first if several tie; null: there is none.
 [[nodiscard]] const StationTurn* governing_station(std::span<const StationTurn> stations);
+/// The same over all sizes and torques.
+[[nodiscard]] const StationTurn* governing_station(std::span<const SizedTurn> sizes);
 
 }  // namespace strainwave

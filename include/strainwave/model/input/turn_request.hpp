@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/crack_turn.hpp"
+
+/// @file
+/// What a turn of the wave generator is asked for, by every model of a turn: a crack of the barrel,
+/// torques, sizes and angles.
+
+namespace strainwave {
+
+struct TurnRequest {
+  /// Path of the crack; absent: the only crack of the barrel
+  std::optional<std::string> crack = {};
+  /// T at the output [N*m]; empty: the given torque, none, and the given torque reversed
+  std::vector<double> torques = {};
+  std::vector<double> half_lengths = {};  ///< of a through crack [m]; empty: its own
+  std::vector<double> depths = {};        ///< of a surface crack of this shape [m]; empty: its own
+  int angles = 36;                        ///< over one wave, half a turn; 8 to 720
+};
+
+/// A request as the options of a command, without the crack.
+struct TurnRequestOptions {
+  std::vector<double> torque;
+  std::vector<double> half_length;
+  std::vector<double> depth;
+  std::optional<int> angles;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using O = TurnRequestOptions;
+    field({.name = "torque",
+           .unit = "N*m",
+           .doc = "torque at the output, may be repeated; if left out the file's torque, none, and "
+                  "the reversed torque"},
+          &O::torque);
+    field({.name = "half_length",
+           .unit = "m",
+           .doc = "half length of a through crack, may be repeated; if left out that of the file",
+           .range = kPositive},
+          &O::half_length);
+    field({.name = "depth",
+           .unit = "m",
+           .doc = "depth of a surface crack of the same shape, may be repeated; if left out that "
+                  "of the file",
+           .range = kPositive},
+          &O::depth);
+    field({.name = "angles",
+           .unit = "",
+           .doc = "angles over one wave, half a turn; 36 if left out",
+           .range = {.lower = 8, .lower_open = false, .upper = 720, .upper_open = false}},
+          &O::angles);
+  }
+
+  [[nodiscard]] TurnRequest request(std::optional<std::string> crack) const;
+};
+
+/// A crack of the barrel.
+struct BarrelCrack {
+  std::string path;  ///< "flexspline.crack[0]"
+  std::variant<WallThroughCrack, WallSurfaceCrack> crack;
+
+  [[nodiscard]] double angle() const;  ///< beta from +z toward -theta [rad]
+  /// A surface crack whose file does not say from which surface it starts.
+  [[nodiscard]] bool mouth_unknown() const;
+};
+
+/// A request with all that the file and the defaults give.
+struct TurnPlan {
+  BarrelCrack crack;
+  std::vector<double> torques;  ///< ascending [N*m]
+  std::vector<TurnSize> sizes;  ///< ascending
+  int angles{};                 ///< over one wave [-]
+};
+
+/// Completes a request for a drive.
+/// @throws InputError  as `check` and require_turning_cup; if the barrel has no crack, or several
+///                     and none is chosen; if the size is that of another kind of crack; for
+///                     numbers out of range
+[[nodiscard]] TurnPlan plan_turn(const GearSet& gear, const TurnRequest& request);
+
+}  // namespace strainwave
