@@ -54,6 +54,8 @@ void need_fields(const GearSet& gear, Factor factor) {
       return;
     case Factor::cam_flattening:
       need(gear.wave_generator.has_value(), "wave_generator", factor);
+      if (gear.wave_generator->cam)
+        throw InputError("wave_generator.cam", "must be left out to vary cam_flattening");
       return;
   }
 }

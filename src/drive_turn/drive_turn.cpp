@@ -89,7 +89,7 @@ std::vector<Note> notes_of(const GearSet& gear, const BarrelCrack& of) {
        "the crack is alone; the cam is rigid and has no friction; the torque acts evenly "
        "round the rim, not in the zones of the teeth",
        of.path, "CU-2", Severity::care});
-  if (!gear.wave_generator || !gear.wave_generator->cam_perimeter_excess)
+  if (perimeter_is_assumed(gear))
     notes.push_back({"turn.cam_perimeter", "the cam is taken to have the perimeter of the bore",
                      "wave_generator.cam_perimeter_excess", "CU-2", Severity::care,
                      "Give cam_perimeter_excess if the perimeter is known."});

@@ -93,7 +93,7 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
                        "the crack is alone; the cam is rigid and has no friction; the torque acts "
                        "evenly round the rim, not in the zones of the teeth",
                        run.path, "FE-52", Severity::care});
-  if (!gear.wave_generator || !gear.wave_generator->cam_perimeter_excess)
+  if (perimeter_is_assumed(gear))
     run.notes.push_back({"fe.cam_perimeter", "the cam is taken to have the perimeter of the bore",
                          "wave_generator.cam_perimeter_excess", "FE-52", Severity::care,
                          "Give cam_perimeter_excess if the perimeter is known."});

@@ -533,6 +533,11 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
                      "inside the outer ring, whose outer diameter is 2 mean_radius + thickness");
   require(bearing.clearance < drive.radial_displacement, "wave_generator.bearing.clearance",
           bearing.clearance, "m", "clearance < drive.radial_displacement");
+  if (!cam_flattening(wg))
+    throw InputError(
+        "wave_generator.cam.profile",
+        "must be \"cosine\" or \"ellipse\" for the torsion curve, which does not know "
+        "other cams; without wave_generator.cam, cam_flattening gives a flattened cosine");
   require(wg.cam_flattening <= kMostFlattening, "wave_generator.cam_flattening", wg.cam_flattening,
           "1", "<= 6 for the torsion curve");
   if (gear.mesh->tooth) check_teeth(gear, *gear.mesh->tooth);
@@ -580,7 +585,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   g.ball_stiffness = pow(c, -1.5);  // (TC-5)
   g.balls = *bearing.ball_count;
   g.clearance = lift(bearing.clearance);
-  g.cam_flattening = lift(wg.cam_flattening);
+  g.cam_flattening = wg.cam ? Real(cam_flattening(wg).value()) : lift(wg.cam_flattening);
   add_mesh(g, gear, lift);
   if (gear.circular_spline) {
     const CircularSpline& spline = *gear.circular_spline;

@@ -94,6 +94,12 @@ TEST(Factors, InputRefusals) {
   refuses(Factor::coning, "mesh");
   refuses(Factor::gap_factor, "mesh");
   refuses(Factor::pair_compliance, "mesh");
+  gear.wave_generator->cam =
+      Cam{.profile = CamProfile::ellipse, .arc_angle = {}, .disc_offset = {}, .point = {}};
+  EXPECT_NE(broken_rule([&] {
+              return with_factor(gear, Factor::cam_flattening, 1.0);
+            }).find("wave_generator.cam: must be left out"),
+            std::string::npos);
   gear.wave_generator->bearing.reset();
   refuses(Factor::clearance, "wave_generator.bearing");
   gear.wave_generator.reset();

@@ -360,6 +360,18 @@ TEST(DriveTurn, InputOfADrive) {
     gear.material["steel"].yield_strength = 200 * MPa;
   };
   names(rule(stretched), "beyond its yield strength of 200 MPa");
+  const auto with_cam = [](const Cam& cam) {
+    return [cam](GearSet& gear) {
+      gear.wave_generator->cam = cam;
+      gear.material["steel"].yield_strength = 200 * MPa;
+    };
+  };
+  const Cam wide{
+      .profile = CamProfile::two_discs, .arc_angle = {}, .disc_offset = 0.7 * mm, .point = {}};
+  names(rule(with_cam(wide)), "wave_generator.cam.disc_offset: stretches the rim to");
+  Cam thick{.profile = CamProfile::points, .arc_angle = {}, .disc_offset = {}, .point = {}};
+  for (int i = 0; i <= 6; ++i) thick.point.push_back({pi / 12 * i, 0.3175 * mm - i * 0.02 * mm});
+  names(rule(with_cam(thick)), "wave_generator.cam.point: stretches the rim to");
   names(rule([](GearSet& gear) { gear.wave_generator->bearing->clearance = 0.4 * mm; }),
         "smaller than the bore");
 }

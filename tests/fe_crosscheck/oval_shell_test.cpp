@@ -39,18 +39,27 @@ std::vector<Drive> drives() {
                     .youngs_modulus = 206 * GPa,
                     .poissons_ratio = 0.3};
   };
-  return {{"size 25",
-           cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
-           {.radial_displacement = 0.3175 * mm, .band_width = 9.2 * mm}},
-          {"size 25, long cam",
-           cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
-           {.radial_displacement = 0.3175 * mm, .perimeter_excess = 0.03 * mm}},
-          {"large, flat cam",
-           cup(tube(100, 0.9, 30), tube(100.4, 1.3, 16), plate(99.1, 60, 1.1)),
-           {.radial_displacement = 0.95 * mm, .flattening = 1.5, .band_width = 14 * mm}},
-          {"cylinder, loose",
-           cup(tube(50, 0.5, 30), tube(50.2, 0.7, 8), {}),
-           {.radial_displacement = 0.25 * mm, .clearance = 0.02 * mm, .band_width = 7 * mm}}};
+  return {
+      {"size 25",
+       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
+       {.radial_displacement = 0.3175 * mm, .band_width = 9.2 * mm}},
+      {"size 25, long cam",
+       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
+       {.radial_displacement = 0.3175 * mm, .perimeter_excess = 0.03 * mm}},
+      {"size 25, two discs",
+       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
+       {.radial_displacement = 0.3175 * mm, .shape = TwoDiscs{1.1 * mm}, .band_width = 9.2 * mm}},
+      {"size 25, two arcs",
+       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
+       {.radial_displacement = 0.3175 * mm,
+        .shape = TwoArcs{30 * units::deg},
+        .band_width = 9.2 * mm}},
+      {"large, flat cam",
+       cup(tube(100, 0.9, 30), tube(100.4, 1.3, 16), plate(99.1, 60, 1.1)),
+       {.radial_displacement = 0.95 * mm, .shape = FlattenedCosine{1.5}, .band_width = 14 * mm}},
+      {"cylinder, loose",
+       cup(tube(50, 0.5, 30), tube(50.2, 0.7, 8), {}),
+       {.radial_displacement = 0.25 * mm, .clearance = 0.02 * mm, .band_width = 7 * mm}}};
 }
 
 // (CU-1) to (CU-4) Kind: crosscheck.  Source: OvalCup (FE-51 to FE-53), a solid by finite elements.

@@ -98,7 +98,7 @@ TEST(OvalCup, LimitShearByTorque) {
 // mean over the width of the band against its middle.
 TEST(OvalCup, ReferenceShapeOfTheCam) {
   CamFit fit = fit_of_size25();
-  fit.flattening = 30;
+  fit.shape = FlattenedCosine{30};
   fit.clearance = 0.02e-3;
   fit.perimeter_excess = 2 * pi * 0.05e-3;
   const OvalCup cup(size25(), kSteelOfCup, fit,

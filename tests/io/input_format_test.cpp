@@ -421,6 +421,35 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       return line.starts_with("input_torque = ") || line.starts_with("output_torque = ");
     });
   };
+  // An ellipse has no numbers of its own.
+  const std::function<void(Lines&)> as_ellipse = [](Lines& lines) {
+    std::erase_if(lines, [](const std::string& line) {
+      return line.starts_with("arc_angle = ") || line.starts_with("disc_offset = ");
+    });
+  };
+  // A lobe, three points beside it, and the middle between the lobes.
+  const std::function<void(Lines&)> with_points = [&](Lines& lines) {
+    switch_on(lines, "[wave_generator.cam]");
+    as_ellipse(lines);
+    std::ranges::replace_if(
+        lines, [](const std::string& line) { return line.starts_with("profile = \"ellipse\""); },
+        "profile = \"points\"");
+    const auto at = std::ranges::find_if(lines, [](const std::string& line) {
+      return line.starts_with("[[wave_generator.cam.point]]");
+    });
+    ASSERT_NE(at, lines.end());
+    Lines points;
+    for (const auto& [angle, height] : {std::pair{"0 deg", "0.8 mm"},
+                                        {"20 deg", "0.6 mm"},
+                                        {"45 deg", "0 mm"},
+                                        {"70 deg", "-0.6 mm"},
+                                        {"90 deg", "-0.8 mm"}}) {
+      points.emplace_back("[[wave_generator.cam.point]]");
+      points.push_back("angle = \"" + std::string(angle) + '"');
+      points.push_back("height = \"" + std::string(height) + '"');
+    }
+    lines.insert(lines.erase(at, at + 3), points.begin(), points.end());
+  };
   struct Table {
     std::string heading;  ///< and the kind, of a crack
     std::string alone;    ///< verdict without anything else
@@ -451,6 +480,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[flexspline.rim]", "is read only where crack_free = \"sections\"", all_sections},
       {"[flexspline.barrel]", "is read only where crack_free = \"sections\"", all_sections},
       {"[flexspline.diaphragm]", "is read only where crack_free = \"sections\"", all_sections},
+      {"[wave_generator.cam]", "wave_generator.cam.arc_angle: must be left out", as_ellipse},
+      {"[[wave_generator.cam.point]]", "wave_generator.cam.profile: must be given", with_points},
       {"[[flexspline.diaphragm.profile]]", "flexspline.diaphragm.outer_diameter: must be given",
        all_sections},
       {"[flexspline.boss]", "is read only where crack_free = \"sections\"", all_sections},
@@ -697,7 +728,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 61);
+  EXPECT_EQ(n, 63);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -862,7 +893,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 61);
+  EXPECT_EQ(tables, 63);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

@@ -919,9 +919,59 @@ TEST(Check, InputCracksOfTheWallThatTouch) {
   GearSet somewhere = pair(0, 50 * mm, pi / 4);
   std::get<WallThroughCrack>(somewhere.flexspline->crack[1]).position.reset();
   EXPECT_EQ(refused(somewhere), "");  // far apart
+  GearSet repeated = somewhere;
+  std::get<WallThroughCrack>(repeated.flexspline->crack[0]).position.reset();
+  EXPECT_EQ(refused(repeated),
+            "flexspline.crack[1]: repeats flexspline.crack[0]; give both a position, or leave one "
+            "out");
+  std::get<WallThroughCrack>(repeated.flexspline->crack[0]).half_length = 9 * mm;
+  EXPECT_EQ(refused(repeated), "");
   GearSet other_section = pair(0, 15 * mm, pi / 4);
   std::get<WallThroughCrack>(other_section.flexspline->crack[1]).section = WallSection::rim;
   EXPECT_EQ(refused(other_section), "");
+}
+
+TEST(Check, InputACam) {
+  const auto refused = [](const Mutation& change) {
+    GearSet gear = article_gear();
+    gear.wave_generator->cam =
+        Cam{.profile = CamProfile::ellipse, .arc_angle = {}, .disc_offset = {}, .point = {}};
+    change(gear);
+    return std::string(refusal(gear).what());
+  };
+  EXPECT_EQ(refused([](GearSet&) {}), ": accepted");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam_flattening = 1; }),
+            "wave_generator.cam_flattening: is a second shape of the cam; give only one of "
+            "cam_flattening and cam");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam->arc_angle = 0.5; }),
+            "wave_generator.cam.arc_angle: must be left out; it belongs to profile = \"two_arcs\"");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam->disc_offset = 1 * mm; }),
+            "wave_generator.cam.disc_offset: must be left out; it belongs to profile = "
+            "\"two_discs\"");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam->point.resize(5); }),
+            "wave_generator.cam.point: must be left out; it belongs to profile = \"points\"");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam->profile = CamProfile::two_arcs; }),
+            "wave_generator.cam.arc_angle: must be given for profile = \"two_arcs\"");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam->profile = CamProfile::two_discs; }),
+            "wave_generator.cam.disc_offset: must be given for profile = \"two_discs\"");
+  EXPECT_EQ(refused([](GearSet& g) { g.wave_generator->cam->profile = CamProfile::points; }),
+            "wave_generator.cam.point: must be given for profile = \"points\"");
+  const auto discs = [](GearSet& g) {
+    g.wave_generator->cam->profile = CamProfile::two_discs;
+    g.wave_generator->cam->disc_offset = 3.5 * g.drive.radial_displacement;
+  };
+  EXPECT_EQ(refused(discs), ": accepted");
+  EXPECT_EQ(refused([&](GearSet& g) {
+              discs(g);
+              g.wave_generator->cam_perimeter_excess = 0.01 * mm;
+            }),
+            "wave_generator.cam_perimeter_excess: must be left out, because the heights of the cam "
+            "are given by its profile");
+  const std::string near = refused([&](GearSet& g) {
+    discs(g);
+    g.wave_generator->cam->disc_offset = 0.9 * g.drive.radial_displacement;
+  });
+  EXPECT_NE(near.find("wave_generator.cam.disc_offset = "), std::string::npos) << near;
 }
 
 TEST(Check, InputADrivetrain) {
@@ -1609,6 +1659,7 @@ TEST(CheckRange, ReferenceRanges) {
                                      "material.steel.growth[5].slope_plus",
                                      "material.steel.growth[5].slope_minus",
                                      "wave_generator.cam_perimeter_excess",
+                                     "wave_generator.cam.point[0].height",
                                      "duty.block[0].output_speed",
                                      "duty.block[0].input_speed",
                                      "duty.block[0].torque",
@@ -1682,6 +1733,8 @@ TEST(CheckRange, ReferenceRanges) {
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
       {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},
+      {"wave_generator.cam.arc_angle", ">= 5 deg and <= 85 deg"},
+      {"wave_generator.cam.point[0].angle", ">= 0 and <= 90 deg"},
       {"flexspline.crack[0].angle", "> -90 deg and <= 90 deg"},
       {"flexspline.crack[1].angle", "> -90 deg and <= 90 deg"}};
   const GearSet full = full_gear();

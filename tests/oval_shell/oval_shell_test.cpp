@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -95,6 +96,31 @@ TEST(OvalShell, ScalingContact) {
               1e-6);
 }
 
+// (CU-2) Kind: closed form.  Source: a free ring on two discs, derived in (CU-2): the arcs on which
+// the discs press, and the forces in units of EI w_0/R^3.  The rim hangs on a thin long barrel.
+// Tolerance: the arc 3.75 deg, the distance of the places of contact; ratios of the forces 4 %.
+TEST(OvalShell, LimitRingOnTwoDiscs) {
+  ShellCup ring = size25();
+  ring.barrel = {.outer_diameter = 62.499 * mm, .wall_thickness = 0.05 * mm, .length = 200 * mm};
+  ring.diaphragm->thickness = 0.05 * mm;
+  CamFit cam = cam_of_size25();
+  cam.radial_displacement = 1e-3 * mm;
+  const auto pressed = [&](double offset) {
+    cam.shape = TwoDiscs{offset * cam.radial_displacement};
+    return oval_shell(ring, cam).contact;
+  };
+  const ShellContact point = pressed(5.5);
+  EXPECT_LE(point.half_arc, 3.75 * deg);
+  for (const auto& [offset, half_arc, force] :
+       {std::array{3.3, 35.32, 27.36}, std::array{3.6, 25.38, 19.44},
+        std::array{4.0, 16.21, 15.69}}) {
+    const ShellContact contact = pressed(offset);
+    EXPECT_NEAR(contact.half_arc, half_arc * deg, 3.75 * deg);
+    EXPECT_NEAR(contact.lobe_force / point.lobe_force, force / 13.44, 0.04 * force / 13.44)
+        << offset;
+  }
+}
+
 // (CU-3) Kind: limit.  What large rotations add is of second order: half of the displacement gives
 // a quarter of it.  Tolerance 10 %: the contact arc changes too.
 TEST(OvalShell, ScalingLargeRotations) {
@@ -179,7 +205,7 @@ TEST(OvalShell, InputOfRanges) {
   names(cam_rule([&](CamFit& cam) { cam.clearance = nan; }), "clearance");
   names(cam_rule([](CamFit& cam) { cam.clearance = -1e-6; }), "clearance");
   names(cam_rule([](CamFit& cam) { cam.band_width = -1e-6; }), "band_width");
-  names(cam_rule([](CamFit& cam) { cam.flattening = -1; }), "cam_flattening");
+  names(cam_rule([](CamFit& cam) { cam.shape = FlattenedCosine{-1}; }), "cam_flattening");
   names(cam_rule([](CamFit& cam) { cam.perimeter_excess = 3 * mm; }), "perimeter_excess");
   names(cam_rule([](CamFit& cam) { cam.clearance = 0.4 * mm; }), "smaller than the bore");
   const OvalShell shell = oval_shell(size25(), cam_of_size25());

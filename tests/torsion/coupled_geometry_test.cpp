@@ -233,6 +233,17 @@ TEST(ContactCracks, IdentityRaceCrackIsThatOfItsBall) {
   test::expect_relative(idle.points.at(0).twist, twist(typical_drive(), T), 1e-12);
 }
 
+// Kind: identity.  The ellipse of a file is the flattening 1.5.
+TEST(CoupledGeometry, IdentityEllipse) {
+  GearSet flat = typical_drive();
+  flat.wave_generator->cam_flattening = 1.5;
+  GearSet ellipse = typical_drive();
+  ellipse.wave_generator->cam =
+      Cam{.profile = CamProfile::ellipse, .arc_angle = {}, .disc_offset = {}, .point = {}};
+  EXPECT_EQ(twist(ellipse, 30), twist(flat, 30));
+  EXPECT_NE(twist(ellipse, 30), twist(typical_drive(), 30));
+}
+
 TEST(CoupledGeometry, InputLimitsOfTheModel) {
   const auto field = [](const auto& change) {
     GearSet gear = typical_drive();
@@ -250,6 +261,12 @@ TEST(CoupledGeometry, InputLimitsOfTheModel) {
             "wave_generator.bearing.clearance");
   EXPECT_EQ(field([](GearSet& g) { g.wave_generator->cam_flattening = 6.1; }),
             "wave_generator.cam_flattening");
+  EXPECT_EQ(
+      field([](GearSet& g) {
+        g.wave_generator->cam =
+            Cam{.profile = CamProfile::two_arcs, .arc_angle = 0.5, .disc_offset = {}, .point = {}};
+      }),
+      "wave_generator.cam.profile");
   EXPECT_EQ(field([](GearSet& g) { g.mesh->coning = 5.1; }), "mesh.coning");
   EXPECT_EQ(field([](GearSet& g) { g.drive.radial_displacement *= 2.1; }),
             "drive.radial_displacement");

@@ -6,13 +6,16 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/input/cam_curve.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/turn_table.hpp"
 
@@ -512,6 +515,38 @@ bool touch(const UnrolledCrack& a, const UnrolledCrack& b, double shift) {
          tiny;
 }
 
+/// Whether all fields of two values agree.
+template <class T>
+bool same(const T& a, const T& b) {
+  bool all = true;
+  T::describe([&](const Field&, auto member) {
+    const auto& of_a = a.*member;
+    const auto& of_b = b.*member;
+    if constexpr (requires { of_a == of_b; })
+      all = all && of_a == of_b;
+    else
+      all = all && same(of_a, of_b);
+  });
+  return all;
+}
+
+/// Refuses a crack of the flexspline's wall that repeats another one without saying where it lies.
+void check_repeated(const FieldPath& path, const std::vector<FlexsplineCrack>& cracks) {
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    for (std::size_t other = 0; other < i; ++other)
+      std::visit(
+          [&](const auto& one) {
+            using Crack = std::remove_cvref_t<decltype(one)>;
+            if constexpr (requires { one.section; })
+              if (const auto* const before = std::get_if<Crack>(&cracks[other]);
+                  before != nullptr && !one.position && same(one, *before))
+                throw InputError(path[i].text(),
+                                 fmt::format("repeats {}; give both a position, or leave one out",
+                                             path[other].text()));
+          },
+          cracks[i]);
+}
+
 /// Refuses cracks of the flexspline's wall that touch or cross.
 void check_apart(const FieldPath& path, const GearSet& gear) {
   const auto& cracks = gear.flexspline->crack;
@@ -563,6 +598,30 @@ void check_groove(const FieldPath& path, double width, const Bearing& bearing) {
                       bearing.ball_diameter / 2 / units::mm));
 }
 
+/// A cam has the numbers of its own profile and no others.
+void check_cam(const GearSet& gear, const Cam& cam, const FieldPath& path) {
+  const auto belongs = [&](CamProfile profile, bool given, const char* field) {
+    const std::string_view own = EnumNames<CamProfile>::names[static_cast<std::size_t>(profile)];
+    if (given == (cam.profile == profile)) return;
+    throw InputError(
+        (path / field).text(),
+        fmt::format("{} profile = \"{}\"",
+                    given ? "must be left out; it belongs to" : "must be given for", own));
+  };
+  belongs(CamProfile::two_arcs, cam.arc_angle.has_value(), "arc_angle");
+  belongs(CamProfile::two_discs, cam.disc_offset.has_value(), "disc_offset");
+  belongs(CamProfile::points, !cam.point.empty(), "point");
+  const WaveGenerator& wg = *gear.wave_generator;
+  if (wg.cam_flattening != 0)
+    throw InputError("wave_generator.cam_flattening",
+                     "is a second shape of the cam; give only one of cam_flattening and cam");
+  const CamShape shape = cam_shape(wg);
+  check(shape, gear.drive.radial_displacement, gear.drive.pitch_diameter / 2, path);
+  if (wg.cam_perimeter_excess && !has_own_perimeter(shape))
+    throw InputError("wave_generator.cam_perimeter_excess",
+                     "must be left out, because the heights of the cam are given by its profile");
+}
+
 void check_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   const FieldPath path("wave_generator");
@@ -596,6 +655,7 @@ void check_wave_generator(const GearSet& gear) {
     require(*wg.inner_ring_thickness < *wg.inner_ring_mean_radius,
             (path / "inner_ring_thickness").text(), *wg.inner_ring_thickness, "m",
             "inner_ring_thickness < inner_ring_mean_radius");
+  if (wg.cam) check_cam(gear, *wg.cam, path / "cam");
   if (wg.cam_perimeter_excess) {
     const double most = 0.005 * std::numbers::pi * gear.drive.pitch_diameter;
     require(std::abs(*wg.cam_perimeter_excess) < most, (path / "cam_perimeter_excess").text(),
@@ -791,6 +851,7 @@ void check_flexspline(const GearSet& gear) {
       if (!value)
         throw InputError((path / field).text(), "must be given where crack_free = \"factor\" [m]");
   check_cracks(gear, path, fs.crack);
+  check_repeated(path / "crack", fs.crack);
   check_apart(path / "crack", gear);
   check_overlaps(path / "crack", fs);
   if (fs.rim)

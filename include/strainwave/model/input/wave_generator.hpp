@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/model/input/cam.hpp"
 #include "strainwave/model/input/crack.hpp"
 
 namespace strainwave {
@@ -213,6 +214,7 @@ struct WaveGenerator {
   /// Flattening c_cam [-]: the cam lies c_cam (w_0^2/R) sin^2(2 psi) inside the cosine; 1.5 for an
   /// ellipse; coupled drive and K over a turn only.
   double cam_flattening = 0.0;
+  std::optional<Cam> cam;  ///< alternative to cam_flattening; absent: a flattened cosine
   /// Perimeter of the cam, as the bore of the flexspline sees it through the bearing, minus that of
   /// the round bore [m]; > 0 stretches the rim; K over a turn only.  Absent: 0.
   std::optional<double> cam_perimeter_excess;
@@ -297,6 +299,11 @@ struct WaveGenerator {
               .example = R"("0.02 mm")",
               .in_template = InTemplate::commented},
         &WaveGenerator::cam_perimeter_excess);
+    field(Field{.name = "cam",
+                .unit = "",
+                .doc = "shape of the cam; give this or cam_flattening",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::cam);
     field(Field{.name = "displacements",
                 .unit = "",
                 .doc = "displacements of one lobe at the force of the given torque",
@@ -311,5 +318,13 @@ struct WaveGenerator {
           &WaveGenerator::crack);
   }
 };
+
+/// c_cam of a cam that is a flattened cosine [-]; absent for another shape.
+[[nodiscard]] inline std::optional<double> cam_flattening(const WaveGenerator& generator) {
+  if (!generator.cam) return generator.cam_flattening;
+  if (generator.cam->profile == CamProfile::cosine) return 0.0;
+  if (generator.cam->profile == CamProfile::ellipse) return 1.5;
+  return std::nullopt;
+}
 
 }  // namespace strainwave
