@@ -96,6 +96,8 @@ function(strainwave_flags target)
     # clang warns of names that other namespaces hide.  g++ 12 falsely warns of overlapping strings and of
     # members of empty classes and variants without a value.
     $<$<CXX_COMPILER_ID:GNU>:-Wshadow;-Wno-restrict;-Wno-maybe-uninitialized>
+    # g++ warns of anonymous namespaces in all files that a module compiled as one file includes.
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
     $<$<BOOL:${STRAINWAVE_WERROR}>:-Werror>)
   if(STRAINWAVE_SANITIZE)
     # The address sanitizer sees null pointers and wrong sizes too; nothing checks the alignment.  Without these

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/gear_fem/crack_influence.hpp"
 
 namespace strainwave::fe_study {
@@ -20,20 +20,19 @@ using gear_fem::ContactGrid;
 using gear_fem::CrackInfluence;
 using gear_fem::kUnitTractions;
 
-constexpr double kDegree = std::numbers::pi / 180;
 /// Numbers are whole multiples of the scale of their block over this one.
-constexpr double kSteps = 1e6;
+constexpr double kScaleSteps = 1e6;
 
 std::string head_text(const InfluenceGrid& grid, std::span<const double> stations) {
   const ContactGrid contact = gear_fem::contact_grid();
   std::vector<double> degrees;
-  for (const double angle : grid.angles) degrees.push_back(angle / kDegree);
+  for (const double angle : grid.angles) degrees.push_back(angle / units::deg);
   return fmt::format(
       "# A through crack of a tube under unit tractions on its faces (FE-56).\n"
       "# Written by strainwave fe influence.\n"
       "steps {:.0f}\npoissons_ratio 0.3\nstations {:.10g}\ncontact_along {:.10g}\n"
       "contact_across {:.10g}\nhalf_lengths {:.10g}\nradii {:.10g}\nangles {:.10g}\n",
-      kSteps, fmt::join(stations, " "), fmt::join(contact.along, " "),
+      kScaleSteps, fmt::join(stations, " "), fmt::join(contact.along, " "),
       fmt::join(contact.across, " "), fmt::join(grid.half_lengths, " "), fmt::join(grid.radii, " "),
       fmt::join(degrees, " "));
 }
@@ -41,13 +40,13 @@ std::string head_text(const InfluenceGrid& grid, std::span<const double> station
 /// The stations of a front, which the number and order of the layers give.
 constexpr std::array kStations = {-1.0, -0.5, 0.0, 0.5, 1.0};
 
-/// A block of numbers: its scale, then whole multiples of scale/kSteps.
+/// A block of numbers: its scale, then whole multiples of scale/kScaleSteps.
 std::string block_text(std::string_view name, const std::vector<double>& numbers) {
   double scale = 0;
   for (const double number : numbers) scale = std::max(scale, std::abs(number));
   std::string text = fmt::format(" {} {:.8g}", name, scale);
   for (const double number : numbers)
-    text += fmt::format(" {}", std::lround(number / scale * kSteps));
+    text += fmt::format(" {}", std::lround(number / scale * kScaleSteps));
   return text;
 }
 
@@ -75,7 +74,7 @@ std::string case_text(double half_length, double radius, double angle,
         pressed.push_back(crack.gap[i][kUnitTractions + j]);
     }
   }
-  return fmt::format("case {:.10g} {:.10g} {:.10g}", half_length, radius, angle / kDegree) +
+  return fmt::format("case {:.10g} {:.10g} {:.10g}", half_length, radius, angle / units::deg) +
          block_text("K", K) + block_text("gap", gap) + block_text("pressed", pressed) + "\n";
 }
 
@@ -99,7 +98,7 @@ std::size_t cases_in(const std::string& text, const std::string& head, const std
 InfluenceGrid influence_grid() {
   return {.half_lengths = {0.5, 1, 2, 4, 8, 16},
           .radii = {30, 60, 120},
-          .angles = {0, 22.5 * kDegree, 45 * kDegree, 67.5 * kDegree, 90 * kDegree}};
+          .angles = {0, 22.5 * units::deg, 45 * units::deg, 67.5 * units::deg, 90 * units::deg}};
 }
 
 InfluenceOutcome run_influence(const InfluenceGrid& grid, Journal* table, const Ranks& ranks,

@@ -50,13 +50,6 @@ std::size_t tube_solutions(const gear_fem::TubeWithThroughCrack& tube, RunFields
 /// its neighbours.
 constexpr std::size_t kSurfaceSolutions = 3;
 
-fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
-  return gear_fem::mesh_tube_with_through_crack(tube);
-}
-fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
-  return gear_fem::mesh_tube_with_surface_crack(tube);
-}
-
 std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
 
 std::string wall_crack_path(std::size_t n) { return fmt::format("flexspline.crack[{}]", n); }

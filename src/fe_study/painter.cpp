@@ -79,6 +79,8 @@ std::string ValueScale::colour(std::size_t band) const {
                      mixed(&Rgb::blue));
 }
 
+std::string in_mm(double metres) { return fmt::format("{:.4g} mm", metres * 1e3); }
+
 double round_up(double value) {
   if (!(value > 0)) return 1.0;
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

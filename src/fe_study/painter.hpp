@@ -35,6 +35,10 @@ struct ValueScale {
   [[nodiscard]] std::string colour(std::size_t band) const;
 };
 
+/// A length in mm, with its unit.
+/// @param metres  [m]
+[[nodiscard]] std::string in_mm(double metres);
+
 /// The least of 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten that is not below the value.
 [[nodiscard]] double round_up(double value);
 

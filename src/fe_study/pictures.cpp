@@ -19,8 +19,6 @@ namespace {
 using fem::FieldPoint;
 using std::numbers::pi;
 
-std::string in_mm(double metres) { return fmt::format("{:.4g} mm", metres * 1e3); }
-
 std::string signed_text(double value) {
   return fmt::format("{}{}", value < 0 ? "" : "+", shown_number(value));
 }

@@ -40,13 +40,6 @@ gear_fem::TubeWithSurfaceCrack body_of(const GearSet& gear, const WallSurfaceCra
   return tube;
 }
 
-fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
-  return gear_fem::mesh_tube_with_through_crack(tube);
-}
-fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
-  return gear_fem::mesh_tube_with_surface_crack(tube);
-}
-
 struct TurnWork {
   TurnRun run;
   std::vector<gear_fem::TurningCrack> sizes;

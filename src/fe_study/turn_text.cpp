@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -19,8 +18,6 @@ namespace {
 
 using gear_fem::TorqueTurn;
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 std::string of_check(const std::optional<double>& check) {
   return check ? fmt::format("{:.1e}", *check) : std::string("nothing is released");
 }
@@ -31,7 +28,7 @@ void write(std::string& text, const TorqueTurn& turn, bool through) {
                   turn.torque, 100 * turn.least_contact_share, 100 * turn.largest_contact_share);
   text += turn_rows(turn.stations, through);
   text += fmt::format("    checks at {:.4g} deg: dC/dA {}, K {}, equilibrium {:.1e}\n",
-                      turn.checked_angle / kDegree, of_check(turn.checks.growth_check),
+                      turn.checked_angle / units::deg, of_check(turn.checks.growth_check),
                       of_check(turn.checks.mode_check), turn.checks.equilibrium_residual);
 }
 
@@ -68,7 +65,7 @@ std::string turn_text(const TurnRun& run, const GearSet& gear) {
   text += fmt::format(
       "The cam presses with {:.4g} N on each lobe, over {:.3g} deg to both sides, at most {:.3g} "
       "MPa\n",
-      contact.lobe_force, contact.half_arc / kDegree, contact.largest_pressure / units::MPa);
+      contact.lobe_force, contact.half_arc / units::deg, contact.largest_pressure / units::MPa);
   const gear_fem::CrackTurn& first = run.sizes.front().turn;
   text += contact.large_rotations
               ? fmt::format(

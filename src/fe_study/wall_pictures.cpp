@@ -94,8 +94,6 @@ View view_from(Point3 toward, const Point3& up) {
   return view;
 }
 
-std::string in_mm(double metres) { return fmt::format("{:.4g} mm", metres * 1e3); }
-
 std::string torque_text(double torque) {
   return fmt::format("T = {}{} N·m", torque < 0 ? "" : "+", shown_number(torque));
 }

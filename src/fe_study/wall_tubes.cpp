@@ -92,6 +92,13 @@ gear_fem::TubeWithSurfaceCrack tube_of(const GearSet& gear, const WallSurfaceCra
   return tube;
 }
 
+fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
+  return gear_fem::mesh_tube_with_through_crack(tube);
+}
+fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
+  return gear_fem::mesh_tube_with_surface_crack(tube);
+}
+
 RunSize size_of_solid(const std::string& path, std::size_t unknowns, std::size_t solutions) {
   const auto dofs = static_cast<double>(unknowns);
   return {.path = path,

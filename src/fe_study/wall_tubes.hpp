@@ -26,6 +26,9 @@ namespace strainwave::fe_study {
 [[nodiscard]] gear_fem::TubeWithSurfaceCrack tube_of(const GearSet& gear,
                                                      const WallSurfaceCrack& crack, int order);
 
+[[nodiscard]] fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube);
+[[nodiscard]] fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube);
+
 /// Estimated size of solutions of a solid.
 [[nodiscard]] RunSize size_of_solid(const std::string& path, std::size_t dofs,
                                     std::size_t solutions);

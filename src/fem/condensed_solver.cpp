@@ -12,15 +12,14 @@
 namespace strainwave::fem {
 namespace {
 
-using Eigen::Index;
 using Matrix = Eigen::MatrixXd;
 using Column = Eigen::VectorXd;
 
 /// The parts of an element from which its own unknowns are recovered.
 struct Inner {
-  std::vector<Index> alone;   ///< numbers of the unknowns that belong to this element alone
-  std::vector<Index> shared;  ///< numbers of the other unknowns
-  CondensedMatrix matrix;     ///< without its `outer`
+  std::vector<Eigen::Index> alone;   ///< numbers of the unknowns that belong to this element alone
+  std::vector<Eigen::Index> shared;  ///< numbers of the other unknowns
+  CondensedMatrix matrix;            ///< without its `outer`
 };
 
 /// True if no pivot vanishes in rounding.
@@ -31,15 +30,15 @@ bool is_safe(const Column& pivots, const Column& diagonal) {
 }  // namespace
 
 struct CondensedEquations::Parts {
-  Index unknowns = 0;
-  std::vector<Index> number;  ///< index of an unknown in the sparse equations; -1: not there
-  Index shared = 0;           ///< size of the sparse equations
+  Eigen::Index unknowns = 0;
+  std::vector<Eigen::Index> number;  ///< index of an unknown in the sparse equations; -1: not there
+  Eigen::Index shared = 0;           ///< size of the sparse equations
   std::vector<Inner> inner;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
 
-  [[nodiscard]] std::vector<Index> places(const Inner& cell) const {
-    std::vector<Index> places;
-    for (const Index i : cell.shared) places.push_back(number[static_cast<std::size_t>(i)]);
+  [[nodiscard]] std::vector<Eigen::Index> places(const Inner& cell) const {
+    std::vector<Eigen::Index> places;
+    for (const Eigen::Index i : cell.shared) places.push_back(number[static_cast<std::size_t>(i)]);
     return places;
   }
 };
@@ -50,14 +49,14 @@ CondensedEquations::CondensedEquations(CondensedEquations&&) noexcept = default;
 CondensedEquations& CondensedEquations::operator=(CondensedEquations&&) noexcept = default;
 
 std::optional<CondensedEquations> CondensedEquations::factor(
-    const std::vector<std::vector<Index>>& elements,
-    const std::function<Matrix(std::size_t)>& matrix, Index unknowns) {
+    const std::vector<std::vector<Eigen::Index>>& elements,
+    const std::function<Matrix(std::size_t)>& matrix, Eigen::Index unknowns) {
   auto made = std::make_unique<Parts>();
   Parts& parts = *made;
   parts.unknowns = unknowns;
   std::vector<int> holders(static_cast<std::size_t>(unknowns), 0);
   for (const auto& element : elements)
-    for (const Index i : element) ++holders[static_cast<std::size_t>(i)];
+    for (const Eigen::Index i : element) ++holders[static_cast<std::size_t>(i)];
   parts.number.assign(holders.size(), -1);
   for (std::size_t i = 0; i < holders.size(); ++i)
     if (holders[i] > 1) parts.number[i] = parts.shared++;
@@ -69,19 +68,19 @@ std::optional<CondensedEquations> CondensedEquations::factor(
   Column diagonal = Column::Zero(parts.shared);
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const Matrix k = matrix(e).selfadjointView<Eigen::Lower>();
-    std::vector<Index> order;  // indices in the element, its own unknowns first
-    std::vector<Index> outside;
+    std::vector<Eigen::Index> order;  // indices in the element, its own unknowns first
+    std::vector<Eigen::Index> outside;
     Inner& cell = parts.inner.emplace_back();
-    for (Index i = 0; i < k.rows(); ++i) {
-      const Index unknown = elements[e][static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < k.rows(); ++i) {
+      const Eigen::Index unknown = elements[e][static_cast<std::size_t>(i)];
       const bool alone = parts.number[static_cast<std::size_t>(unknown)] < 0;
       (alone ? order : outside).push_back(i);
       (alone ? cell.alone : cell.shared).push_back(unknown);
     }
     order.insert(order.end(), outside.begin(), outside.end());
-    const std::vector<Index> places = parts.places(cell);
+    const std::vector<Eigen::Index> places = parts.places(cell);
     const Matrix sorted = k(order, order);
-    const auto own = static_cast<Index>(cell.alone.size());
+    const auto own = static_cast<Eigen::Index>(cell.alone.size());
     diagonal(places) += sorted.diagonal().tail(sorted.rows() - own);
     try {
       cell.matrix = condense(sorted, own);
@@ -91,10 +90,10 @@ std::optional<CondensedEquations> CondensedEquations::factor(
     if (!is_safe(cell.matrix.factor.diagonal().cwiseAbs2(), sorted.diagonal().head(own)))
       return std::nullopt;
     const Matrix rest = std::exchange(cell.matrix.outer, Matrix());
-    for (Index j = 0; j < rest.cols(); ++j)
-      for (Index i = 0; i < rest.rows(); ++i) {
-        const Index row = places[static_cast<std::size_t>(i)];
-        const Index column = places[static_cast<std::size_t>(j)];
+    for (Eigen::Index j = 0; j < rest.cols(); ++j)
+      for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+        const Eigen::Index row = places[static_cast<std::size_t>(i)];
+        const Eigen::Index column = places[static_cast<std::size_t>(j)];
         if (row >= column) entries.emplace_back(row, column, rest(std::max(i, j), std::min(i, j)));
       }
   }
@@ -113,7 +112,7 @@ Matrix CondensedEquations::solve(const Matrix& loads) const {
   const Parts& parts = *parts_;
   Matrix forces = Matrix::Zero(parts.shared, loads.cols());
   for (std::size_t i = 0; i < parts.number.size(); ++i)
-    if (parts.number[i] >= 0) forces.row(parts.number[i]) = loads.row(static_cast<Index>(i));
+    if (parts.number[i] >= 0) forces.row(parts.number[i]) = loads.row(static_cast<Eigen::Index>(i));
   std::vector<Matrix> own;  // L^-1 f of the unknowns of each element alone
   for (const Inner& cell : parts.inner) {
     Matrix& f = own.emplace_back(loads(cell.alone, Eigen::all));
@@ -124,7 +123,7 @@ Matrix CondensedEquations::solve(const Matrix& loads) const {
   if (parts.shared > 0) {
     const Matrix found = parts.solver.solve(forces);
     for (std::size_t i = 0; i < parts.number.size(); ++i)
-      if (parts.number[i] >= 0) x.row(static_cast<Index>(i)) = found.row(parts.number[i]);
+      if (parts.number[i] >= 0) x.row(static_cast<Eigen::Index>(i)) = found.row(parts.number[i]);
   }
   for (std::size_t e = 0; e < parts.inner.size(); ++e) {
     const Inner& cell = parts.inner[e];
@@ -136,7 +135,7 @@ Matrix CondensedEquations::solve(const Matrix& loads) const {
   return x;
 }
 
-std::optional<Matrix> solve_condensed(const std::vector<std::vector<Index>>& elements,
+std::optional<Matrix> solve_condensed(const std::vector<std::vector<Eigen::Index>>& elements,
                                       const std::function<Matrix(std::size_t)>& matrix,
                                       const Matrix& loads) {
   const auto equations = CondensedEquations::factor(elements, matrix, loads.rows());

@@ -94,7 +94,7 @@ struct WaveStiffness {
 };
 
 /// Functions of one component at the quadrature points of a cell: rows are points.
-struct CellShape {
+struct HarmonicCell {
   Matrix N, Nr, Nz;  ///< value, and derivatives by r and z
   Column r;          ///< [m]
   Column weight;     ///< r times the area of a point [m^3/rad]
@@ -112,7 +112,7 @@ struct HarmonicSection::Parts {
   Stiffness elasticity;
   bool held;
   std::vector<WaveStiffness> cells;
-  std::vector<CellShape> shapes;
+  std::vector<HarmonicCell> shapes;
   std::vector<std::vector<global_dof_index>> unknowns;  ///< of each cell
 
   Parts(const SectionMesh& mesh, const Elasticity& steel, const HarmonicOptions& options)
@@ -161,7 +161,7 @@ struct HarmonicSection::Parts {
     for (const auto& cell : dofs.active_cell_iterators()) {
       values.reinit(static_cast<Triangulation<2>::active_cell_iterator>(cell));
       const auto points = static_cast<Eigen::Index>(rule.size());
-      CellShape& shape = shapes.emplace_back();
+      HarmonicCell& shape = shapes.emplace_back();
       shape = {.N = Matrix(points, functions),
                .Nr = Matrix(points, functions),
                .Nz = Matrix(points, functions),
@@ -394,7 +394,7 @@ std::vector<std::vector<double>> HarmonicSection::large_rotation_forces(
   std::vector<Column> forces(waves.size(), Column::Zero(static_cast<Eigen::Index>(unknowns())));
   const unsigned functions = parts.scalar.n_dofs_per_cell();
   for (std::size_t c = 0; c < parts.cells.size(); ++c) {
-    const CellShape& shape = parts.shapes[c];
+    const HarmonicCell& shape = parts.shapes[c];
     const Eigen::Index points = shape.r.size();
     // Amplitudes at the points: columns u_r, u_theta, u_z.
     std::vector<Matrix> value;

@@ -16,10 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-PlanPoint blend(const PlanPoint& a, const PlanPoint& b, double u) {
-  return {(1 - u) * a[0] + u * b[0], (1 - u) * a[1] + u * b[1]};
-}
-
 /// Largest semi-axis of the ellipses over the distance to the nearest side of the patch.
 constexpr double kRoundShare = 0.6;
 /// Longest crack that a plan for a given length must hold, over that length.

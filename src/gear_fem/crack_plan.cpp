@@ -10,10 +10,6 @@ namespace {
 
 using std::numbers::pi;
 
-PlanPoint blend(const PlanPoint& a, const PlanPoint& b, double u) {
-  return {(1 - u) * a[0] + u * b[0], (1 - u) * a[1] + u * b[1]};
-}
-
 /// The rings of one tip, with angles from its direction of growth.
 class TipTemplate {
  public:

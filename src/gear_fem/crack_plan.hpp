@@ -13,6 +13,11 @@ namespace strainwave::gear_fem {
 
 using PlanPoint = std::array<double, 2>;
 
+/// The point that divides the line from a to b by u : 1 - u.
+inline PlanPoint blend(const PlanPoint& a, const PlanPoint& b, double u) {
+  return {(1 - u) * a[0] + u * b[0], (1 - u) * a[1] + u * b[1]};
+}
+
 /// Place of a quadrilateral in the rings about a tip.
 struct PlanTipPlace {
   std::size_t tip{};         ///< index of the tip

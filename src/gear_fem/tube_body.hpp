@@ -2,11 +2,18 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
 
 namespace strainwave::gear_fem {
+
+/// Names of the tips: toward +z and toward -z.
+inline constexpr std::array<std::string_view, 2> kTips = {"upper", "lower"};
+
+/// Largest K_I that the integrals may leave on touching faces, over K0 = tau sqrt(pi a).
+inline constexpr double kClosedShare = 0.02;
 
 enum TubeTag { kTubeFree = 1, kTubeClamp, kTubeLoad, kTubeCrack };
 

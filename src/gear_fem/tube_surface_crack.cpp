@@ -22,9 +22,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Largest K_I that the integrals may leave on touching faces, over K0 = tau sqrt(pi a).
-constexpr double kClosedShare = 0.02;
-
 fem::Point3 difference(const fem::Point3& a, const fem::Point3& b, double step) {
   return {(a[0] - b[0]) / step, (a[1] - b[1]) / step, (a[2] - b[2]) / step};
 }

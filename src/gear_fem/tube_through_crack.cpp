@@ -37,9 +37,6 @@ std::vector<double> wall_lines(double t, int layers) {
   return lines;
 }
 
-/// Largest K_I that the integrals may leave on a closed front, over K0 = tau sqrt(pi a).
-constexpr double kClosedShare = 0.02;
-
 /// Largest relative difference of the sound cup's compliance between solid and section [-].
 constexpr double kSoundTolerance = 0.005;
 
@@ -349,7 +346,6 @@ FrontPoint TubeCrackResult::at(const fem::FrontStation& station) const {
 }
 
 std::vector<TipFront> TubeCrackResult::tips() const {
-  constexpr std::array kTips = {"upper", "lower"};
   std::vector<TipFront> tips;
   for (const fem::CrackFront& front : solid.fronts) {
     tips.push_back({.tip = kTips.at(tips.size()), .from_inner_to_outer_face = {}});

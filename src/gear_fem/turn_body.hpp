@@ -54,8 +54,6 @@ class TurnBody {
   [[nodiscard]] virtual ProportionalRelease release(const fem::SolidResult& solid) const = 0;
 };
 
-inline constexpr std::array<std::string_view, 2> kTips = {"upper", "lower"};
-
 /// The body of the crack.
 /// @throws InputError  if the crack does not fit
 [[nodiscard]] std::unique_ptr<TurnBody> turn_body(const TurningCrack& turning);

@@ -139,6 +139,7 @@ TEST(FeTurn, InputRefused) {
   refused(gear, {}, "must have a through or surface crack of the barrel");
   gear = good;
   gear.flexspline->crack.push_back(gear.flexspline->crack.front());
+  std::get<WallThroughCrack>(gear.flexspline->crack[1]).half_length *= 0.9;
   refused(gear, {}, "choose one of them by --crack");
   std::get<WallThroughCrack>(gear.flexspline->crack[1]).section = WallSection::rim;
   refused(gear, {.request = {.crack = "flexspline.crack[1]"}},
