@@ -11,13 +11,14 @@ namespace {
 
 void drive_turn_of_through_crack(benchmark::State& state) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml");
-  DriveTurnOptions asked{.torques = {48, 0, -48}};
+  TurnRequest asked{.torques = {48, 0, -48}};
   asked.torques.resize(static_cast<std::size_t>(state.range(0)));
   (void)drive_turn(gear);  // reads the table
   double K = 0;
   for (auto _ : state) {
     const DriveTurn turn = drive_turn(gear, asked);
-    benchmark::DoNotOptimize(K = turn.range());
+    K = turn.range();
+    benchmark::DoNotOptimize(&K);
   }
   state.counters["range"] = K;
 }
@@ -28,7 +29,8 @@ void drive_turn_of_surface_crack(benchmark::State& state) {
   double K = 0;
   for (auto _ : state) {
     const DriveTurn turn = drive_turn(gear);
-    benchmark::DoNotOptimize(K = turn.range());
+    K = turn.range();
+    benchmark::DoNotOptimize(&K);
   }
   state.counters["range"] = K;
 }
