@@ -45,7 +45,8 @@ class TurningSurfaceCrack : public TurningCrack {
         sheared_(depth / half_length, cup.poissons_ratio),
         wall_(std::move(wall)) {}
 
-  /// Offsets at which `at` takes the stress: first the middle, then the stations of both halves.
+  /// `at` takes the stress at these offsets: that of the middle, then those of the stations of
+  /// both halves [m].
   [[nodiscard]] static std::vector<double> offsets(double half_length) {
     std::vector<double> offsets = {0.0};
     for (const double side : {1.0, -1.0})

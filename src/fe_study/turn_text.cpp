@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "run_text.hpp"
-#include "strainwave/chart/chart.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fe_study/turn_run.hpp"

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/turn_table_file.hpp"
 #include "strainwave/layouts/words.hpp"
@@ -12,6 +10,7 @@
 #include "strainwave/present/turn.hpp"
 
 namespace strainwave {
+
 std::string drive_turn_text(const DriveTurn& turn, const GearSet& gear) {
   std::string text = name_of(gear) + "\n\n" + verdict_text(evidence_of(turn).verdict) + '\n';
   const TurnRange& K = turn.governing().mode_I;

@@ -10,6 +10,7 @@
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/gear_fem/oval_cup.hpp"
+#include "support/size25_shell.hpp"
 
 namespace strainwave {
 namespace {
@@ -31,6 +32,11 @@ std::vector<Drive> drives() {
     return Diaphragm{
         .outer_diameter = D * mm, .inner_diameter = d * mm, .thickness = h * mm, .profile = {}};
   };
+  const auto size25_under = [](const CamShape& shape) {
+    CamFit cam = test::size25_cam();
+    cam.shape = shape;
+    return cam;
+  };
   const auto cup = [](const TubeSection& barrel, const TubeSection& rim,
                       const std::optional<Diaphragm>& bottom) {
     return ShellCup{.barrel = barrel,
@@ -40,20 +46,12 @@ std::vector<Drive> drives() {
                     .poissons_ratio = 0.3};
   };
   return {
-      {"size 25",
-       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
-       {.radial_displacement = 0.3175 * mm, .band_width = 9.2 * mm}},
+      {"size 25", test::size25_shell(), test::size25_cam()},
       {"size 25, long cam",
-       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
+       test::size25_shell(),
        {.radial_displacement = 0.3175 * mm, .perimeter_excess = 0.03 * mm}},
-      {"size 25, two discs",
-       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
-       {.radial_displacement = 0.3175 * mm, .shape = TwoDiscs{1.1 * mm}, .band_width = 9.2 * mm}},
-      {"size 25, two arcs",
-       cup(tube(62.499, 0.453, 17.2), tube(62.801, 0.755, 9.5), plate(62.046, 36.8, 0.762)),
-       {.radial_displacement = 0.3175 * mm,
-        .shape = TwoArcs{30 * units::deg},
-        .band_width = 9.2 * mm}},
+      {"size 25, two discs", test::size25_shell(), size25_under(TwoDiscs{1.1 * mm})},
+      {"size 25, two arcs", test::size25_shell(), size25_under(TwoArcs{30 * units::deg})},
       {"large, flat cam",
        cup(tube(100, 0.9, 30), tube(100.4, 1.3, 16), plate(99.1, 60, 1.1)),
        {.radial_displacement = 0.95 * mm, .shape = FlattenedCosine{1.5}, .band_width = 14 * mm}},

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/model/input/cam_curve.hpp"
 
-// pchip.hpp of Boost 1.74 calls ::isnan, which <cmath> does not have to declare.
 #include <fmt/format.h>
-#include <math.h>  // NOLINT(modernize-deprecated-headers,hicpp-deprecated-headers)
+#include <math.h>  // NOLINT(modernize-deprecated-headers): pchip.hpp of Boost 1.74 calls ::isnan
 
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
@@ -51,79 +50,80 @@ double arc_radius(const TwoArcs& arcs, double offset, double perimeter) {
   return (perimeter / 4 - between) / (pi / 2);
 }
 
+/// What a shape follows from besides its own numbers.
+struct Frame {
+  double w_0;
+  double bore;
+  double middle;
+  double perimeter;
+  bool exact;
+};
+
+/// Height outside the bore, and slope, over the angle from the nearest lobe, 0 to pi/2.
+struct Outline {
+  std::function<double(double)> height;
+  std::function<double(double)> slope;
+};
+
+/// Without its mean.
+Outline outline_of(const FlattenedCosine& cosine, const Frame& in) {
+  const double two = in.w_0;
+  const double four = cosine.flattening * in.w_0 * in.w_0 / (2 * in.middle);
+  return {[=](double angle) { return two * std::cos(2 * angle) + four * std::cos(4 * angle); },
+          [=](double angle) {
+            return -2 * two * std::sin(2 * angle) - 4 * four * std::sin(4 * angle);
+          }};
+}
+Outline outline_of(const TwoArcs& arcs, const Frame& in) {
+  const double gamma = arcs.arc_angle;
+  const double e = arc_offset(arcs, in.w_0);
+  const Circle lobe{arc_radius(arcs, e, in.perimeter), e, in.exact};
+  const Circle side{lobe.radius + e / std::cos(gamma), -e * std::tan(gamma), in.exact};
+  const double meet =
+      in.exact ? std::atan2(lobe.radius * std::sin(gamma), e + lobe.radius * std::cos(gamma))
+               : gamma;
+  const double bore = in.bore;
+  return {
+      [=](double angle) {
+        return (angle < meet ? lobe.distance(angle) : side.distance(angle - pi / 2)) - bore;
+      },
+      [=](double angle) { return angle < meet ? lobe.slope(angle) : side.slope(angle - pi / 2); }};
+}
+Outline outline_of(const TwoDiscs& discs, const Frame& in) {
+  const Circle disc{in.bore + in.w_0 - discs.offset, discs.offset, in.exact};
+  const double bore = in.bore;
+  return {[=](double angle) { return disc.distance(angle) - bore; },
+          [=](double angle) { return disc.slope(angle); }};
+}
+Outline outline_of(const CamPoints& points, const Frame& /*in*/) {
+  std::vector<double> angles;
+  std::vector<double> heights;
+  for (const CamPoint& point : points) {
+    angles.push_back(point.angle);
+    heights.push_back(point.height);
+  }
+  angles.back() = pi / 2;
+  const boost::math::interpolators::pchip curve(std::move(angles), std::move(heights), 0.0, 0.0);
+  return {[=](double angle) { return curve(std::min(angle, pi / 2)); },
+          [=](double angle) { return curve.prime(std::min(angle, pi / 2)); }};
+}
+
 }  // namespace
 
-bool has_own_perimeter(const CamShape& shape) {
+bool follows_perimeter(const CamShape& shape) {
   return std::holds_alternative<FlattenedCosine>(shape) || std::holds_alternative<TwoArcs>(shape);
 }
 
-/// Height outside the bore and slope over the angle from the nearest lobe, 0 to pi/2, without the
-/// mean.
-struct CamCurve::Shape {
-  /// What a shape follows from besides its own numbers.
-  struct Frame {
-    double w_0;
-    double bore;
-    double middle;
-    double perimeter;
-    bool exact;
-  };
-
-  std::function<double(double)> height;
-  std::function<double(double)> slope;
-
-  static Shape of(const FlattenedCosine& cosine, const Frame& in) {
-    const double two = in.w_0;
-    const double four = cosine.flattening * in.w_0 * in.w_0 / (2 * in.middle);
-    return {[=](double angle) { return two * std::cos(2 * angle) + four * std::cos(4 * angle); },
-            [=](double angle) {
-              return -2 * two * std::sin(2 * angle) - 4 * four * std::sin(4 * angle);
-            }};
-  }
-  static Shape of(const TwoArcs& arcs, const Frame& in) {
-    const double gamma = arcs.arc_angle;
-    const double e = arc_offset(arcs, in.w_0);
-    const Circle lobe{arc_radius(arcs, e, in.perimeter), e, in.exact};
-    const Circle side{lobe.radius + e / std::cos(gamma), -e * std::tan(gamma), in.exact};
-    const double meet =
-        in.exact ? std::atan2(lobe.radius * std::sin(gamma), e + lobe.radius * std::cos(gamma))
-                 : gamma;
-    const double bore = in.bore;
-    return {[=](double angle) {
-              return (angle < meet ? lobe.distance(angle) : side.distance(angle - pi / 2)) - bore;
-            },
-            [=](double angle) {
-              return angle < meet ? lobe.slope(angle) : side.slope(angle - pi / 2);
-            }};
-  }
-  static Shape of(const TwoDiscs& discs, const Frame& in) {
-    const Circle disc{in.bore + in.w_0 - discs.offset, discs.offset, in.exact};
-    const double bore = in.bore;
-    return {[=](double angle) { return disc.distance(angle) - bore; },
-            [=](double angle) { return disc.slope(angle); }};
-  }
-  static Shape of(const CamPoints& points, const Frame& /*in*/) {
-    std::vector<double> angles;
-    std::vector<double> heights;
-    for (const CamPoint& point : points) {
-      angles.push_back(point.angle);
-      heights.push_back(point.height);
-    }
-    angles.back() = pi / 2;
-    const boost::math::interpolators::pchip curve(std::move(angles), std::move(heights), 0.0, 0.0);
-    return {[=](double angle) { return curve(std::min(angle, pi / 2)); },
-            [=](double angle) { return curve.prime(std::min(angle, pi / 2)); }};
-  }
-};
-
 CamCurve::CamCurve(const CamFit& fit, double bore, double middle, bool exact) : bore_(bore) {
-  const Shape::Frame frame{.w_0 = fit.radial_displacement,
-                           .bore = bore,
-                           .middle = middle,
-                           .perimeter = 2 * pi * bore + fit.perimeter_excess,
-                           .exact = exact};
-  shape_ = std::make_shared<const Shape>(
-      std::visit([&](const auto& shape) { return Shape::of(shape, frame); }, fit.shape));
+  const Frame frame{.w_0 = fit.radial_displacement,
+                    .bore = bore,
+                    .middle = middle,
+                    .perimeter = 2 * pi * bore + fit.perimeter_excess,
+                    .exact = exact};
+  Outline outline =
+      std::visit([&](const auto& shape) { return outline_of(shape, frame); }, fit.shape);
+  height_ = std::move(outline.height);
+  slope_ = std::move(outline.slope);
   if (std::holds_alternative<FlattenedCosine>(fit.shape)) {
     mean_ = fit.perimeter_excess / (2 * pi);
     // A uniform offset changes the length of a curve by 2 pi times the offset, up to terms of
@@ -145,12 +145,12 @@ double CamCurve::length() const {
 }
 
 double CamCurve::at(double angle) const {
-  return mean_ + shape_->height(std::abs(std::remainder(angle, pi)));
+  return mean_ + height_(std::abs(std::remainder(angle, pi)));
 }
 
 double CamCurve::slope(double angle) const {
   const double turned = std::remainder(angle, pi);
-  return std::copysign(1.0, turned) * shape_->slope(std::abs(turned));
+  return std::copysign(1.0, turned) * slope_(std::abs(turned));
 }
 
 double CamCurve::farthest() const {
@@ -208,8 +208,8 @@ void check_shape(const TwoArcs& arcs, double w_0, double bore, const FieldPath& 
   require(angle >= 5 * units::deg && angle <= 85 * units::deg, field, angle, "rad", "5 to 85 deg");
   const double e = arc_offset(arcs, w_0);
   require(e < arc_radius(arcs, e, 2 * pi * bore), field, angle, "rad",
-          "larger for this displacement: the radius of the arc must exceed the distance of its "
-          "centre from the axis");
+          "an arc whose radius exceeds the distance of its centre from the axis; give a larger "
+          "angle");
 }
 
 void check_shape(const TwoDiscs& discs, double w_0, double bore, const FieldPath& path) {
@@ -261,7 +261,7 @@ void check(const CamFit& fit, const TubeSection& rim) {
   check(fit.shape, fit.radial_displacement, rim.outer_diameter / 2 - rim.wall_thickness, {});
   require(std::abs(fit.perimeter_excess) < 0.01 * pi * rim.outer_diameter, "perimeter_excess",
           fit.perimeter_excess, "m", "less than 1 % of the perimeter");
-  require(fit.perimeter_excess == 0 || has_own_perimeter(fit.shape), "perimeter_excess",
+  require(fit.perimeter_excess == 0 || follows_perimeter(fit.shape), "perimeter_excess",
           fit.perimeter_excess, "m", "0 for two discs and for points, whose heights are given");
 }
 

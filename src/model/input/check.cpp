@@ -617,7 +617,7 @@ void check_cam(const GearSet& gear, const Cam& cam, const FieldPath& path) {
                      "is a second shape of the cam; give only one of cam_flattening and cam");
   const CamShape shape = cam_shape(wg);
   check(shape, gear.drive.radial_displacement, gear.drive.pitch_diameter / 2, path);
-  if (wg.cam_perimeter_excess && !has_own_perimeter(shape))
+  if (wg.cam_perimeter_excess && !follows_perimeter(shape))
     throw InputError("wave_generator.cam_perimeter_excess",
                      "must be left out, because the heights of the cam are given by its profile");
 }

@@ -28,7 +28,7 @@ CamFit cam_fit(const GearSet& gear) {
 
 bool perimeter_is_assumed(const GearSet& gear) {
   return !gear.wave_generator || (!gear.wave_generator->cam_perimeter_excess &&
-                                  has_own_perimeter(cam_shape(*gear.wave_generator)));
+                                  follows_perimeter(cam_shape(*gear.wave_generator)));
 }
 
 namespace {
@@ -39,8 +39,8 @@ void check_fit(const GearSet& gear, const TubeSection& rim, const Material& stee
   const double bore = rim.outer_diameter / 2 - rim.wall_thickness;
   const double middle = bore + rim.wall_thickness / 2;
   check(fit.shape, fit.radial_displacement, bore, FieldPath("wave_generator.cam"));
-  const double excess = has_own_perimeter(fit.shape)
-                            ? fit.perimeter_excess
+  const double excess = follows_perimeter(fit.shape)
+                            ? fit.perimeter_excess - 2 * std::numbers::pi * fit.clearance
                             : CamCurve(fit, bore, middle, true).band_excess();
   const double stress = elastic_constants(steel).E * excess / (2 * std::numbers::pi * middle);
   if (!steel.yield_strength || stress <= *steel.yield_strength) return;

@@ -88,7 +88,8 @@ struct Cam {
           &Cam::disc_offset);
     field(Field{.name = "point",
                 .unit = "",
-                .doc = "points of the cam from a lobe, 0 deg, to the middle, 90 deg; of points",
+                .doc = "points of the cam from a lobe, where the height is radial_displacement "
+                       "within 10 %, to the middle, 90 deg; of points",
                 .in_template = InTemplate::commented},
           &Cam::point);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -46,8 +46,8 @@ struct CamFit {
   double band_width = 0;
 };
 
-/// Whether the perimeter of a cam is a number of its own.
-[[nodiscard]] bool has_own_perimeter(const CamShape& shape);
+/// Whether the mean height of a cam follows from its perimeter; else its heights are given.
+[[nodiscard]] bool follows_perimeter(const CamShape& shape);
 
 /// The cam about the round bore; eq. (FE-52).
 class CamCurve {
@@ -67,13 +67,13 @@ class CamCurve {
   [[nodiscard]] double bore() const { return bore_; }
 
  private:
-  struct Shape;
-
   [[nodiscard]] double length() const;
 
   double bore_;
   double mean_ = 0;
-  std::shared_ptr<const Shape> shape_;
+  // over the angle from the nearest lobe, 0 to pi/2
+  std::function<double(double)> height_;
+  std::function<double(double)> slope_;
 };
 
 /// Height of the bore over the cam at a point of the bore, and its derivatives by the point's
