@@ -18,6 +18,7 @@ Command material_list_command();
 Command material_show_command();
 Command modes_command();
 Command new_command();
+Command oval_command();
 Command report_command();
 Command require_command();
 Command sensitivity_command();
@@ -37,17 +38,39 @@ Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),     torsion_command(),        duty_command(),
-      life_command(),          grow_command(),           turn_command(),
-      transmission_command(),  modes_command(),          frf_command(),
-      simulate_command(),      backbone_command(),       accuracy_command(),
-      require_command(),       report_command(),         sensitivity_command(),
-      sweep_command(),         solve_command(),          sif_list_command(),
-      sif_show_command(),      sif_eval_command(),       sif_plot_command(),
-      material_list_command(), material_show_command(),  catalogue_command(),
-      validate_command(),      calibrate_command(),      audit_command(),
-      new_command(),           schema_command(commands), explain_command(commands),
-      units_command(),         diff_command(),
+      stiffness_command(),
+      torsion_command(),
+      duty_command(),
+      life_command(),
+      grow_command(),
+      oval_command(),
+      turn_command(),
+      transmission_command(),
+      modes_command(),
+      frf_command(),
+      simulate_command(),
+      backbone_command(),
+      accuracy_command(),
+      require_command(),
+      report_command(),
+      sensitivity_command(),
+      sweep_command(),
+      solve_command(),
+      sif_list_command(),
+      sif_show_command(),
+      sif_eval_command(),
+      sif_plot_command(),
+      material_list_command(),
+      material_show_command(),
+      catalogue_command(),
+      validate_command(),
+      calibrate_command(),
+      audit_command(),
+      new_command(),
+      schema_command(commands),
+      explain_command(commands),
+      units_command(),
+      diff_command(),
   };
   return table;
 }

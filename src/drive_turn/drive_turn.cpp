@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "cup_notes.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
@@ -89,41 +90,16 @@ std::vector<Note> notes_of(const GearSet& gear, const BarrelCrack& of) {
        "the crack is alone; the cam is rigid and has no friction; the torque acts evenly "
        "round the rim, not in the zones of the teeth",
        of.path, "CU-2", Severity::care});
-  if (perimeter_is_assumed(gear))
-    notes.push_back({"turn.cam_perimeter", "the cam is taken to have the perimeter of the bore",
-                     "wave_generator.cam_perimeter_excess", "CU-2", Severity::care,
-                     "Give cam_perimeter_excess if the perimeter is known."});
   if (of.mouth_unknown())
     notes.push_back({"turn.mouth_outside",
                      "the mouth of the surface crack is assumed on the outer surface, because the "
                      "file does not state it",
                      of.path, "", Severity::care, "Give the mouth of the crack."});
-  if (gear.load.axial_force != 0)
-    notes.push_back({"turn.axial_force", "the axial force is not applied to the flexspline",
-                     "load.axial_force", "", Severity::care});
-  if (gear.flexspline->boss)
-    notes.push_back({"turn.boss", "the boss is taken as rigid: the bore of the diaphragm is held",
-                     "flexspline.boss", "CU-1", Severity::information});
-  if (gear.flexspline->stress_nonuniformity != 1)
-    notes.push_back({"turn.stress_nonuniformity",
-                     "flexspline.stress_nonuniformity is not applied, because the torque of a tube "
-                     "is even",
-                     "flexspline.stress_nonuniformity", "CU-4", Severity::care});
+  add_cup_notes(notes, gear);
   return notes;
 }
 
 }  // namespace
-
-ShellCup shell_cup(const GearSet& gear) {
-  const Flexspline& flexspline = *gear.flexspline;
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
-  return {.barrel = *flexspline.barrel,
-          .rim = *flexspline.rim,
-          .diaphragm = flexspline.diaphragm,
-          .youngs_modulus = steel.E,
-          .poissons_ratio = steel.nu};
-}
 
 DriveTurn drive_turn(const GearSet& gear, const TurnRequest& request) {
   const TurnPlan plan = plan_turn(gear, request);

@@ -13,13 +13,12 @@ SoundWall::SoundWall(const OvalShell& shell, double place, double angle,
       sine_(std::sin(angle)),
       cosine_(std::cos(angle)),
       offsets_(std::move(offsets)) {
-  for (const double offset : offsets_) waves_.push_back(shell.waves_at(place + offset * cosine_));
+  for (const double offset : offsets_) places_.push_back(shell.barrel_at(place + offset * cosine_));
 }
 
 PlaneStress SoundWall::at(std::size_t offset, double zeta, double from_lobe, double torque) const {
   const double here = from_lobe - offsets_[offset] * sine_ / radius_;
-  const WallStress s =
-      wall_stress(shell_.cup, waves_[offset], shell_.large_rotations, zeta, here, torque);
+  const WallStress s = shell_.stress(places_[offset], zeta, here, torque);
   // (IN-2)
   return {.normal =
               s.hoop * cosine_ * cosine_ + s.axial * sine_ * sine_ + 2 * s.shear * sine_ * cosine_,

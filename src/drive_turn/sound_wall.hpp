@@ -35,7 +35,7 @@ class SoundWall {
   double sine_;
   double cosine_;
   std::vector<double> offsets_;
-  std::vector<std::vector<ShellWave>> waves_;  ///< at the places
+  std::vector<ShellPlace> places_;
 };
 
 }  // namespace strainwave

@@ -40,7 +40,7 @@ void write(std::string& text, const TurnAtSize& size) {
 
 }  // namespace
 
-std::string turn_csv(const TurnRun& run) {
+std::string turn_csv(const TurnRun& run, const GearSet& gear) {
   if (!run.calculated) return plan_text(run.plan);
   const bool surface = run.sizes.front().depth.has_value();
   const std::vector<SizedTurn> turns = run.turns();
@@ -53,7 +53,7 @@ std::string turn_csv(const TurnRun& run) {
                   : "from -1 at the inner face to 1 at the outer face")};
   if (const std::string reason = run.reason(); !reason.empty())
     remarks.push_back(fmt::format("NOT usable: {}", reason));
-  return turn_table_text(turn_table(turns), remarks);
+  return turn_table_text(turn_table(turns, turn_conditions(gear, run.path)), remarks);
 }
 
 std::string turn_text(const TurnRun& run, const GearSet& gear) {

@@ -20,6 +20,9 @@
 namespace strainwave {
 namespace {
 
+/// Largest number of remarks that are kept.
+constexpr std::size_t kMaxRemarks = 1000;
+
 bool is_blank_character(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::string_view without_blanks(std::string_view text) {
@@ -68,6 +71,7 @@ struct HistoryFile::Contents {
   std::string name;
   char separator = ',';
   std::vector<HistoryColumn> columns = {};
+  std::vector<std::string> remarks = {};
   std::size_t head_line = 0;
   /// The first row, if no row names the columns; it is read again.
   std::optional<std::string> first_row = {};
@@ -94,7 +98,10 @@ struct HistoryFile::Contents {
       if (lines.line() == 1 && line->starts_with(kMark)) line->remove_prefix(kMark.size());
       if (lines.too_long()) refuse_at(lines.line(), 0, "is longer than 1 MiB; it is no row of CSV");
       const std::string_view text = without_blanks(*line);
-      if (!text.empty() && text.front() != '#') return line;
+      if (text.empty()) continue;
+      if (text.front() != '#') return line;
+      if (columns.empty() && remarks.size() < kMaxRemarks)
+        remarks.emplace_back(without_blanks(text.substr(1)));
     }
     return std::nullopt;
   }
@@ -220,6 +227,7 @@ HistoryFile& HistoryFile::operator=(HistoryFile&&) noexcept = default;
 
 const std::string& HistoryFile::name() const { return contents_->name; }
 const std::vector<HistoryColumn>& HistoryFile::columns() const { return contents_->columns; }
+const std::vector<std::string>& HistoryFile::remarks() const { return contents_->remarks; }
 std::uint64_t HistoryFile::rows() const { return contents_->rows; }
 std::uint64_t HistoryFile::bytes() const { return contents_->lines.bytes(); }
 

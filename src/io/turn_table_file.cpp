@@ -13,6 +13,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 
 namespace strainwave {
@@ -103,11 +104,35 @@ void require_closed_turn(const HistoryFile& file, const TurnTable& table, const 
                                 rows[first_mode + mode][r + 1 - n]));
 }
 
+/// Begins the remark of a table that must not be used.
+constexpr std::string_view kUnusableMark = "NOT usable: ";
+/// Begins a remark that names a condition: "for flexspline.barrel.wall_thickness = 0.453 mm".
+constexpr std::string_view kConditionMark = "for ";
+
+std::vector<TurnCondition> conditions_in(const std::vector<std::string>& remarks) {
+  std::vector<TurnCondition> conditions;
+  for (const std::string& remark : remarks) {
+    constexpr std::string_view kEquals = " = ";
+    const std::size_t equals = remark.find(kEquals);
+    if (!remark.starts_with(kConditionMark) || equals == std::string::npos) continue;
+    conditions.push_back(
+        {.name = remark.substr(kConditionMark.size(), equals - kConditionMark.size()),
+         .text = remark.substr(equals + kEquals.size())});
+  }
+  return conditions;
+}
+
 }  // namespace
 
 TurnTable read_turn_table(HistoryFile& file) {
   TurnTable table;
   table.file = file.name();
+  table.conditions = conditions_in(file.remarks());
+  for (const std::string& remark : file.remarks())
+    if (remark.starts_with(kUnusableMark))
+      throw InputError(TextPlace{.file = file.name()},
+                       fmt::format("says that it is not usable: {}; compute a better table",
+                                   shown(remark.substr(kUnusableMark.size()))));
   if (file.has("depth") == file.has("half_length"))
     throw InputError(TextPlace{.file = file.name()},
                      "must have one of the columns depth and half_length, with its unit");
@@ -179,6 +204,8 @@ std::string turn_table_text(const TurnTable& table, const std::vector<std::strin
   constexpr double kMPaRootMetre = 1e6;
   std::string text;
   for (const std::string& remark : remarks) text += fmt::format("# {}\n", remark);
+  for (const TurnCondition& condition : table.conditions)
+    text += fmt::format("# {}{} = {}\n", kConditionMark, condition.name, condition.text);
   const bool shapes = !table.aspect_ratios.empty();
   text += fmt::format(
       "{} [mm],{}torque [N*m],station,angle [deg],K_I [MPa*m^0.5],K_II [MPa*m^0.5],K_III "

@@ -33,8 +33,8 @@ std::string drive_turn_text(const DriveTurn& turn, const GearSet& gear) {
   return text + '\n' + equations_text(turn.equations);
 }
 
-std::string drive_turn_csv(const DriveTurn& turn) {
-  return turn_table_text(turn_table(turn.sizes), {});
+std::string drive_turn_csv(const DriveTurn& turn, const GearSet& gear) {
+  return turn_table_text(turn_table(turn.sizes, turn_conditions(gear, turn.path)), {});
 }
 
 std::string drive_turn_plot(const DriveTurn& turn, const GearSet& gear) {

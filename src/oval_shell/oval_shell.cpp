@@ -22,10 +22,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr int kIntervals = 24;   // of the contact over a quarter turn; 2 kIntervals waves
-constexpr int kBentWaves = 7;    // numbers of waves with large rotations: 0 to 12
-constexpr int kBentAngles = 16;  // intervals over a quarter turn of what large rotations add
-constexpr int kSamples = 4;      // places of each element of the barrel at which waves are kept
+constexpr int kIntervals = 24;         // of the contact over a quarter turn; 2 kIntervals waves
+constexpr int kBentWaves = 7;          // numbers of waves with large rotations: 0 to 12
+constexpr int kBentAngles = 16;        // intervals over a quarter turn of what large rotations add
+constexpr int kSamples = 4;            // places of each element at which waves are kept
+constexpr double kEndRounding = 1e-9;  // share by which rounding may carry a place beyond a part
 
 /// What one place of an element needs to know of large rotations.
 struct BentPlace {
@@ -37,8 +38,8 @@ struct BentPlace {
 /// Solves a cup.
 class Solver {
  public:
-  Solver(const ShellCup& cup, const CamFit& cam)
-      : cup_(cup), cam_(cam), line_(meridian_of(cup, cam.band_width)) {
+  Solver(const ShellCup& cup, const CamFit& cam, const ShellOptions& options)
+      : cup_(cup), cam_(cam), options_(options), line_(meridian_of(cup, cam.band_width)) {
     bore_ = cup.rim.outer_diameter / 2 - cup.rim.wall_thickness;
     middle_ = (cup.rim.outer_diameter - cup.rim.wall_thickness) / 2;
     for (std::size_t e = line_.band_from; e < line_.band_to; ++e)
@@ -80,7 +81,9 @@ class Solver {
     const double w0 = cam_.radial_displacement;
     const double bending = 1.5 * w0 * cup_.rim.wall_thickness / (middle_ * middle_) /
                            (1 - cup_.poissons_ratio * cup_.poissons_ratio);
-    result.large_rotations = std::pow(w0 / middle_, 2) > 0.02 * bending;
+    result.large_rotations = options_.large_rotations == LargeRotations::automatic
+                                 ? std::pow(w0 / middle_, 2) > 0.02 * bending
+                                 : options_.large_rotations == LargeRotations::on;
     const CamCurve curve(cam_, bore_, middle_, result.large_rotations);
     if (!(curve.farthest() > 0))
       throw InputError("wave_generator",
@@ -94,7 +97,8 @@ class Solver {
     for (std::size_t k = 0; k < unit_.size(); ++k) waves_.push_back(unit_[k] * pressure_[k]);
     if (result.large_rotations) result.contact.iterations = bend(curve);
     take_contact(result.contact);
-    take_waves(result);
+    result.pressure = touching_;
+    take_places(result);
     return result;
   }
 
@@ -288,24 +292,42 @@ class Solver {
   }
 
   void take_contact(ShellContact& contact) const {
-    for (int j = 0; j <= kIntervals; ++j)
-      if (touching_[static_cast<std::size_t>(j)] > 0) contact.half_arc = angle(j);
+    for (int j = 0; j <= kIntervals; ++j) {
+      const double pressure = touching_[static_cast<std::size_t>(j)];
+      if (pressure > 0) contact.half_arc = angle(j);
+      contact.largest_pressure = std::max(contact.largest_pressure, pressure);
+    }
     for (int k = 0; k <= kIntervals; ++k)
       contact.lobe_force += pressure_[static_cast<std::size_t>(k)] * 2 * (k % 2 == 0 ? 1 : -1) /
                             (1.0 - 4.0 * k * k) * bore_ * width_;
   }
 
-  void take_waves(OvalShell& result) const {
-    for (std::size_t e = line_.barrel_from; e < line_.rim_from; ++e) {
+  void take_places(OvalShell& result) const {
+    if (options_.whole_meridian) take_part(result, ShellPart::diaphragm, 0, line_.barrel_from);
+    take_part(result, ShellPart::barrel, line_.barrel_from, line_.rim_from);
+    if (options_.whole_meridian)
+      take_part(result, ShellPart::rim, line_.rim_from, line_.elements.size());
+  }
+
+  void take_part(OvalShell& result, ShellPart part, std::size_t from, std::size_t to) const {
+    for (std::size_t e = from; e < to; ++e) {
       const Element& element = line_.elements[e];
-      const bool last = e + 1 == line_.rim_from;
+      const bool last = e + 1 == to;
       for (int i = 0; i < kSamples + (last ? 1 : 0); ++i) {
-        const double at = static_cast<double>(i) / kSamples;
-        result.places.push_back(element.z[0] + at * (element.z[1] - element.z[0]));
-        std::vector<ShellWave>& waves = result.waves.emplace_back();
+        const double along = static_cast<double>(i) / kSamples;
+        const double z = element.z[0] + along * (element.z[1] - element.z[0]);
+        ShellPlace& place = result.places.emplace_back();
+        place.part = part;
+        place.radius = element.radius(along);
+        place.at = part == ShellPart::diaphragm ? place.radius : z;
+        place.thickness = element.thickness;
+        // The torque acts evenly over the length of the rim.
+        place.torque_share =
+            part == ShellPart::rim ? 1 - (z - cup_.barrel.length) / cup_.rim.length : 1;
         for (std::size_t k = 0; k < waves_.size(); ++k) {
-          const Strains q = element.strains(static_cast<int>(2 * k), at) * of(waves_[k], element);
-          waves.push_back({q[0], q[1], q[2], q[3], q[4], q[5], q[6], q[7], q[8]});
+          const Strains q =
+              element.strains(static_cast<int>(2 * k), along) * of(waves_[k], element);
+          place.waves.push_back({q[0], q[1], q[2], q[3], q[4], q[5], q[6], q[7], q[8]});
         }
       }
     }
@@ -313,6 +335,7 @@ class Solver {
 
   const ShellCup& cup_;
   const CamFit& cam_;
+  const ShellOptions& options_;
   Meridian line_;
   double bore_ = 0;
   double middle_ = 0;
@@ -352,39 +375,74 @@ void check(const ShellCup& cup, const CamFit& cam) {
 
 }  // namespace
 
-OvalShell oval_shell(const ShellCup& cup, const CamFit& cam) {
+OvalShell oval_shell(const ShellCup& cup, const CamFit& cam, const ShellOptions& options) {
   check(cup, cam);
-  return Solver(cup, cam).solve();
+  return Solver(cup, cam, options).solve();
 }
 
-std::vector<ShellWave> OvalShell::waves_at(double z) const {
-  require(z >= 0 && z <= cup.barrel.length, "z", z, "m", ">= 0 and <= the length of the barrel");
-  const auto above = std::ranges::upper_bound(places, z);
-  const std::size_t hi = std::clamp<std::size_t>(static_cast<std::size_t>(above - places.begin()),
-                                                 1, places.size() - 1);
-  const double share = (z - places[hi - 1]) / (places[hi] - places[hi - 1]);
+ShellCup shell_cup(const GearSet& gear) {
+  const Flexspline& flexspline = *gear.flexspline;
+  const ElasticConstants steel =
+      elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
+  return {.barrel = *flexspline.barrel,
+          .rim = *flexspline.rim,
+          .diaphragm = flexspline.diaphragm,
+          .youngs_modulus = steel.E,
+          .poissons_ratio = steel.nu};
+}
+
+std::array<double, 2> ShellCup::ends(ShellPart part) const {
+  if (part == ShellPart::barrel) return {0, barrel.length};
+  if (part == ShellPart::rim) return {barrel.length, barrel.length + rim.length};
+  if (!diaphragm) return {0, 0};
+  return {diaphragm->inner_diameter / 2, (barrel.outer_diameter - barrel.wall_thickness) / 2};
+}
+
+std::span<const ShellPlace> OvalShell::part(ShellPart part) const {
+  const auto first = std::ranges::lower_bound(places, part, {}, &ShellPlace::part);
+  const auto last = std::ranges::upper_bound(places, part, {}, &ShellPlace::part);
+  return {first, last};
+}
+
+ShellPlace OvalShell::at(ShellPart part, double at) const {
+  const auto [from, to] = cup.ends(part);
+  const double slack = kEndRounding * to;
+  const std::span<const ShellPlace> of_part = this->part(part);
+  require(!of_part.empty() && at >= from - slack && at <= to + slack, enum_name(part), at, "m",
+          fmt::format(">= {:.6g} mm and <= {:.6g} mm", from / units::mm, to / units::mm));
+  std::size_t above = 1;
+  while (above + 1 < of_part.size() && of_part[above].at <= at) ++above;
+  const ShellPlace& below = of_part[above - 1];
+  const ShellPlace& beyond = of_part[above];
+  const double share = (at - below.at) / (beyond.at - below.at);
   const auto between = [share](double a, double b) { return a + share * (b - a); };
-  std::vector<ShellWave> result;
-  for (std::size_t k = 0; k < waves[hi].size(); ++k) {
-    const ShellWave& a = waves[hi - 1][k];
-    const ShellWave& b = waves[hi][k];
-    result.push_back({between(a.axial_strain, b.axial_strain),
-                      between(a.hoop_strain, b.hoop_strain),
-                      between(a.shear_strain, b.shear_strain), between(a.axial_bend, b.axial_bend),
-                      between(a.hoop_bend, b.hoop_bend), between(a.twist, b.twist),
-                      between(a.axial_rotation, b.axial_rotation),
-                      between(a.hoop_rotation, b.hoop_rotation), between(a.spin, b.spin)});
+  ShellPlace result = below;
+  result.at = at;
+  result.radius = between(below.radius, beyond.radius);
+  result.torque_share = between(below.torque_share, beyond.torque_share);
+  for (std::size_t k = 0; k < below.waves.size(); ++k) {
+    const ShellWave& a = below.waves[k];
+    const ShellWave& b = beyond.waves[k];
+    result.waves[k] = {between(a.axial_strain, b.axial_strain),
+                       between(a.hoop_strain, b.hoop_strain),
+                       between(a.shear_strain, b.shear_strain),
+                       between(a.axial_bend, b.axial_bend),
+                       between(a.hoop_bend, b.hoop_bend),
+                       between(a.twist, b.twist),
+                       between(a.axial_rotation, b.axial_rotation),
+                       between(a.hoop_rotation, b.hoop_rotation),
+                       between(a.spin, b.spin)};
   }
   return result;
 }
 
-WallStress wall_stress(const ShellCup& cup, const std::vector<ShellWave>& waves,
-                       bool large_rotations, double zeta, double from_lobe, double torque) {
+WallStress OvalShell::stress(const ShellPlace& place, double zeta, double from_lobe,
+                             double torque) const {
   ShellWave sum;
-  for (std::size_t k = 0; k < waves.size(); ++k) {
+  for (std::size_t k = 0; k < place.waves.size(); ++k) {
     const double c = std::cos(2 * static_cast<double>(k) * from_lobe);
     const double s = std::sin(2 * static_cast<double>(k) * from_lobe);
-    const ShellWave& of = waves[k];
+    const ShellWave& of = place.waves[k];
     sum.axial_strain += c * of.axial_strain;
     sum.hoop_strain += c * of.hoop_strain;
     sum.shear_strain += s * of.shear_strain;
@@ -401,22 +459,25 @@ WallStress wall_stress(const ShellCup& cup, const std::vector<ShellWave>& waves,
     sum.hoop_strain += sum.hoop_rotation * sum.hoop_rotation / 2 + spin;
     sum.shear_strain += sum.axial_rotation * sum.hoop_rotation;
   }
-  const double t = cup.barrel.wall_thickness;
-  const double r = (cup.barrel.outer_diameter - t) / 2;
+  const double t = place.thickness;
+  const double r = place.radius;
   const double outside = zeta * t / 2;
+  const bool flat = place.part == ShellPart::diaphragm;
   const double nu = cup.poissons_ratio;
   const double axial = sum.axial_strain + outside * sum.axial_bend;
-  const double hoop = (sum.hoop_strain + outside * sum.hoop_bend) / (1 + outside / r);
+  const double hoop = (sum.hoop_strain + outside * sum.hoop_bend) / (flat ? 1 : 1 + outside / r);
   const double shear = sum.shear_strain + outside * sum.twist;
   const double plate = cup.youngs_modulus / (1 - nu * nu);
   const double J = pi / 2 * (std::pow(r + t / 2, 4) - std::pow(r - t / 2, 4));
+  const double of_torque = flat ? 1 / (2 * pi * r * r * t) : (r + outside) / J;
   return {.axial = plate * (axial + nu * hoop),
           .hoop = plate * (hoop + nu * axial),
-          .shear = cup.youngs_modulus / (2 * (1 + nu)) * shear + torque * (r + outside) / J};
+          .shear = cup.youngs_modulus / (2 * (1 + nu)) * shear +
+                   place.torque_share * torque * of_torque};
 }
 
 WallStress OvalShell::stress(double z, double zeta, double from_lobe, double torque) const {
-  return wall_stress(cup, waves_at(z), large_rotations, zeta, from_lobe, torque);
+  return stress(barrel_at(z), zeta, from_lobe, torque);
 }
 
 }  // namespace strainwave

@@ -31,8 +31,16 @@ std::string markdown_field(const std::string& text) {
   return field;
 }
 
+/// The lines above the head of a CSV table that begin with #.
+std::string_view remarks_of(std::string_view csv) {
+  std::size_t end = 0;
+  while (end < csv.size() && csv[end] == '#')
+    end = std::min(csv.find('\n', end), csv.size() - 1) + 1;
+  return csv.substr(0, end);
+}
+
 /// The rows of a table that csv_table wrote.
-std::vector<Cells> csv_rows(const std::string& csv) {
+std::vector<Cells> csv_rows(std::string_view csv) {
   std::vector<Cells> rows;
   Cells row(1);
   bool quoted = false;
@@ -134,7 +142,8 @@ std::string csv_table(const Table& table) {
 }
 
 std::string csv_in_units(const std::string& csv, const AskedUnits& units) {
-  std::vector<Cells> rows = csv_rows(csv);
+  const std::string_view remarks = remarks_of(csv);
+  std::vector<Cells> rows = csv_rows(std::string_view(csv).substr(remarks.size()));
   if (rows.empty()) return csv;
   const Cells head = rows.front();
   for (std::size_t i = 0; i < head.size(); ++i) {
@@ -154,13 +163,14 @@ std::string csv_in_units(const std::string& csv, const AskedUnits& units) {
       row[at] = to->text;
     }
   }
-  std::string text;
+  std::string text(remarks);
   for (const Cells& row : rows) text += csv_line(row);
   return text;
 }
 
 std::string csv_columns(const std::string& csv, const std::vector<std::string>& names) {
-  const std::vector<Cells> rows = csv_rows(csv);
+  const std::string_view remarks = remarks_of(csv);
+  const std::vector<Cells> rows = csv_rows(std::string_view(csv).substr(remarks.size()));
   std::vector<std::string> known;
   if (!rows.empty())
     for (const std::string& head : rows.front()) known.push_back(name_and_unit(head).first);
@@ -176,7 +186,7 @@ std::string csv_columns(const std::string& csv, const std::vector<std::string>& 
     }
     chosen.push_back(static_cast<std::size_t>(found - known.begin()));
   }
-  std::string text;
+  std::string text(remarks);
   for (const Cells& row : rows) {
     Cells line;
     for (const std::size_t i : chosen) line.push_back(row[i]);

@@ -242,6 +242,7 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"modes", {"joint_size25.toml", ""}},
       {"frf", {"joint_size25.toml", ""}},
       {"accuracy", {"joint_size25.toml", ""}},
+      {"oval", {"breathing_crack.toml", ""}},
       {"turn", {"breathing_crack.toml", ""}},
       {"transmission", {"cracked_size25.toml", R"({"draws": 1})"}},
       {"simulate", {"joint_size25.toml", ""}},

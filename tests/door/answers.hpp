@@ -55,6 +55,8 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"life", "{}"},
       {"grow", "{}"},
       {"grow", R"({"interaction": "wheeler", "zone_factor": 2, "wheeler_exponent": 1.5})"},
+      {"oval", R"({"torque": ["10 N*m", "0 N*m"]})"},
+      {"oval", R"({"nonlinear": "off"})"},
       {"turn", R"({"torque": ["10 N*m"], "angles": 8})"},
       {"turn", R"({"torque": ["-5 N*m", "10 N*m"], "half_length": ["1 mm", "2 mm"], "angles": 8})"},
       {"transmission", R"({"draws": 0})"},

@@ -55,8 +55,10 @@ class UnitWitness : public ValueVisitor {
   std::vector<Field> open_;
 };
 
-/// Cells of each line of a CSV text; a cell in quotes may hold commas and line feeds.
+/// Cells of each line of a CSV text without its remarks; a cell in quotes may hold commas and line
+/// feeds.
 std::vector<std::size_t> cells_of_lines(std::string_view csv) {
+  while (csv.starts_with('#')) csv.remove_prefix(csv.find('\n') + 1);
   std::vector<std::size_t> cells;
   std::size_t n = 1;
   bool quoted = false;

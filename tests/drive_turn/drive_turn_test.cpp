@@ -190,13 +190,24 @@ TEST(DriveTurn, CrosscheckSurfaceCracks) { judge(true, 0.07, 0.15, 0.10, 12); }
 
 // Kind: identity.  The table is read back by the reader of turn tables (GR-30).
 TEST(DriveTurn, IdentityOfTheTable) {
-  const DriveTurn turn = drive_turn(
-      breathing(), {.torques = {48, -48}, .half_lengths = {2 * mm, 1 * mm}, .angles = 12});
-  const TurnTable table = turn_table(turn.sizes);
+  const GearSet gear = breathing();
+  const DriveTurn turn =
+      drive_turn(gear, {.torques = {48, -48}, .half_lengths = {2 * mm, 1 * mm}, .angles = 12});
+  const TurnTable table = turn_table(turn.sizes, turn_conditions(gear, turn.path));
   const std::string text = turn_table_text(table, {"A table."});
-  EXPECT_TRUE(text.starts_with("# A table.\nhalf_length [mm],torque [N*m],"));
+  EXPECT_TRUE(text.starts_with(
+      "# A table.\n# for drive.wave_number = 2\n# for drive.radial_displacement = 0.3175 mm\n"))
+      << text.substr(0, 200);
+  EXPECT_NE(text.find("\n# for crack.distance = 8.6 mm\nhalf_length [mm],torque [N*m],"),
+            std::string::npos)
+      << text.substr(0, 2000);
   HistoryFile file(pieces_of(text), "turn.csv");
   const TurnTable read = read_turn_table(file);
+  ASSERT_EQ(read.conditions.size(), table.conditions.size());
+  for (std::size_t i = 0; i < read.conditions.size(); ++i) {
+    EXPECT_EQ(read.conditions[i].name, table.conditions[i].name);
+    EXPECT_EQ(read.conditions[i].text, table.conditions[i].text);
+  }
   EXPECT_EQ(read.size_name, "half_length");
   EXPECT_EQ(read.torques, (std::vector<double>{-48, 48}));
   EXPECT_EQ(read.stations, (std::vector<double>{-1, -0.5, 0, 0.5, 1}));

@@ -33,7 +33,7 @@ TEST(FeTurn, IdentityOfTheTableThatGrowthReads) {
   ASSERT_EQ(run.sizes.size(), 2U);
   EXPECT_EQ(run.sizes[0].half_length, 1.5e-3);
   EXPECT_EQ(run.torques, (std::vector<double>{-30, 30}));
-  const std::string text = turn_csv(run);
+  const std::string text = turn_csv(run, gear);
   HistoryFile file(pieces_of(text), "turn.csv");
   const TurnTable table = read_turn_table(file);
   EXPECT_EQ(table.size_name, "half_length");
@@ -70,7 +70,7 @@ TEST(FeTurn, BehaviourOfThePlan) {
   ASSERT_EQ(run.plan.size(), 1U);
   EXPECT_EQ(run.plan[0].dofs, 73023U);
   EXPECT_EQ(run.torques, (std::vector<double>{-48, 0, 48}));
-  EXPECT_NE(turn_csv(run).find("73023 unknowns"), std::string::npos);
+  EXPECT_NE(turn_csv(run, gear).find("73023 unknowns"), std::string::npos);
   EXPECT_EQ(std::ranges::count(run.notes, "fe.turn_model", &Note::code), 1);
   EXPECT_EQ(std::ranges::count(run.notes, "fe.cam_perimeter", &Note::code), 1);
   EXPECT_EQ(std::ranges::find(run.notes, "fe.turn_model", &Note::code)->severity, Severity::care);
@@ -96,7 +96,7 @@ TEST(FeTurn, BehaviourOfASurfaceCrack) {
   ASSERT_EQ(inside.sizes.size(), 1U);
   EXPECT_NEAR(inside.sizes[0].half_length, 0.05e-3, 1e-12);  // the same shape
   EXPECT_EQ(inside.reason(), "");
-  HistoryFile file(pieces_of(turn_csv(inside)), "turn.csv");
+  HistoryFile file(pieces_of(turn_csv(inside, gear)), "turn.csv");
   const TurnTable table = read_turn_table(file);
   EXPECT_EQ(table.size_name, "depth");
   EXPECT_EQ(table.stations.front(), 0);

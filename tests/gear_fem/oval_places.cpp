@@ -20,7 +20,7 @@ int main() {
   const gear_fem::OvalCup oval(
       cup, {.youngs_modulus = 206e9, .poissons_ratio = 0.3},
       {.radial_displacement = 0.3175e-3, .band_width = 9.2e-3},
-      {.one_sided = false, .large_rotations = gear_fem::LargeRotations::on});
+      {.one_sided = false, .large_rotations = LargeRotations::on});
   double r = 0;
   double z = 0;
   double angle = 0;

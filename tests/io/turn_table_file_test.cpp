@@ -62,6 +62,20 @@ TEST(TurnTableFile, IdentityReadsTheGrid) {
   EXPECT_EQ(other.K.front(), (std::array<double, 3>{1e6, 2e6, 3e6}));
 }
 
+// The remarks above the names say for which drive the table is; other remarks are comments.
+TEST(TurnTableFile, IdentityReadsTheConditions) {
+  const TurnTable table = turn_table_from(
+      "# for whom it may concern\n# for crack.kind = through\n#for flexspline.barrel.length = 17.2 "
+      "mm\n" +
+      turn_csv() + "# for crack.angle = 45 deg\n");
+  ASSERT_EQ(table.conditions.size(), 2U);
+  EXPECT_EQ(table.conditions[0].name, "crack.kind");
+  EXPECT_EQ(table.conditions[0].text, "through");
+  EXPECT_EQ(table.conditions[1].name, "flexspline.barrel.length");
+  EXPECT_EQ(table.conditions[1].text, "17.2 mm");
+  EXPECT_TRUE(turn_table_from(turn_csv()).conditions.empty());
+}
+
 TEST(TurnTableFile, InputRulesBrokenOnce) {
   const auto refused = [](const std::string& text, const std::string& words) {
     try {
@@ -74,6 +88,8 @@ TEST(TurnTableFile, InputRulesBrokenOnce) {
   const std::string good = turn_csv();
   refused("", "turn.csv: is empty");
   refused(kTurnHead, "turn.csv: has no rows of numbers");
+  refused("# NOT usable: the checks failed\n" + good,
+          "turn.csv: says that it is not usable: the checks failed; compute a better table");
   refused(with(good, "half_length", "length"),
           "must have one of the columns depth and half_length, with its unit");
   refused(with(good, "station", "depth"),

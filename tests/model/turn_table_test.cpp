@@ -209,6 +209,75 @@ TEST(TurnTable, InputRulesBrokenOnce) {
       "is a table for torque alone, so duty.block[0].axial_force must be 0");
 }
 
+// Every condition that a table states is broken once.  A difference below the tolerance is none.
+TEST(TurnTable, InputAnotherDrive) {
+  const GearSet good = [] {
+    GearSet gear = test::article_gear();
+    auto& crack = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+    crack.half_length = 3e-3;
+    Flexspline& wall = *gear.flexspline;
+    wall.crack_free = CrackFree::sections;
+    wall.rim = TubeSection{.outer_diameter = 0.16, .wall_thickness = 0.003, .length = 0.03};
+    wall.barrel = TubeSection{.outer_diameter = 0.158, .wall_thickness = 0.002, .length = 0.1};
+    wall.diaphragm = Diaphragm{
+        .outer_diameter = 0.156, .inner_diameter = 0.08, .thickness = 0.003, .profile = {}};
+    TurnTable table = made_up_table_of_turn();
+    gear.wave_generator->cam.emplace();
+    gear.wave_generator->cam->profile = CamProfile::two_arcs;
+    gear.wave_generator->cam->arc_angle = pi / 6;
+    table.conditions = turn_conditions(gear, "flexspline.crack[0]");
+    test::give_turn_table<WallThroughCrack>(gear, std::move(table));
+    return gear;
+  }();
+  EXPECT_NO_THROW(check(good));
+  const auto refused = [&](const std::function<void(GearSet&, WallThroughCrack&)>& change,
+                           const std::string& words) {
+    GearSet gear = good;
+    change(gear, std::get<WallThroughCrack>(gear.flexspline->crack.at(0)));
+    try {
+      check_turn_tables(gear);
+      ADD_FAILURE() << "accepted: " << words;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.field(), "flexspline.crack[0].turn_table");
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  refused([](GearSet& gear, WallThroughCrack&) { gear.drive.wave_number = 3; },
+          "but must run over a wave of 120 deg");
+  refused([](GearSet& gear, WallThroughCrack&) { gear.drive.radial_displacement *= 1.02; },
+          "\"turn.csv\" is for a drive with drive.radial_displacement = 0.8 mm, but this drive has "
+          "0.816 mm; compute the table for this drive by strainwave turn");
+  refused([](GearSet& gear, WallThroughCrack&) { gear.wave_generator->cam->arc_angle = pi / 4; },
+          "wave_generator.cam = two arcs of 30 deg, but this drive has two arcs of 45 deg");
+  refused([](GearSet& gear, WallThroughCrack&) { gear.wave_generator->cam.reset(); },
+          "but this drive has cosine with a flattening of 0");
+  refused(
+      [](GearSet& gear, WallThroughCrack&) { gear.wave_generator->cam_perimeter_excess = 1e-5; },
+      "wave_generator.cam_perimeter_excess = 0 m");
+  refused([](GearSet& gear, WallThroughCrack&) { gear.flexspline->barrel->wall_thickness *= 0.98; },
+          "flexspline.barrel.wall_thickness = ");
+  refused([](GearSet& gear, WallThroughCrack&) { gear.flexspline->diaphragm.reset(); },
+          "but this drive does not give it");
+  refused([](GearSet&, WallThroughCrack& crack) { crack.angle = 0.9; }, "crack.angle = 45 deg");
+  refused([](GearSet&, WallThroughCrack& crack) { crack.section = WallSection::rim; },
+          "crack.section = barrel, but this drive has rim");
+  refused([](GearSet&, WallThroughCrack& crack) { crack.distance = 0.02; }, "crack.distance = ");
+  GearSet near = good;
+  near.drive.radial_displacement *= 1.009;
+  EXPECT_NO_THROW(check_turn_tables(near));
+  // A condition that the program does not know, and a number that is none.
+  const auto with = [&](TurnCondition condition) {
+    TurnTable table = *good.turn_tables.at("turn.csv");
+    table.conditions.push_back(std::move(condition));
+    GearSet gear = good;
+    gear.turn_tables["turn.csv"] = std::make_shared<const TurnTable>(std::move(table));
+    check_turn_tables(gear);
+  };
+  EXPECT_THROW(with({.name = "colour", .text = "blue"}), InputError);
+  EXPECT_THROW(with({.name = "crack.angle", .text = "45 mm"}), InputError);
+  EXPECT_NO_THROW(with({.name = "crack.angle", .text = "0.785398 rad"}));
+}
+
 TEST(TurnTable, InputSurfaceCracks) {
   GearSet gear = test::article_gear();
   gear.flexspline->crack = {WallSurfaceCrack{.depth = 2e-3, .half_length = 4e-3}};

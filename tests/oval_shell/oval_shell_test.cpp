@@ -36,7 +36,7 @@ TEST(OvalShell, LimitInextensionalCone) {
   EXPECT_EQ(shell.contact.iterations, 0);
   const double r = 31.023 * mm;
   const double place = 8.6 * mm;
-  const ShellWave wave = shell.waves_at(place)[kTwoWaves];
+  const ShellWave wave = shell.barrel_at(place).waves[kTwoWaves];
   EXPECT_NEAR(wave.twist * place / (wave.hoop_bend * r), 1, 0.04);
   // The slope of the cone: the wave of the cam over the distance to the middle of the rim.
   EXPECT_NEAR(-wave.axial_rotation / (cam.radial_displacement / (17.2 * mm + 4.75 * mm)), 1, 0.1);
@@ -55,7 +55,7 @@ TEST(OvalShell, ScalingPerimeter) {
     longer.perimeter_excess = times * excess;
     const OvalShell shell = oval_shell(size25(), longer);
     EXPECT_NEAR(shell.contact.half_arc, pi / 2, 1e-12);
-    return shell.waves_at(17.2 * mm)[0].hoop_strain;
+    return shell.barrel_at(17.2 * mm).waves[0].hoop_strain;
   };
   const double once = stretch(1);
   EXPECT_NEAR((stretch(3) - stretch(2)) / (stretch(2) - once), 1, 1e-6);
@@ -159,7 +159,7 @@ TEST(OvalShell, IdentityTorque) {
 }
 
 // Kind: identity.  The stress repeats after half a turn, is even about a lobe apart from the shear,
-// and `waves_at` gives the kept places back.
+// and `barrel_at` gives the kept places back.
 TEST(OvalShell, IdentitySymmetry) {
   const OvalShell shell = oval_shell(size25(), cam_of_size25());
   for (const double angle : {0.2, 0.9}) {
@@ -171,13 +171,13 @@ TEST(OvalShell, IdentitySymmetry) {
     EXPECT_NEAR(here.shear, -across.shear, 1);
     EXPECT_NEAR(here.hoop, behind.hoop, 1);
   }
-  EXPECT_LE(shell.places.front(), 0);
-  EXPECT_NEAR(shell.places.back(), 17.2 * mm, 1e-12);
-  const std::size_t some = shell.places.size() / 2;
-  EXPECT_EQ(shell.waves_at(shell.places[some])[1].hoop_bend, shell.waves[some][1].hoop_bend);
-  const double between = (shell.places[some] + shell.places[some + 1]) / 2;
-  EXPECT_NEAR(shell.waves_at(between)[1].twist,
-              (shell.waves[some][1].twist + shell.waves[some + 1][1].twist) / 2, 1e-9);
+  EXPECT_LE(shell.places.front().at, 0);
+  EXPECT_NEAR(shell.places.back().at, 17.2 * mm, 1e-12);
+  const ShellPlace& some = shell.places[shell.places.size() / 2];
+  const ShellPlace& next = shell.places[shell.places.size() / 2 + 1];
+  EXPECT_EQ(shell.barrel_at(some.at).waves[1].hoop_bend, some.waves[1].hoop_bend);
+  EXPECT_NEAR(shell.barrel_at((some.at + next.at) / 2).waves[1].twist,
+              (some.waves[1].twist + next.waves[1].twist) / 2, 1e-9);
 }
 
 TEST(OvalShell, InputOfRanges) {
@@ -209,8 +209,9 @@ TEST(OvalShell, InputOfRanges) {
   names(cam_rule([](CamFit& cam) { cam.perimeter_excess = 3 * mm; }), "perimeter_excess");
   names(cam_rule([](CamFit& cam) { cam.clearance = 0.4 * mm; }), "smaller than the bore");
   const OvalShell shell = oval_shell(size25(), cam_of_size25());
-  names(test::broken_rule([&] { return shell.stress(-1e-6, 0, 0, 0); }), "z");
-  names(test::broken_rule([&] { return shell.waves_at(17.3 * mm); }), "z");
+  names(test::broken_rule([&] { return shell.stress(-1e-6, 0, 0, 0); }), "barrel");
+  names(test::broken_rule([&] { return shell.barrel_at(17.3 * mm); }), ">= 0 mm and <= 17.2 mm");
+  names(test::broken_rule([&] { return shell.at(ShellPart::rim, 20 * mm); }), "rim");
 }
 
 }  // namespace

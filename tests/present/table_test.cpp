@@ -31,6 +31,14 @@ TEST(Table, BehaviourCsvQuotesAndFillsUp) {
             "name,K,why\na,1,\"x, \"\"y\"\"\"\na line across both,,\nlong one,12.5,\n");
 }
 
+// Remarks above the head stay, whatever becomes of the columns.
+TEST(Table, BehaviourRemarksAboveACsvTable) {
+  const std::string csv = "# a, \"remark\n# b\nlength [m],what\n0.5,x\n";
+  EXPECT_EQ(csv_in_units(csv, AskedUnits("mm")), "# a, \"remark\n# b\nlength [mm],what\n500,x\n");
+  EXPECT_EQ(csv_columns(csv, {"what"}), "# a, \"remark\n# b\nwhat\nx\n");
+  EXPECT_EQ(csv_columns("what\nx\n", {"what"}), "what\nx\n");
+}
+
 TEST(Cells, BehaviourAllDigitsAndNothingForWhatIsAbsent) {
   EXPECT_EQ(cells(0.1, 3, std::optional<double>(), true, "text"),
             (std::vector<std::string>{"0.1", "3", "", "true", "text"}));

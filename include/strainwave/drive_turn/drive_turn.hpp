@@ -75,8 +75,4 @@ struct DriveTurn {
 /// @throws SolverError  if a contact or the large rotations do not converge
 [[nodiscard]] DriveTurn drive_turn(const GearSet& gear, const TurnRequest& request = {});
 
-/// The flexspline of a drive as a shell.
-/// @param gear  passes require_turning_cup
-[[nodiscard]] ShellCup shell_cup(const GearSet& gear);
-
 }  // namespace strainwave

@@ -23,7 +23,7 @@ struct TurnOptions {
   TurnRequest request = {};
   /// Order p of the solid elements, 2 to 4; absent: kSolidOrder
   std::optional<int> order = {};
-  gear_fem::LargeRotations large_rotations = gear_fem::LargeRotations::automatic;
+  LargeRotations large_rotations = LargeRotations::automatic;
   /// Called with one line after each step, on every rank; may be empty.
   std::function<void(const std::string&)> progress = {};
 };
@@ -78,7 +78,7 @@ struct TurnRun {
 [[nodiscard]] TurnRun run_turn(const GearSet& gear, const TurnOptions& options, const Ranks& ranks);
 
 /// The turn as a table (GR-30) that a crack can name as its turn_table: that of the governing tip.
-[[nodiscard]] std::string turn_csv(const TurnRun& run);
+[[nodiscard]] std::string turn_csv(const TurnRun& run, const GearSet& gear);
 [[nodiscard]] std::string turn_text(const TurnRun& run, const GearSet& gear);
 /// K_I over the turn: a panel for each size and torque, a line for each station.
 [[nodiscard]] std::string turn_plot(const TurnRun& run, const GearSet& gear);

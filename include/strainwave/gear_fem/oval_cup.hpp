@@ -16,24 +16,7 @@
 /// @file
 /// A sound flexspline at work: bent oval by the wave generator, and twisted by the torque.
 
-namespace strainwave {
-namespace gear_fem {
-
-/// Whether the oval is computed with large rotations (FE-53).
-enum class LargeRotations {
-  automatic,  ///< if the second-order stress E (w_0/r)^2 exceeds 2 % of the rim's bending stress
-  on,
-  off,  ///< small rotations
-};
-
-}  // namespace gear_fem
-
-template <>
-struct EnumNames<gear_fem::LargeRotations> {
-  static constexpr std::array<std::string_view, 3> names = {"auto", "on", "off"};
-};
-
-namespace gear_fem {
+namespace strainwave::gear_fem {
 
 struct OvalOptions {
   /// true: the cam only pushes; false: the band follows the cam all round
@@ -136,5 +119,4 @@ class OvalCup {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace gear_fem
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

@@ -43,6 +43,8 @@ class HistoryFile {
 
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] const std::vector<HistoryColumn>& columns() const;
+  /// The lines above the names of the columns that begin with #, without it; the first 1000.
+  [[nodiscard]] const std::vector<std::string>& remarks() const;
   /// Whether a column has this name; case does not matter.
   [[nodiscard]] bool has(std::string_view column) const;
   /// The number of a column.

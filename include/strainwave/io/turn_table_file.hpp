@@ -20,7 +20,9 @@ inline constexpr std::size_t kMaxTurnRows = 500'000;
 /// Reads a table of K over a turn: the columns depth or half_length, aspect_ratio if the shape
 /// varies, torque, station, angle, K_I, K_II and K_III.
 ///
-/// The rows are a full grid, sorted by size, aspect ratio, torque, station and angle.
+/// A remark above the names of the columns, such as "# for drive.radial_displacement = 0.3 mm", is
+/// a condition of the table.  The rows are a full grid, sorted by size, aspect ratio, torque,
+/// station and angle.
 ///
 /// @throws InputError  if a column or its unit is missing; if a row is unsorted, appears twice or
 /// is

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
@@ -12,6 +16,13 @@
 
 namespace strainwave {
 
+/// Part of the wall of a cup.
+enum class ShellPart { diaphragm, barrel, rim };
+template <>
+struct EnumNames<ShellPart> {
+  static constexpr std::array<std::string_view, 3> names = {"diaphragm", "barrel", "rim"};
+};
+
 /// A cup of thin walls.  z = 0 is the end of the barrel toward the diaphragm, or the held end of a
 /// barrel without one.  The bore of the diaphragm is held.
 struct ShellCup {
@@ -20,9 +31,12 @@ struct ShellCup {
   std::optional<Diaphragm> diaphragm;  ///< meets the barrel in the middle of its wall
   double youngs_modulus{};             ///< E [Pa]; > 0
   double poissons_ratio{};             ///< nu [-]; in [0, 0.5)
+
+  /// Where a part begins and ends: z, or the radius in the diaphragm [m].
+  [[nodiscard]] std::array<double, 2> ends(ShellPart part) const;
 };
 
-/// Membrane force and moment of one number of waves, as strains, at a place of the barrel.
+/// Membrane force and moment of one number of waves, as strains, at a place of the meridian.
 struct ShellWave {
   double axial_strain{};    ///< cosine [-]
   double hoop_strain{};     ///< cosine [-]
@@ -35,18 +49,30 @@ struct ShellWave {
   double spin{};            ///< about the normal, sine [-]
 };
 
-/// Stress in the wall of the barrel [Pa].
+/// A place of the meridian.
+struct ShellPlace {
+  ShellPart part = ShellPart::barrel;
+  /// z, or the radius if the place is in the diaphragm [m]
+  double at{};
+  double radius{};               ///< of the middle surface [m]
+  double thickness{};            ///< [m]
+  double torque_share{};         ///< of the output torque that the wall carries here [-]
+  std::vector<ShellWave> waves;  ///< the waves 0, 2, 4, ...
+};
+
+/// Stress in the wall [Pa].
 struct WallStress {
-  double axial{};  ///< zz
+  double axial{};  ///< along the meridian: zz, in the diaphragm rr
   double hoop{};   ///< theta theta
-  double shear{};  ///< theta z
+  double shear{};  ///< theta z, in the diaphragm theta r
 };
 
 /// What the wave generator does, in numbers.
 struct ShellContact {
-  double lobe_force{};  ///< resultant of the pressure of one lobe along its axis [N]
-  double half_arc{};    ///< half of the arc on which a lobe presses [rad]
-  int iterations{};     ///< of the large rotations; 0: small rotations
+  double lobe_force{};        ///< resultant of the pressure of one lobe along its axis [N]
+  double half_arc{};          ///< half of the arc on which a lobe presses [rad]
+  double largest_pressure{};  ///< on the band [Pa]
+  int iterations{};           ///< of the large rotations; 0: small rotations
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -54,6 +80,8 @@ struct ShellContact {
     field({"lobe_force", "N", "force of one lobe of the wave generator on the bore"},
           &R::lobe_force);
     field({"half_arc", "rad", "half of the arc on which a lobe presses"}, &R::half_arc);
+    field({"largest_pressure", "Pa", "largest pressure on the bore, even over the band"},
+          &R::largest_pressure);
     field({.name = "iterations",
            .unit = "",
            .doc = "iterations of the large rotations",
@@ -67,20 +95,40 @@ struct OvalShell {
   ShellCup cup;
   bool large_rotations = false;
   ShellContact contact;
-  /// the barrel at ascending z; the waves 0, 2, 4, ... at each place
-  std::vector<double> places;
-  std::vector<std::vector<ShellWave>> waves;
+  /// Pressure on the band at even angles from a lobe, 0, to the middle between the lobes, pi/2
+  /// [Pa].
+  std::vector<double> pressure;
+  /// The barrel at ascending z, or the whole meridian from the bore of the diaphragm.
+  std::vector<ShellPlace> places;
 
-  /// Stress at a place of the barrel.
-  /// @param z          [m], from 0 to the length of the barrel
+  /// Stress at a place, eq. (CU-4).
   /// @param zeta       from -1 at the inner face to 1 at the outer face
   /// @param from_lobe  angle from a lobe toward +theta [rad]
   /// @param torque     T [N*m], in the sense of +theta on the rim
+  [[nodiscard]] WallStress stress(const ShellPlace& place, double zeta, double from_lobe,
+                                  double torque) const;
+  /// Stress at a place of the barrel.
+  /// @param z  [m], from 0 to the length of the barrel
   /// @throws InputError  for a place outside of the barrel
   [[nodiscard]] WallStress stress(double z, double zeta, double from_lobe, double torque) const;
-  /// The waves at a place, interpolated.
+  /// The places of a part.
+  [[nodiscard]] std::span<const ShellPlace> part(ShellPart part) const;
+  /// A place of a part, interpolated.
+  /// @param at  z, or the radius if the part is the diaphragm [m]
+  /// @throws InputError  for a place outside of the part
+  [[nodiscard]] ShellPlace at(ShellPart part, double at) const;
+  /// A place of the barrel.
   /// @throws InputError  for a place outside of the barrel
-  [[nodiscard]] std::vector<ShellWave> waves_at(double z) const;
+  [[nodiscard]] ShellPlace barrel_at(double z) const { return at(ShellPart::barrel, z); }
+};
+
+/// The flexspline of a drive as a shell.
+/// @param gear  passes require_turning_cup
+[[nodiscard]] ShellCup shell_cup(const GearSet& gear);
+
+struct ShellOptions {
+  LargeRotations large_rotations = LargeRotations::automatic;
+  bool whole_meridian = false;  ///< false: only the barrel's places are kept
 };
 
 /// Computes the oval.
@@ -93,11 +141,7 @@ struct OvalShell {
 ///
 /// @throws InputError   for lengths out of range; if the cam does not touch the bore
 /// @throws SolverError  if contact or large rotations do not converge
-[[nodiscard]] OvalShell oval_shell(const ShellCup& cup, const CamFit& cam);
-
-/// The stress of waves at a place of the barrel, as OvalShell::stress.
-[[nodiscard]] WallStress wall_stress(const ShellCup& cup, const std::vector<ShellWave>& waves,
-                                     bool large_rotations, double zeta, double from_lobe,
-                                     double torque);
+[[nodiscard]] OvalShell oval_shell(const ShellCup& cup, const CamFit& cam,
+                                   const ShellOptions& options = {});
 
 }  // namespace strainwave

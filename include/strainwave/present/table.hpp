@@ -63,7 +63,7 @@ template <class... Values>
 /// A CSV table with its numbers in other units: those of a column "name [unit]", and those in a
 /// column "value" with a unit in a column "unit", "x" with "x_unit", of the output or field that
 /// the first column names.
-/// @param csv  table as csv_table writes it
+/// @param csv  table as csv_table writes it; remarks above its head, which begin with #, stay
 [[nodiscard]] std::string csv_in_units(const std::string& csv, const AskedUnits& units);
 /// Some columns of a CSV table, in the order asked.
 /// @param names  names of columns, without their units

@@ -6,7 +6,7 @@ namespace strainwave::fe_study {
 namespace {
 
 struct TurnCommandOptions : TurnRequestOptions, CrackOptions {
-  std::optional<gear_fem::LargeRotations> nonlinear;
+  std::optional<LargeRotations> nonlinear;
   bool dry_run = false;
 
   template <class Visitor>

@@ -96,6 +96,7 @@ void check_turn(const GearSet& gear, const std::string& path, const Crack& crack
   if constexpr (kSurface)
     if (!table.aspect_ratios.empty())
       covered(table.aspect_ratios, crack.depth / crack.half_length, "1", "depth/half_length");
+  check_turn_conditions(table.conditions, turn_conditions(gear, path), file, at);
   if (gear.load.axial_force != 0)
     refuse("is a table for torque alone, so load.axial_force must be 0");
   if (!gear.duty) return;
@@ -160,9 +161,10 @@ int waves_of(const TurnTable& table, int wave_number) {
   return std::max(1, static_cast<int>(std::lround(span * wave_number / (2 * pi))));
 }
 
-TurnTable turn_table(std::span<const SizedTurn> sizes) {
+TurnTable turn_table(std::span<const SizedTurn> sizes, std::vector<TurnCondition> conditions) {
   const std::string_view tip = governing_station(sizes)->tip;
   TurnTable table;
+  table.conditions = std::move(conditions);
   table.size_name = sizes.front().depth ? "depth" : "half_length";
   for (const LoadedTurn& torque : sizes.front().torques) table.torques.push_back(torque.torque);
   for (const StationTurn& station : sizes.front().torques.front().stations) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/turn_condition.hpp"
 #include "strainwave/model/result/crack_turn.hpp"
 
 /// @file
@@ -20,6 +21,8 @@ namespace strainwave {
 /// All lists are in ascending order.
 struct TurnTable {
   std::string file;           ///< file name as the drive gives it
+  /// What the drive must be; empty: the table does not say for which drive it is.
+  std::vector<TurnCondition> conditions = {};
   std::string size_name;      ///< "depth" or "half_length"
   std::vector<double> sizes;  ///< depth a, or half length of a through crack [m]; one or more
   /// a/c of a surface crack [-]; empty: the table is for the shape of the crack in the file
@@ -76,8 +79,10 @@ class TurnFactors {
 [[nodiscard]] int waves_of(const TurnTable& table, int wave_number);
 
 /// The turn of the governing tip as a table, without a file's name.
-/// @param sizes  of one crack, ascending, each under the same torques; one or more
-[[nodiscard]] TurnTable turn_table(std::span<const SizedTurn> sizes);
+/// @param sizes       of one crack, ascending, each under the same torques; one or more
+/// @param conditions  of this crack
+[[nodiscard]] TurnTable turn_table(std::span<const SizedTurn> sizes,
+                                   std::vector<TurnCondition> conditions);
 
 /// K_I over a turn under a torque, at the place of the front where its range is largest; pressed
 /// faces have K_I = 0.
@@ -89,8 +94,8 @@ class TurnFactors {
 
 /// Checks the cracks of a drive against the tables of K that they name; `check` calls it.
 ///
-/// @throws InputError  if a table was not read, is for another kind of crack, or does not run over
-///                     a wave or a turn; if the crack is beyond the table; if an axial force acts,
+/// @throws InputError  if a table was not read, is for another kind of crack or another
+///                     drive, or does not run over a wave or a turn; if the crack is beyond the table; if an axial force acts,
 ///                     which tables do not cover.  The message names crack and table
 void check_turn_tables(const GearSet& gear);
 

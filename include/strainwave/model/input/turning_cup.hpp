@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/cam_curve.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
@@ -9,6 +13,17 @@
 /// and the cam in it.
 
 namespace strainwave {
+
+/// Whether the oval is computed with large rotations.
+enum class LargeRotations {
+  automatic,  ///< if the second-order stress E (w_0/R)^2 exceeds 2 % of the rim's bending stress
+  on,
+  off  ///< small rotations
+};
+template <>
+struct EnumNames<LargeRotations> {
+  static constexpr std::array<std::string_view, 3> names = {"auto", "on", "off"};
+};
 
 /// The cam of a drive; without a wave generator, a cosine of the drive's w_0 on the whole rim.
 [[nodiscard]] CamFit cam_fit(const GearSet& gear);

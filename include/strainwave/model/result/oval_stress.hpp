@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+
+/// @file
+/// Stress of a sound flexspline over a turn of the wave generator, as every model of the oval
+/// states it.
+
+namespace strainwave {
+
+/// Extremes of a stress at one place of the wall over a turn, with their angles from a lobe.
+struct StressExtremes {
+  double largest{};     ///< [Pa]
+  double at_largest{};  ///< [rad]
+  double least{};       ///< [Pa]
+  double at_least{};    ///< [rad]
+
+  [[nodiscard]] double range() const { return largest - least; }
+  /// Takes a value at an angle.
+  void take(double value, double angle, bool first) {
+    if (first || value > largest) largest = value, at_largest = angle;
+    if (first || value < least) least = value, at_least = angle;
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = StressExtremes;
+    field({"largest", "Pa", "largest value over a turn"}, &R::largest);
+    field({"at_largest", "rad", "angle from a lobe to the place at the largest value"},
+          &R::at_largest);
+    field({"least", "Pa", "least value over a turn"}, &R::least);
+    field({"at_least", "rad", "angle from a lobe to the place at the least value"}, &R::at_least);
+  }
+};
+
+/// Stress at one place of the wall over a turn.
+struct OvalStation {
+  static constexpr bool kTableRow = true;
+  std::string_view part;      ///< "diaphragm", "barrel" or "rim"
+  double at{};                ///< z from the barrel's end, or the radius in the diaphragm [m]
+  std::string_view face;      ///< "inner" or "outer"
+  StressExtremes hoop;        ///< round the axis
+  StressExtremes meridional;  ///< along the axis, in the diaphragm along the radius
+  StressExtremes shear;
+  StressExtremes equivalent;  ///< von Mises
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = OvalStation;
+    field({"part", "", "diaphragm, barrel or rim"}, &R::part);
+    field({"at", "m",
+           "barrel and rim: z from the barrel's end toward the diaphragm; diaphragm: radius"},
+          &R::at);
+    field({"face", "", "inner or outer face of the wall"}, &R::face);
+    field({"hoop", "", "stress round the axis"}, &R::hoop);
+    field({"meridional", "", "stress along the axis, in the diaphragm along the radius"},
+          &R::meridional);
+    field({"shear", "", "shear stress; T > 0 makes it positive"}, &R::shear);
+    field({"equivalent", "", "von Mises stress"}, &R::equivalent);
+  }
+};
+
+/// Stress under one torque.
+struct LoadedOval {
+  double torque{};                    ///< T at the output [N*m]
+  std::vector<OvalStation> stations;  ///< along the wall from the diaphragm's bore
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "N*m", "torque at the output"}, &LoadedOval::torque);
+    field({"stations", "", "places along the wall from the bore of the diaphragm"},
+          &LoadedOval::stations);
+  }
+};
+
+}  // namespace strainwave

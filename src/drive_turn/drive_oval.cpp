@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_turn/drive_oval.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "cup_notes.hpp"
+#include "strainwave/core/ascending.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/model/input/turning_cup.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// Angles over one wave at which the stress is computed: a degree each.
+constexpr int kTurnAngles = 180;
+/// Places of each part of the wall that are kept, with both ends.
+constexpr int kPlacesOfPart = 9;
+
+/// Even places of the parts of the wall, with their ends.
+std::vector<ShellPlace> places_of(const OvalShell& shell) {
+  std::vector<ShellPlace> places;
+  for (const ShellPart part : {ShellPart::diaphragm, ShellPart::barrel, ShellPart::rim}) {
+    if (part == ShellPart::diaphragm && !shell.cup.diaphragm) continue;
+    const auto [from, to] = shell.cup.ends(part);
+    for (int i = 0; i < kPlacesOfPart; ++i)
+      places.push_back(shell.at(part, from + (to - from) * i / (kPlacesOfPart - 1)));
+  }
+  return places;
+}
+
+double von_mises(const WallStress& s) {
+  return std::sqrt(s.axial * s.axial - s.axial * s.hoop + s.hoop * s.hoop + 3 * s.shear * s.shear);
+}
+
+OvalStation over_turn(const OvalShell& shell, const ShellPlace& place, double zeta, double torque) {
+  OvalStation station{.part = enum_name(place.part),
+                      .at = place.at,
+                      .face = zeta < 0 ? "inner" : "outer",
+                      .hoop = {},
+                      .meridional = {},
+                      .shear = {},
+                      .equivalent = {}};
+  for (int i = 0; i < kTurnAngles; ++i) {
+    const double angle = pi * i / kTurnAngles;
+    const WallStress s = shell.stress(place, zeta, angle, torque);
+    station.hoop.take(s.hoop, angle, i == 0);
+    station.meridional.take(s.axial, angle, i == 0);
+    station.shear.take(s.shear, angle, i == 0);
+    station.equivalent.take(von_mises(s), angle, i == 0);
+  }
+  return station;
+}
+
+/// Largest difference of a stress to that of small rotations.
+double rotation_stress(const OvalShell& large, const OvalShell& small) {
+  constexpr int kCoarse = 36;
+  const std::vector<ShellPlace> of_large = places_of(large);
+  const std::vector<ShellPlace> of_small = places_of(small);
+  double largest = 0;
+  for (std::size_t i = 0; i < of_large.size(); ++i)
+    for (const double zeta : {-1.0, 1.0})
+      for (int j = 0; j < kCoarse; ++j) {
+        const WallStress a = large.stress(of_large[i], zeta, pi * j / kCoarse, 0);
+        const WallStress b = small.stress(of_small[i], zeta, pi * j / kCoarse, 0);
+        largest = std::max({largest, std::abs(a.hoop - b.hoop), std::abs(a.axial - b.axial),
+                            std::abs(a.shear - b.shear)});
+      }
+  return largest;
+}
+
+/// Turn of the normal in the meridian at a lobe, in the middle of the rim.
+double coning_angle(const OvalShell& shell) {
+  const auto [from, to] = shell.cup.ends(ShellPart::rim);
+  double turn = 0;
+  for (const ShellWave& wave : shell.at(ShellPart::rim, (from + to) / 2).waves)
+    turn -= wave.axial_rotation;
+  return turn;
+}
+
+std::vector<Note> notes_of(const GearSet& gear) {
+  std::vector<Note> notes;
+  notes.push_back({"oval.model",
+                   "the wall is a thin shell without cracks, teeth and fillets; the cam is rigid "
+                   "and has no friction; the torque acts evenly round the rim",
+                   "flexspline", "CU-1", Severity::care,
+                   "Add the notch of a fillet or of a tooth root by a factor of your own."});
+  add_cup_notes(notes, gear);
+  return notes;
+}
+
+}  // namespace
+
+const OvalStation& DriveOval::governing() const {
+  const OvalStation* worst = &torques.front().stations.front();
+  for (const LoadedOval& torque : torques)
+    for (const OvalStation& station : torque.stations)
+      if (station.equivalent.largest > worst->equivalent.largest) worst = &station;
+  return *worst;
+}
+
+DriveOval drive_oval(const GearSet& gear, const OvalRequest& request) {
+  check(gear);
+  require_turning_cup(gear);
+  for (const double torque : request.torques)
+    require(std::isfinite(torque), "--torque", torque, "N*m", "finite");
+  const ShellCup cup = shell_cup(gear);
+  const CamFit cam = cam_fit(gear);
+  const OvalShell shell =
+      oval_shell(cup, cam, {.large_rotations = request.large_rotations, .whole_meridian = true});
+  DriveOval oval;
+  oval.contact = shell.contact;
+  oval.coning_angle = coning_angle(shell);
+  oval.large_rotations = shell.large_rotations;
+  if (shell.large_rotations)
+    oval.rotation_stress = rotation_stress(
+        shell,
+        oval_shell(cup, cam, {.large_rotations = LargeRotations::off, .whole_meridian = true}));
+  for (std::size_t i = 0; i < shell.pressure.size(); ++i)
+    oval.pressure.push_back(
+        {.angle = pi / 2 * static_cast<double>(i) / static_cast<double>(shell.pressure.size() - 1),
+         .pressure = shell.pressure[i]});
+  for (const double torque :
+       request.torques.empty() ? std::vector{gear.load.torque} : ascending(request.torques)) {
+    LoadedOval& loaded = oval.torques.emplace_back(LoadedOval{.torque = torque, .stations = {}});
+    for (const ShellPlace& place : places_of(shell))
+      for (const double zeta : {-1.0, 1.0})
+        loaded.stations.push_back(over_turn(shell, place, zeta, torque));
+  }
+  oval.notes = notes_of(gear);
+  oval.equations = {"CU-1", "CU-2"};
+  if (oval.large_rotations) oval.equations.emplace_back("CU-3");
+  oval.equations.emplace_back("CU-4");
+  return oval;
+}
+
+}  // namespace strainwave
