@@ -17,19 +17,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// Angles over one wave at which the stress is computed: a degree each.
-constexpr int kTurnAngles = 180;
-/// Places of each part of the wall that are kept, with both ends.
-constexpr int kPlacesOfPart = 9;
-
 /// Even places of the parts of the wall, with their ends.
 std::vector<ShellPlace> places_of(const OvalShell& shell) {
   std::vector<ShellPlace> places;
-  for (const ShellPart part : {ShellPart::diaphragm, ShellPart::barrel, ShellPart::rim}) {
-    if (part == ShellPart::diaphragm && !shell.cup.diaphragm) continue;
+  for (const WallPart part : {WallPart::diaphragm, WallPart::barrel, WallPart::rim}) {
+    if (part == WallPart::diaphragm && !shell.cup.diaphragm) continue;
     const auto [from, to] = shell.cup.ends(part);
-    for (int i = 0; i < kPlacesOfPart; ++i)
-      places.push_back(shell.at(part, from + (to - from) * i / (kPlacesOfPart - 1)));
+    for (int i = 0; i < kOvalPlaces; ++i)
+      places.push_back(shell.at(part, from + (to - from) * i / (kOvalPlaces - 1)));
   }
   return places;
 }
@@ -39,15 +34,15 @@ double von_mises(const WallStress& s) {
 }
 
 OvalStation over_turn(const OvalShell& shell, const ShellPlace& place, double zeta, double torque) {
-  OvalStation station{.part = enum_name(place.part),
+  OvalStation station{.part = place.part,
                       .at = place.at,
                       .face = zeta < 0 ? "inner" : "outer",
                       .hoop = {},
                       .meridional = {},
                       .shear = {},
                       .equivalent = {}};
-  for (int i = 0; i < kTurnAngles; ++i) {
-    const double angle = pi * i / kTurnAngles;
+  for (int i = 0; i < kOvalAngles; ++i) {
+    const double angle = pi * i / kOvalAngles;
     const WallStress s = shell.stress(place, zeta, angle, torque);
     station.hoop.take(s.hoop, angle, i == 0);
     station.meridional.take(s.axial, angle, i == 0);
@@ -76,9 +71,9 @@ double rotation_stress(const OvalShell& large, const OvalShell& small) {
 
 /// Turn of the normal in the meridian at a lobe, in the middle of the rim.
 double coning_angle(const OvalShell& shell) {
-  const auto [from, to] = shell.cup.ends(ShellPart::rim);
+  const auto [from, to] = shell.cup.ends(WallPart::rim);
   double turn = 0;
-  for (const ShellWave& wave : shell.at(ShellPart::rim, (from + to) / 2).waves)
+  for (const ShellWave& wave : shell.at(WallPart::rim, (from + to) / 2).waves)
     turn -= wave.axial_rotation;
   return turn;
 }
@@ -95,14 +90,6 @@ std::vector<Note> notes_of(const GearSet& gear) {
 }
 
 }  // namespace
-
-const OvalStation& DriveOval::governing() const {
-  const OvalStation* worst = &torques.front().stations.front();
-  for (const LoadedOval& torque : torques)
-    for (const OvalStation& station : torque.stations)
-      if (station.equivalent.largest > worst->equivalent.largest) worst = &station;
-  return *worst;
-}
 
 DriveOval drive_oval(const GearSet& gear, const OvalRequest& request) {
   check(gear);

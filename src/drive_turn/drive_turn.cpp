@@ -43,53 +43,66 @@ LoadedTurn turn_under(double torque, int angles, TurningCrack& crack, double& la
   return turn;
 }
 
-/// Refuses a crack whose end leaves the barrel.
-void require_inside(const BarrelCrack& of, double place, double half_length,
-                    const TubeSection& barrel) {
+/// Refuses a crack whose end leaves its section.
+void require_inside(const CrackOfWall& of, double distance, double half_length,
+                    const TubeSection& section) {
   const double reach = half_length * std::abs(std::cos(of.angle()));
-  if (place - reach > 0 && place + reach < barrel.length) return;
-  throw InputError(of.path,
-                   fmt::format("must lie in the barrel; at a half length of {:.4g} mm it reaches "
-                               "from {:.4g} to {:.4g} mm of {:.4g} mm",
-                               half_length / units::mm, (place - reach) / units::mm,
-                               (place + reach) / units::mm, barrel.length / units::mm));
+  if (distance - reach > 0 && distance + reach < section.length) return;
+  throw InputError(
+      of.path,
+      fmt::format("must lie in the {}; at a half length of {:.4g} mm it reaches "
+                  "from {:.4g} to {:.4g} mm of {:.4g} mm",
+                  enum_name(of.section()), half_length / units::mm, (distance - reach) / units::mm,
+                  (distance + reach) / units::mm, section.length / units::mm));
 }
 
 /// Length of a through crack over that of the barrel up to which K is as good as stated [-].
 constexpr double kLong = 0.4;
 
-/// Notes a crack that comes so near to a joint that the model was not judged there, or that is so
-/// long that the joints let it open further than in a long tube.
-void note_joint(DriveTurn& turn, const TubeSection& barrel, double angle) {
+/// Walls between a crack of the rim and the ends of the rim up to which the stress was judged [-].
+constexpr double kClearWalls = 3;
+
+/// Notes a crack that comes so near to an end of its section that the model was not judged there,
+/// or that is so long that the joints let it open further than in a long tube.
+void note_ends(DriveTurn& turn, const CrackOfWall& of, const TubeSection& section) {
   const SizedTurn& longest = turn.sizes.back();
-  if (!longest.depth && 2 * longest.half_length > kLong * barrel.length)
+  if (!longest.depth && 2 * longest.half_length > kLong * section.length)
     turn.notes.push_back(
         {"turn.long_crack",
          fmt::format("the crack is longer than {:g} of the barrel; K_I of such cracks was up to "
                      "4.2 % too small",
                      kLong),
          turn.path, "IN-2", Severity::care, "Compute K by strainwave fe turn too."});
-  const double reach = longest.half_length * std::abs(std::cos(angle));
-  const double left = std::min(turn.distance, barrel.length - turn.distance) - reach;
-  const double edge =
-      std::sqrt((barrel.outer_diameter - barrel.wall_thickness) / 2 * barrel.wall_thickness);
+  const bool in_rim = of.section() == WallSection::rim;
+  const double t = section.wall_thickness;
+  const double reach = longest.half_length * std::abs(std::cos(of.angle()));
+  const double left = std::min(turn.distance, section.length - turn.distance) - reach;
+  const double edge = in_rim ? kClearWalls * t : std::sqrt((section.outer_diameter - t) / 2 * t);
   if (left >= edge) return;
   turn.notes.push_back(
       {"turn.near_joint",
-       fmt::format(
-           "the crack comes within {:.3g} mm of an end of the barrel; nearer than {:.3g} mm "
-           "the model is not judged",
-           left / units::mm, edge / units::mm),
-       turn.path, "IN-2", Severity::care, "Compute K by strainwave fe turn too."});
+       fmt::format("the crack comes within {:.3g} mm of an end of the {}; nearer than {:.3g} mm "
+                   "the model is not judged",
+                   left / units::mm, enum_name(of.section()), edge / units::mm),
+       turn.path, "IN-2", Severity::care, in_rim ? "" : "Compute K by strainwave fe turn too."});
 }
 
-std::vector<Note> notes_of(const GearSet& gear, const BarrelCrack& of) {
+std::vector<Note> notes_of(const GearSet& gear, const CrackOfWall& of) {
   std::vector<Note> notes;
   notes.push_back(
       {"turn.model",
        "the crack is alone; the cam is rigid and has no friction; the torque acts evenly "
        "round the rim, not in the zones of the teeth",
        of.path, "CU-2", Severity::care});
+  if (of.section() == WallSection::rim)
+    notes.push_back(
+        {"turn.rim_teeth",
+         "the teeth are left out: K is that of a crack in the smooth rim, whose stress finite "
+         "elements judged within 2.2 %; no model judged K there, and the notch of a tooth root "
+         "raises K of a shallow crack",
+         of.path, "IN-3", Severity::care,
+         "Raise K by the notch factor of the tooth root if the crack is shallower than its "
+         "radius."});
   if (of.mouth_unknown())
     notes.push_back({"turn.mouth_outside",
                      "the mouth of the surface crack is assumed on the outer surface, because the "
@@ -102,23 +115,26 @@ std::vector<Note> notes_of(const GearSet& gear, const BarrelCrack& of) {
 }  // namespace
 
 DriveTurn drive_turn(const GearSet& gear, const TurnRequest& request) {
-  const TurnPlan plan = plan_turn(gear, request);
-  const BarrelCrack& of = plan.crack;
+  const TurnPlan plan = plan_turn(gear, request, RimCracks::surface);
+  const CrackOfWall& of = plan.crack;
+  const bool in_rim = of.section() == WallSection::rim;
   const ShellCup cup = shell_cup(gear);
-  const OvalShell shell = oval_shell(cup, cam_fit(gear));
+  const TubeSection& section = in_rim ? cup.rim : cup.barrel;
+  const OvalShell shell = oval_shell(cup, cam_fit(gear), {.whole_meridian = in_rim});
   DriveTurn turn;
   turn.path = of.path;
   turn.contact = shell.contact;
   turn.large_rotations = shell.large_rotations;
   std::visit(
       [&](const auto& crack) {
-        turn.distance = crack.distance.value_or(cup.barrel.length / 2);
+        turn.distance = crack.distance.value_or(section.length / 2);
+        const double place = turn.distance + (in_rim ? cup.barrel.length : 0);
         for (const TurnSize& size : plan.sizes) {
-          require_inside(of, turn.distance, size.half_length, cup.barrel);
+          require_inside(of, turn.distance, size.half_length, section);
           SizedTurn& at = turn.sizes.emplace_back(SizedTurn{size, {}});
           std::unique_ptr<TurningCrack> turning;
           try {
-            turning = turning_crack(crack, shell, turn.distance, size);
+            turning = turning_crack(crack, shell, place, size);
           } catch (const InputError& error) {
             throw InputError(of.path, error.what());
           }
@@ -128,7 +144,7 @@ DriveTurn drive_turn(const GearSet& gear, const TurnRequest& request) {
       },
       of.crack);
   turn.notes = notes_of(gear, of);
-  note_joint(turn, cup.barrel, of.angle());
+  note_ends(turn, of, section);
   turn.equations = {"CU-1", "CU-2"};
   if (turn.large_rotations) turn.equations.emplace_back("CU-3");
   turn.equations.emplace_back("CU-4");

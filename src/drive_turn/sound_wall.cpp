@@ -6,14 +6,14 @@
 
 namespace strainwave {
 
-SoundWall::SoundWall(const OvalShell& shell, double place, double angle,
+SoundWall::SoundWall(const OvalShell& shell, WallPart part, double place, double angle,
                      std::vector<double> offsets)
     : shell_(shell),
-      radius_((shell.cup.barrel.outer_diameter - shell.cup.barrel.wall_thickness) / 2),
+      radius_(shell.at(part, place).radius),
       sine_(std::sin(angle)),
       cosine_(std::cos(angle)),
       offsets_(std::move(offsets)) {
-  for (const double offset : offsets_) places_.push_back(shell.barrel_at(place + offset * cosine_));
+  for (const double offset : offsets_) places_.push_back(shell.at(part, place + offset * cosine_));
 }
 
 PlaneStress SoundWall::at(std::size_t offset, double zeta, double from_lobe, double torque) const {

@@ -13,14 +13,16 @@ struct PlaneStress {
   double along = 0;   ///< shear along the crack, toward the upper tip
 };
 
-/// The sound barrel, seen from places along a crack.
+/// The sound wall, seen from places along a crack.
 class SoundWall {
  public:
   /// @param shell    must outlive this object
+  /// @param part     in which the crack lies
   /// @param place    z of the middle of the crack [m]
   /// @param angle    of the crack from +z toward -theta [rad]
   /// @param offsets  of the places from the middle, toward the upper tip [m]
-  SoundWall(const OvalShell& shell, double place, double angle, std::vector<double> offsets);
+  SoundWall(const OvalShell& shell, WallPart part, double place, double angle,
+            std::vector<double> offsets);
 
   /// @param offset     number of the place
   /// @param zeta       from -1 at the inner face to 1 at the outer face

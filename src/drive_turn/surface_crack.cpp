@@ -36,13 +36,13 @@ double of_depth(double phi) { return 0.5 - std::cos(2 * phi) / 4 - std::cos(4 * 
 
 class TurningSurfaceCrack : public TurningCrack {
  public:
-  TurningSurfaceCrack(const ShellCup& cup, double depth, double half_length, bool inner,
-                      SoundWall wall)
+  TurningSurfaceCrack(double thickness, double poissons_ratio, double depth, double half_length,
+                      bool inner, SoundWall wall)
       : depth_(depth),
-        alpha_(depth / cup.barrel.wall_thickness),
+        alpha_(depth / thickness),
         mouth_(inner ? -1.0 : 1.0),
         plate_(depth / half_length),
-        sheared_(depth / half_length, cup.poissons_ratio),
+        sheared_(depth / half_length, poissons_ratio),
         wall_(std::move(wall)) {}
 
   /// `at` takes the stress at these offsets: that of the middle, then those of the stations of
@@ -122,13 +122,16 @@ std::unique_ptr<TurningCrack> turning_crack(const WallSurfaceCrack& crack, const
                                             double place, const TurnSize& size) {
   const double depth = size.depth.value();
   const double half_length = size.half_length;
-  require(depth > 0 && depth <= kDeepest * shell.cup.barrel.wall_thickness, "depth", depth, "m",
+  const bool in_rim = crack.section == WallSection::rim;
+  const double thickness = (in_rim ? shell.cup.rim : shell.cup.barrel).wall_thickness;
+  require(depth > 0 && depth <= kDeepest * thickness, "depth", depth, "m",
           "> 0 and <= 0.8 of the wall");
   require(crack.depth <= crack.half_length && crack.depth >= kLongest * crack.half_length,
           "half_length", half_length, "m", "from 1 to 5 depths");
   return std::make_unique<TurningSurfaceCrack>(
-      shell.cup, depth, half_length, crack.mouth == Mouth::inner,
-      SoundWall(shell, place, crack.angle, TurningSurfaceCrack::offsets(half_length)));
+      thickness, shell.cup.poissons_ratio, depth, half_length, crack.mouth == Mouth::inner,
+      SoundWall(shell, in_rim ? WallPart::rim : WallPart::barrel, place, crack.angle,
+                TurningSurfaceCrack::offsets(half_length)));
 }
 
 }  // namespace strainwave

@@ -91,7 +91,8 @@ std::unique_ptr<TurningCrack> turning_crack(const WallThroughCrack& crack, const
   const double radius = (shell.cup.barrel.outer_diameter - wall) / 2;
   return std::make_unique<TurningThroughCrack>(
       through_crack_table().at(half_length, wall, radius, crack.angle),
-      SoundWall(shell, place, crack.angle, {-kGauss * half_length, 0, kGauss * half_length}));
+      SoundWall(shell, WallPart::barrel, place, crack.angle,
+                {-kGauss * half_length, 0, kGauss * half_length}));
 }
 
 }  // namespace strainwave

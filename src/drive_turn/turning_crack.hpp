@@ -14,7 +14,7 @@ namespace strainwave {
 /// K_I, K_II, K_III at a station [Pa*m^0.5].
 using StationFactors = std::array<double, 3>;
 
-/// A crack of the barrel at one size, in the stress of the sound wall.  Each kind of crack is one
+/// A crack of the wall at one size, in the stress of the sound wall.  Each kind of crack is one
 /// class.
 class TurningCrack {
  public:

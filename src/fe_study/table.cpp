@@ -7,14 +7,19 @@ namespace strainwave::fe_study {
 Command run_command();
 Command render_command();
 Command influence_command();
+Command oval_command();
 Command tabulate_command();
 Command turn_command();
 
 std::span<const Command> fe_commands() {
   static const std::vector<Command> table = [] {
-    std::vector<Command> rows = {run_command(),      turn_command(),
-                                 tabulate_command(), influence_command(),
-                                 render_command(),   schema_command(fe_commands)};
+    std::vector<Command> rows = {run_command(),
+                                 oval_command(),
+                                 turn_command(),
+                                 tabulate_command(),
+                                 influence_command(),
+                                 render_command(),
+                                 schema_command(fe_commands)};
     for (Command& row : rows) row.program = "strainwave-fe";
     return rows;
   }();

@@ -46,7 +46,7 @@ struct TurnWork {
 };
 
 TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
-  const TurnPlan plan = plan_turn(gear, options.request);
+  const TurnPlan plan = plan_turn(gear, options.request, RimCracks::none);
   const Flexspline& flexspline = *gear.flexspline;
   const int order = options.order.value_or(kSolidOrder);
   require(order >= 2 && order <= 4, "order", order, "1", ">= 2 and <= 4 for a turn");

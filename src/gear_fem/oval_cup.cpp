@@ -46,10 +46,39 @@ RimPlaces rim_places(const CupSection& cup, const CamFit& fit) {
           .pressed = {middle - width / 2, middle + width / 2}};
 }
 
+/// Adds grid lines toward both ends of a part with this wall, apart from other lines.
+void add_fine_lines(std::vector<double>& lines, double from, double to, double wall) {
+  const auto add = [&](double line) {
+    constexpr double kApart = 0.2;  // walls
+    if (std::ranges::none_of(lines,
+                             [&](double other) { return std::abs(line - other) < kApart * wall; }))
+      lines.push_back(line);
+  };
+  for (const double walls : {0.15, 0.5, 1.2, 2.5})
+    if (walls * wall < 0.4 * (to - from)) {
+      add(from + walls * wall);
+      add(to - walls * wall);
+    }
+}
+
 /// The section with grid lines at the ends of the band.
-fem::SectionMesh mesh_oval_cup(const CupSection& cup, const Band& pressed) {
+fem::SectionMesh mesh_oval_cup(const CupSection& cup, const Band& pressed, bool fine_corners) {
   CupShape drawn = cup_shape(cup);
-  drawn.shape.rectangles = cut_along_z(drawn.shape.rectangles, {pressed.from, pressed.to});
+  std::vector<double> along_z = {pressed.from, pressed.to};
+  std::vector<double> along_r;
+  if (fine_corners) {
+    const double foot = cup.diaphragm ? cup.diaphragm->thickness : 0.0;
+    const double joint = foot + cup.barrel.length;
+    add_fine_lines(along_z, foot, joint, cup.barrel.wall_thickness);
+    add_fine_lines(along_z, joint, joint + cup.rim->length, cup.rim->wall_thickness);
+    if (cup.diaphragm)
+      add_fine_lines(along_r, cup.diaphragm->inner_diameter / 2,
+                     cup.barrel.outer_diameter / 2 - cup.barrel.wall_thickness,
+                     cup.diaphragm->thickness);
+  }
+  std::ranges::sort(along_z);
+  std::ranges::sort(along_r);
+  drawn.shape.rectangles = cut_along_r(cut_along_z(drawn.shape.rectangles, along_z), along_r);
   fem::SectionMesh mesh = fem::mesh_section(drawn.shape, drawn.spacing);
   draw_profile(mesh, cup);
   return mesh;
@@ -365,8 +394,8 @@ OvalCup::OvalCup(const CupSection& cup, const fem::Elasticity& steel, const CamF
   check(cup, fit, options);
   const RimPlaces places = rim_places(cup, fit);
   parts_ = std::make_unique<Parts>(Parts{
-      .section =
-          fem::HarmonicSection(mesh_oval_cup(cup, places.pressed), steel, {.order = options.order}),
+      .section = fem::HarmonicSection(mesh_oval_cup(cup, places.pressed, options.fine_corners),
+                                      steel, {.order = options.order}),
       .waves = {},
       .small_waves = {},
       .torque = {},

@@ -303,13 +303,13 @@ class Solver {
   }
 
   void take_places(OvalShell& result) const {
-    if (options_.whole_meridian) take_part(result, ShellPart::diaphragm, 0, line_.barrel_from);
-    take_part(result, ShellPart::barrel, line_.barrel_from, line_.rim_from);
+    if (options_.whole_meridian) take_part(result, WallPart::diaphragm, 0, line_.barrel_from);
+    take_part(result, WallPart::barrel, line_.barrel_from, line_.rim_from);
     if (options_.whole_meridian)
-      take_part(result, ShellPart::rim, line_.rim_from, line_.elements.size());
+      take_part(result, WallPart::rim, line_.rim_from, line_.elements.size());
   }
 
-  void take_part(OvalShell& result, ShellPart part, std::size_t from, std::size_t to) const {
+  void take_part(OvalShell& result, WallPart part, std::size_t from, std::size_t to) const {
     for (std::size_t e = from; e < to; ++e) {
       const Element& element = line_.elements[e];
       const bool last = e + 1 == to;
@@ -319,11 +319,11 @@ class Solver {
         ShellPlace& place = result.places.emplace_back();
         place.part = part;
         place.radius = element.radius(along);
-        place.at = part == ShellPart::diaphragm ? place.radius : z;
+        place.at = part == WallPart::diaphragm ? place.radius : z;
         place.thickness = element.thickness;
         // The torque acts evenly over the length of the rim.
         place.torque_share =
-            part == ShellPart::rim ? 1 - (z - cup_.barrel.length) / cup_.rim.length : 1;
+            part == WallPart::rim ? 1 - (z - cup_.barrel.length) / cup_.rim.length : 1;
         for (std::size_t k = 0; k < waves_.size(); ++k) {
           const Strains q =
               element.strains(static_cast<int>(2 * k), along) * of(waves_[k], element);
@@ -391,20 +391,20 @@ ShellCup shell_cup(const GearSet& gear) {
           .poissons_ratio = steel.nu};
 }
 
-std::array<double, 2> ShellCup::ends(ShellPart part) const {
-  if (part == ShellPart::barrel) return {0, barrel.length};
-  if (part == ShellPart::rim) return {barrel.length, barrel.length + rim.length};
+std::array<double, 2> ShellCup::ends(WallPart part) const {
+  if (part == WallPart::barrel) return {0, barrel.length};
+  if (part == WallPart::rim) return {barrel.length, barrel.length + rim.length};
   if (!diaphragm) return {0, 0};
   return {diaphragm->inner_diameter / 2, (barrel.outer_diameter - barrel.wall_thickness) / 2};
 }
 
-std::span<const ShellPlace> OvalShell::part(ShellPart part) const {
+std::span<const ShellPlace> OvalShell::part(WallPart part) const {
   const auto first = std::ranges::lower_bound(places, part, {}, &ShellPlace::part);
   const auto last = std::ranges::upper_bound(places, part, {}, &ShellPlace::part);
   return {first, last};
 }
 
-ShellPlace OvalShell::at(ShellPart part, double at) const {
+ShellPlace OvalShell::at(WallPart part, double at) const {
   const auto [from, to] = cup.ends(part);
   const double slack = kEndRounding * to;
   const std::span<const ShellPlace> of_part = this->part(part);
@@ -462,7 +462,7 @@ WallStress OvalShell::stress(const ShellPlace& place, double zeta, double from_l
   const double t = place.thickness;
   const double r = place.radius;
   const double outside = zeta * t / 2;
-  const bool flat = place.part == ShellPart::diaphragm;
+  const bool flat = place.part == WallPart::diaphragm;
   const double nu = cup.poissons_ratio;
   const double axial = sum.axial_strain + outside * sum.axial_bend;
   const double hoop = (sum.hoop_strain + outside * sum.hoop_bend) / (flat ? 1 : 1 + outside / r);

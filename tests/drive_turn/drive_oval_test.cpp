@@ -21,7 +21,7 @@ using std::numbers::pi;
 GearSet breathing_cup() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml"); }
 
 /// The station of a part nearest to a place.
-const OvalStation& station_at(const LoadedOval& loaded, std::string_view part, double at,
+const OvalStation& station_at(const LoadedOval& loaded, WallPart part, double at,
                               std::string_view face) {
   const OvalStation* nearest = nullptr;
   for (const OvalStation& station : loaded.stations)
@@ -43,12 +43,12 @@ TEST(DriveOval, LimitBendingOfTheRim) {
   const double t = 0.755 * mm;
   const double r = (62.801 * mm - t) / 2;
   const double bending = 206 * GPa * t * 3 * 0.3175 * mm / (2 * (1 - 0.09) * r * r);
-  const OvalStation& outer = station_at(oval.torques[0], "rim", 21.95 * mm, "outer");
+  const OvalStation& outer = station_at(oval.torques[0], WallPart::rim, 21.95 * mm, "outer");
   EXPECT_NEAR(outer.hoop.range() / (2 * bending), 1, 0.06);
   // The outer face is stretched at a lobe, the inner face between the lobes.
   EXPECT_NEAR(outer.hoop.at_largest, 0, 1e-12);
-  EXPECT_NEAR(station_at(oval.torques[0], "rim", 21.95 * mm, "inner").hoop.at_largest, pi / 2,
-              1e-12);
+  EXPECT_NEAR(station_at(oval.torques[0], WallPart::rim, 21.95 * mm, "inner").hoop.at_largest,
+              pi / 2, 1e-12);
   EXPECT_NEAR(oval.coning_angle / (0.3175 / 21.95), 1, 0.05);
 }
 
@@ -95,20 +95,20 @@ TEST(DriveOval, IdentityExtremes) {
     EXPECT_NEAR(loaded.shear.range(), none.shear.range(), 1e-6 * MPa);
     EXPECT_GE(loaded.equivalent.least, 0);
     largest = std::max(largest, loaded.equivalent.largest);
-    if (none.part == "barrel" && none.face == "outer") {
+    if (none.part == WallPart::barrel && none.face == "outer") {
       test::expect_relative(loaded.shear.largest - none.shear.largest, 48 * outer / J, 1e-9);
     }
-    if (none.part == "rim" && none.at > 26.69 * mm) {  // no teeth beyond, so no torque
+    if (none.part == WallPart::rim && none.at > 26.69 * mm) {  // no teeth beyond, so no torque
       EXPECT_NEAR(loaded.shear.largest, none.shear.largest, 1);
     }
   }
   EXPECT_EQ(oval.largest(), largest);
-  EXPECT_EQ(oval.governing().part, "diaphragm");
+  EXPECT_EQ(oval.governing().part, WallPart::diaphragm);
   EXPECT_NEAR(oval.governing().at, 18.4 * mm, 1e-9);
   // In the diaphragm the shear of the torque falls with the square of the radius.
   const auto shear = [&](double radius) {
-    return station_at(oval.torques[1], "diaphragm", radius, "inner").shear.largest -
-           station_at(oval.torques[0], "diaphragm", radius, "inner").shear.largest;
+    return station_at(oval.torques[1], WallPart::diaphragm, radius, "inner").shear.largest -
+           station_at(oval.torques[0], WallPart::diaphragm, radius, "inner").shear.largest;
   };
   test::expect_relative(shear(18.4 * mm), 48 / (2 * pi * std::pow(18.4 * mm, 2) * 0.762 * mm),
                         1e-9);

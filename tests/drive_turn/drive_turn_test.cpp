@@ -18,6 +18,7 @@
 #include "strainwave/io/history_file.hpp"
 #include "strainwave/io/turn_table_file.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
+#include "strainwave/sif/newman_raju.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
 
@@ -222,6 +223,55 @@ TEST(DriveTurn, IdentityOfTheTable) {
       EXPECT_NEAR(read.K[i][m], table.K[i][m], 1e-5 * std::abs(table.K[i][m]));
 }
 
+/// The drive with a surface crack of the rim, along the axis.
+GearSet with_rim_crack(Mouth mouth) {
+  GearSet gear = breathing();
+  WallSurfaceCrack crack{.depth = 0.1 * mm, .half_length = 0.2 * mm, .angle = 0};
+  crack.section = WallSection::rim;
+  crack.distance = 5 * mm;
+  crack.mouth = mouth;
+  gear.flexspline->crack = {crack};
+  return gear;
+}
+
+// (IN-3) Kind: identity.  A short crack of the rim feels the hoop stress of the rim, membrane and
+// bending, by Newman and Raju's equation, also the share of the torque at its place.
+TEST(DriveTurn, IdentitySurfaceCrackOfTheRim) {
+  for (const Mouth mouth : {Mouth::outer, Mouth::inner}) {
+    const GearSet gear = with_rim_crack(mouth);
+    const DriveTurn turn = drive_turn(gear, {.torques = {48}, .angles = 12});
+    EXPECT_EQ(turn.path, "flexspline.crack[0]");
+    EXPECT_NEAR(turn.distance, 5 * mm, 1e-12);
+    const OvalShell shell = oval_shell(shell_cup(gear), cam_fit(gear), {.whole_meridian = true});
+    const ShellPlace place = shell.at(WallPart::rim, 22.2 * mm);
+    EXPECT_NEAR(place.torque_share, 1 - 5 / 9.5, 1e-9);
+    const double at_mouth = mouth == Mouth::inner ? -1 : 1;
+    const double alpha = 0.1 / 0.755;
+    const sif::NewmanRajuPlate plate(0.5);
+    const StationTurn& deepest = turn.sizes[0].torques[0].stations[4];
+    ASSERT_EQ(deepest.station, 1);
+    for (const TurnFactor& K : deepest.factors) {
+      const double near = shell.stress(place, at_mouth, K.angle, 48).hoop;
+      const double far = shell.stress(place, -at_mouth, K.angle, 48).hoop;
+      const double expected =
+          plate.tension(alpha, pi / 2) * std::sqrt(pi * 0.1 * mm) *
+          ((near + far) / 2 + (near - far) / 2 * plate.bending_ratio(alpha, pi / 2));
+      EXPECT_NEAR(K.K_I, std::max(expected, 0.0), 0.004 * deepest.mode_I.largest);
+    }
+    EXPECT_EQ(test::count_notes(turn.notes, "turn.rim_teeth"), 1);
+    EXPECT_EQ(test::count_notes(turn.notes, "turn.near_joint"), 0);
+  }
+  GearSet gear = with_rim_crack(Mouth::outer);
+  auto& crack = std::get<WallSurfaceCrack>(gear.flexspline->crack[0]);
+  crack.distance = 2 * mm;  // within three walls of the joint
+  EXPECT_EQ(
+      test::count_notes(drive_turn(gear, {.torques = {48}, .angles = 8}).notes, "turn.near_joint"),
+      1);
+  EXPECT_EQ(test::count_notes(drive_turn(breathing(), {.torques = {48}, .angles = 8}).notes,
+                              "turn.rim_teeth"),
+            0);
+}
+
 // Kind: identity.  A mirror image of crack and torque has the mirror image of the turn, the other
 // way round.  The tips stay: up is up.
 TEST(DriveTurn, IdentityMirror) {
@@ -396,7 +446,7 @@ TEST(DriveTurn, InputOfADrive) {
           std::get<WallThroughCrack>(gear.flexspline->crack[1]).position = 2;
           crack_of(gear).position = 0;
         }),
-        "has several cracks of the barrel");
+        "has several cracks that a turn can take");
   names(rule(nothing, {.crack = "flexspline.crack[3]"}), "is not a crack of the flexspline");
   names(rule([](GearSet& gear) { crack_of(gear).section = WallSection::rim; },
              {.crack = "flexspline.crack[0]"}),

@@ -25,16 +25,16 @@ OvalShell shell() { return oval_shell(test::size25_shell(), test::size25_cam());
 TEST(SoundWall, IdentityDirections) {
   const OvalShell of = shell();
   const double r = 31.023 * mm;
-  const SoundWall axial(of, 8 * mm, 0, {-1 * mm, 2 * mm});
+  const SoundWall axial(of, WallPart::barrel, 8 * mm, 0, {-1 * mm, 2 * mm});
   const WallStress up = of.stress(10 * mm, 1, 0.4, 30);
   EXPECT_NEAR(axial.at(1, 1, 0.4, 30).normal, up.hoop, 1);
   EXPECT_NEAR(axial.at(1, 1, 0.4, 30).along, -up.shear, 1);
   EXPECT_NEAR(axial.at(0, -1, 0.4, 30).normal, of.stress(7 * mm, -1, 0.4, 30).hoop, 1);
-  const SoundWall round(of, 8 * mm, pi / 2, {2 * mm});
+  const SoundWall round(of, WallPart::barrel, 8 * mm, pi / 2, {2 * mm});
   const WallStress beside = of.stress(8 * mm, 1, 0.4 - 2 * mm / r, 30);
   EXPECT_NEAR(round.at(0, 1, 0.4, 30).normal, beside.axial, 1e-3 * std::abs(beside.axial));
   EXPECT_NEAR(round.at(0, 1, 0.4, 30).along, beside.shear, 1e-6 * std::abs(beside.shear));
-  const SoundWall inclined(of, 8 * mm, pi / 4, {0});
+  const SoundWall inclined(of, WallPart::barrel, 8 * mm, pi / 4, {0});
   const WallStress here = of.stress(8 * mm, 1, 0.4, 30);
   EXPECT_NEAR(inclined.at(0, 1, 0.4, 30).normal, (here.hoop + here.axial) / 2 + here.shear, 1);
   EXPECT_NEAR(inclined.at(0, 1, 0.4, 30).along, (here.hoop - here.axial) / 2, 1);
@@ -70,7 +70,7 @@ TEST(TurningSurfaceCrack, IdentityShear) {
     const double torque = 500;  // the shear of the oval is small beside it
     const auto K = turning->at(0, torque);
     const double root = std::sqrt(pi * crack.depth);
-    const SoundWall wall(of, 9 * mm, 0, {0});
+    const SoundWall wall(of, WallPart::barrel, 9 * mm, 0, {0});
     const double shear = wall.at(0, sign, 0, torque).along;
     const double slope = (wall.at(0, -sign, 0, torque).along - shear) * crack.depth / (0.453 * mm);
     ASSERT_LT(shear, -100 * MPa);

@@ -75,7 +75,7 @@ gear_fem::OvalPlace solid_place(const gear_fem::OvalCup& solid, const ShellCup& 
   constexpr double kJustInside = 0.9999;
   const double outside = kJustInside * zeta * place.thickness / 2;
   const double foot = cup.diaphragm ? cup.diaphragm->thickness : 0.0;
-  if (place.part == ShellPart::diaphragm) return solid.at(place.at, foot / 2 - outside);
+  if (place.part == WallPart::diaphragm) return solid.at(place.at, foot / 2 - outside);
   return solid.at(place.radius + outside, foot + place.at);
 }
 
@@ -88,7 +88,7 @@ double worst_difference(const OvalShell& shell, const gear_fem::OvalCup& solid,
   for (const ShellPlace& place : places)
     for (const double zeta : {-1.0, 1.0}) {
       const gear_fem::OvalPlace of = solid_place(solid, shell.cup, place, zeta);
-      const bool flat = place.part == ShellPart::diaphragm;
+      const bool flat = place.part == WallPart::diaphragm;
       for (int j = 0; j < 12; ++j) {
         const double angle = pi * j / 12;
         const auto stress = solid.field(of, angle, kTorque).stress;
@@ -103,7 +103,7 @@ double worst_difference(const OvalShell& shell, const gear_fem::OvalCup& solid,
 }
 
 /// Places of a part that are three walls from its ends, where the solid has corners.
-std::vector<ShellPlace> clear_places(const OvalShell& shell, ShellPart part) {
+std::vector<ShellPlace> clear_places(const OvalShell& shell, WallPart part) {
   const std::span<const ShellPlace> of_part = shell.part(part);
   std::vector<ShellPlace> places;
   for (const ShellPlace& place : of_part)
@@ -132,9 +132,9 @@ TEST(OvalShell, CrosscheckSolid) {
     for (int i = 0; i <= 4; ++i)
       places.push_back(shell.barrel_at(clear + i * (barrel.length - 2 * clear) / 4));
     EXPECT_LT(worst_difference(shell, solid, places), 0.02);
-    EXPECT_LT(worst_difference(shell, solid, clear_places(shell, ShellPart::rim)), 0.03);
+    EXPECT_LT(worst_difference(shell, solid, clear_places(shell, WallPart::rim)), 0.03);
     if (drive.cup.diaphragm) {
-      EXPECT_LT(worst_difference(shell, solid, clear_places(shell, ShellPart::diaphragm)), 0.03);
+      EXPECT_LT(worst_difference(shell, solid, clear_places(shell, WallPart::diaphragm)), 0.03);
     }
   }
 }

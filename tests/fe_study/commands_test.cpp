@@ -92,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Trial{"run", "cracked_size25", R"({"member": "flexspline", "order": 3,
                                                        "crack": "flexspline.crack[0]"})"},
                     Trial{"run", "part_through_crack", R"({"order": 2})"},
+                    Trial{"oval", "breathing_crack", R"({"nonlinear": "off"})"},
                     Trial{"turn", "breathing_crack", R"({"order": 2, "torque": ["48 N*m"],
                                                          "angles": 8})"},
                     Trial{"turn", "breathing_crack", R"({"dry_run": true})"},

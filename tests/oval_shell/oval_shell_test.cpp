@@ -211,7 +211,7 @@ TEST(OvalShell, InputOfRanges) {
   const OvalShell shell = oval_shell(size25(), cam_of_size25());
   names(test::broken_rule([&] { return shell.stress(-1e-6, 0, 0, 0); }), "barrel");
   names(test::broken_rule([&] { return shell.barrel_at(17.3 * mm); }), ">= 0 mm and <= 17.2 mm");
-  names(test::broken_rule([&] { return shell.at(ShellPart::rim, 20 * mm); }), "rim");
+  names(test::broken_rule([&] { return shell.at(WallPart::rim, 20 * mm); }), "rim");
 }
 
 }  // namespace

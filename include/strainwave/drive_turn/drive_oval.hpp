@@ -45,7 +45,7 @@ struct DriveOval {
   std::vector<std::string> equations;
 
   /// The station with the largest von Mises stress.
-  [[nodiscard]] const OvalStation& governing() const;
+  [[nodiscard]] const OvalStation& governing() const { return governing_station(torques); }
   [[nodiscard]] double largest() const { return governing().equivalent.largest; }
 
   template <class Visitor>

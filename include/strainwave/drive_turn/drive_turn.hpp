@@ -11,7 +11,7 @@
 #include "strainwave/oval_shell/oval_shell.hpp"
 
 /// @file
-/// K of a crack of the flexspline's barrel over a turn of the wave generator, without finite
+/// K of a crack of the flexspline's wall over a turn of the wave generator, without finite
 /// elements.
 
 namespace strainwave {
@@ -48,7 +48,7 @@ struct DriveTurn {
           &R::ratio);
     field({"governing_tip", "", "the tip with the largest range"}, &R::governing_tip);
     field({"path", "", "path of the crack in the input file"}, &R::path);
-    field({"distance", "m", "of the crack's middle from the barrel's end toward the diaphragm"},
+    field({"distance", "m", "of the crack's middle from its section's end toward the diaphragm"},
           &R::distance);
     field({"wave_generator", "", "contact of the wave generator with the bore"}, &R::contact);
     field({"large_rotations", "", "whether large rotations of the oval were computed"},
@@ -66,11 +66,12 @@ struct DriveTurn {
 /// of a through crack may touch, also over a part of the wall; a station of a surface crack is
 /// closed or open.
 ///
-/// Range: one crack of the barrel.  A through crack: nu from 0.25 to 0.35, R/t from 30 to 120, a/t
+/// Range: one crack of the barrel, or a surface crack of the rim, whose teeth are left out.  A
+/// through crack: nu from 0.25 to 0.35, R/t from 30 to 120, a/t
 /// from 0.5 to 16.  A surface crack: a/t up to 0.8, a/c from 0.2 to 1.  No friction.
 /// Accuracy: the tables of (IN-2) and (IN-3).
 ///
-/// @throws InputError   as plan_turn; beyond the range; if the crack leaves the barrel, or the cam
+/// @throws InputError   as plan_turn; beyond the range; if the crack leaves its section, or the cam
 ///                      does not touch the bore
 /// @throws SolverError  if a contact or the large rotations do not converge
 [[nodiscard]] DriveTurn drive_turn(const GearSet& gear, const TurnRequest& request = {});

@@ -25,6 +25,9 @@ struct OvalOptions {
   int most_waves = 48;  ///< highest number of waves of the pressure [-]; a multiple of 4, 8 to 96
   LargeRotations large_rotations = LargeRotations::automatic;
   int most_bent_waves = 12;  ///< highest number of waves with large rotations [-]; even, 4 to 24
+  /// Grid lines that follow each other more closely toward the corners of the section, for the
+  /// stress within a few walls of a corner.
+  bool fine_corners = false;
 };
 
 /// Contact of the wave generator with the bore.

@@ -10,18 +10,12 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
+#include "strainwave/model/result/oval_stress.hpp"
 
 /// @file
 /// A sound flexspline at work as a thin shell: bent oval by the wave generator, and twisted.
 
 namespace strainwave {
-
-/// Part of the wall of a cup.
-enum class ShellPart { diaphragm, barrel, rim };
-template <>
-struct EnumNames<ShellPart> {
-  static constexpr std::array<std::string_view, 3> names = {"diaphragm", "barrel", "rim"};
-};
 
 /// A cup of thin walls.  z = 0 is the end of the barrel toward the diaphragm, or the held end of a
 /// barrel without one.  The bore of the diaphragm is held.
@@ -33,7 +27,7 @@ struct ShellCup {
   double poissons_ratio{};             ///< nu [-]; in [0, 0.5)
 
   /// Where a part begins and ends: z, or the radius in the diaphragm [m].
-  [[nodiscard]] std::array<double, 2> ends(ShellPart part) const;
+  [[nodiscard]] std::array<double, 2> ends(WallPart part) const;
 };
 
 /// Membrane force and moment of one number of waves, as strains, at a place of the meridian.
@@ -51,7 +45,7 @@ struct ShellWave {
 
 /// A place of the meridian.
 struct ShellPlace {
-  ShellPart part = ShellPart::barrel;
+  WallPart part = WallPart::barrel;
   /// z, or the radius if the place is in the diaphragm [m]
   double at{};
   double radius{};               ///< of the middle surface [m]
@@ -112,14 +106,14 @@ struct OvalShell {
   /// @throws InputError  for a place outside of the barrel
   [[nodiscard]] WallStress stress(double z, double zeta, double from_lobe, double torque) const;
   /// The places of a part.
-  [[nodiscard]] std::span<const ShellPlace> part(ShellPart part) const;
+  [[nodiscard]] std::span<const ShellPlace> part(WallPart part) const;
   /// A place of a part, interpolated.
   /// @param at  z, or the radius if the part is the diaphragm [m]
   /// @throws InputError  for a place outside of the part
-  [[nodiscard]] ShellPlace at(ShellPart part, double at) const;
+  [[nodiscard]] ShellPlace at(WallPart part, double at) const;
   /// A place of the barrel.
   /// @throws InputError  for a place outside of the barrel
-  [[nodiscard]] ShellPlace barrel_at(double z) const { return at(ShellPart::barrel, z); }
+  [[nodiscard]] ShellPlace barrel_at(double z) const { return at(WallPart::barrel, z); }
 };
 
 /// The flexspline of a drive as a shell.

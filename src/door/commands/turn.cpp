@@ -14,7 +14,7 @@ struct TurnOptions : TurnRequestOptions {
   static void describe(Visitor&& field) {
     field({"crack", "",
            "path of the crack, such as flexspline.crack[0]; if left out the only crack of the "
-           "barrel"},
+           "wall"},
           &TurnOptions::crack);
     TurnRequestOptions::describe(field);
   }
@@ -32,9 +32,10 @@ Command turn_command() {
       .summary = "Compute K of a crack over a turn of the wave generator, in milliseconds",
       .description =
           "Bends the flexspline oval by the wave generator, as a thin shell, twists it by each "
-          "torque, and lets a crack of the barrel release this stress at each angle. K of a "
-          "through "
-          "crack comes from a table of finite elements; its faces may touch, also over a part of "
+          "torque, and lets a crack of the barrel, or a surface crack of the rim, release this "
+          "stress at each angle. K "
+          "of a through crack comes from a table of finite elements; its faces may touch, also "
+          "over a part of "
           "the wall. K of a surface crack comes from Newman and Raju's equation. The answer states "
           "the largest and the least K_I at each place of the fronts, and the share of the turn "
           "during which this place is open. A crack of a drive can name the CSV table as its "

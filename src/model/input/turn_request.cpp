@@ -14,38 +14,44 @@
 namespace strainwave {
 namespace {
 
-/// The crack of the barrel that a turn can compute; absent if it is of another kind or place.
-std::optional<BarrelCrack> in_barrel(const std::string& path, const FlexsplineCrack& crack) {
+/// The crack of the wall that a turn can compute; absent if it is of another kind or place.
+std::optional<CrackOfWall> known_crack(const std::string& path, const FlexsplineCrack& crack,
+                                       RimCracks rim) {
   if (const auto* const through = std::get_if<WallThroughCrack>(&crack);
       through != nullptr && through->section == WallSection::barrel)
-    return BarrelCrack{path, *through};
+    return CrackOfWall{path, *through};
   if (const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
-      surface != nullptr && surface->section == WallSection::barrel)
-    return BarrelCrack{path, *surface};
+      surface != nullptr && (surface->section == WallSection::barrel || rim == RimCracks::surface))
+    return CrackOfWall{path, *surface};
   return std::nullopt;
 }
 
-BarrelCrack chosen(const Flexspline& flexspline, const std::optional<std::string>& asked) {
-  std::vector<BarrelCrack> found;
+std::string known_words(RimCracks rim) {
+  return std::string("a through or surface crack of the barrel") +
+         (rim == RimCracks::surface ? ", or a surface crack of the rim" : "");
+}
+
+CrackOfWall chosen(const Flexspline& flexspline, const std::optional<std::string>& asked,
+                   RimCracks rim) {
+  std::vector<CrackOfWall> found;
   for (std::size_t n = 0; n < flexspline.crack.size(); ++n) {
     const std::string path = fmt::format("flexspline.crack[{}]", n);
     if (asked && *asked != path) continue;
-    if (std::optional<BarrelCrack> crack = in_barrel(path, flexspline.crack[n]))
+    if (std::optional<CrackOfWall> crack = known_crack(path, flexspline.crack[n], rim))
       found.push_back(std::move(*crack));
     else if (asked)
-      throw InputError(path,
-                       "must be a through or surface crack of the barrel; choose another crack by "
-                       "--crack");
+      throw InputError(
+          path, fmt::format("must be {}; choose another crack by --crack", known_words(rim)));
   }
   if (found.empty() && asked)
     throw InputError("--crack", fmt::format("\"{}\" is not a crack of the flexspline; give a path "
                                             "such as flexspline.crack[0]",
                                             shown(*asked)));
   if (found.empty())
-    throw InputError("flexspline.crack", "must have a through or surface crack of the barrel");
+    throw InputError("flexspline.crack", fmt::format("must have {}", known_words(rim)));
   if (found.size() > 1)
     throw InputError("flexspline.crack",
-                     "has several cracks of the barrel; choose one of them by --crack");
+                     "has several cracks that a turn can take; choose one of them by --crack");
   return std::move(found.front());
 }
 
@@ -77,23 +83,27 @@ TurnRequest TurnRequestOptions::request(std::optional<std::string> crack) const 
   return request;
 }
 
-double BarrelCrack::angle() const {
+double CrackOfWall::angle() const {
   return std::visit([](const auto& of) { return of.angle; }, crack);
 }
 
-bool BarrelCrack::mouth_unknown() const {
+WallSection CrackOfWall::section() const {
+  return std::visit([](const auto& of) { return of.section; }, crack);
+}
+
+bool CrackOfWall::mouth_unknown() const {
   const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
   return surface != nullptr && !surface->mouth;
 }
 
-TurnPlan plan_turn(const GearSet& gear, const TurnRequest& request) {
+TurnPlan plan_turn(const GearSet& gear, const TurnRequest& request, RimCracks rim) {
   check(gear);
   require_turning_cup(gear);
   require(request.angles >= 8 && request.angles <= 720, "angles", request.angles, "1",
           ">= 8 and <= 720");
   const double T = gear.load.torque;
   TurnPlan plan{
-      .crack = chosen(*gear.flexspline, request.crack),
+      .crack = chosen(*gear.flexspline, request.crack, rim),
       .torques = ascending(request.torques.empty() ? std::vector{-T, 0.0, T} : request.torques),
       .sizes = {},
       .angles = request.angles};

@@ -10,13 +10,13 @@
 #include "strainwave/model/result/crack_turn.hpp"
 
 /// @file
-/// What a turn of the wave generator is asked for, by every model of a turn: a crack of the barrel,
+/// What a turn of the wave generator is asked for, by every model of a turn: a crack of the wall,
 /// torques, sizes and angles.
 
 namespace strainwave {
 
 struct TurnRequest {
-  /// Path of the crack; absent: the only crack of the barrel
+  /// Path of the crack; absent: the only one that the model knows
   std::optional<std::string> crack = {};
   /// T at the output [N*m]; empty: the given torque, none, and the given torque reversed
   std::vector<double> torques = {};
@@ -61,28 +61,32 @@ struct TurnRequestOptions {
   [[nodiscard]] TurnRequest request(std::optional<std::string> crack) const;
 };
 
-/// A crack of the barrel.
-struct BarrelCrack {
+/// Cracks of the rim that a model of a turn knows besides the cracks of the barrel.
+enum class RimCracks { none, surface };
+
+/// A crack of the flexspline's wall.
+struct CrackOfWall {
   std::string path;  ///< "flexspline.crack[0]"
   std::variant<WallThroughCrack, WallSurfaceCrack> crack;
 
   [[nodiscard]] double angle() const;  ///< beta from +z toward -theta [rad]
+  [[nodiscard]] WallSection section() const;
   /// A surface crack whose file does not say from which surface it starts.
   [[nodiscard]] bool mouth_unknown() const;
 };
 
 /// A request with all that the file and the defaults give.
 struct TurnPlan {
-  BarrelCrack crack;
+  CrackOfWall crack;
   std::vector<double> torques;  ///< ascending [N*m]
   std::vector<TurnSize> sizes;  ///< ascending
   int angles{};                 ///< over one wave [-]
 };
 
 /// Completes a request for a drive.
-/// @throws InputError  as `check` and require_turning_cup; if the barrel has no crack, or several
-///                     and none is chosen; if the size is that of another kind of crack; for
-///                     numbers out of range
-[[nodiscard]] TurnPlan plan_turn(const GearSet& gear, const TurnRequest& request);
+/// @throws InputError  as `check` and require_turning_cup; if the wall has no crack that the model
+///                     knows, or several and none is chosen; if the size is that of another kind of
+///                     crack; for numbers out of range
+[[nodiscard]] TurnPlan plan_turn(const GearSet& gear, const TurnRequest& request, RimCracks rim);
 
 }  // namespace strainwave

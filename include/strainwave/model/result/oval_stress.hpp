@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,13 @@
 
 namespace strainwave {
 
+/// Part of the wall of a cup.
+enum class WallPart { diaphragm, barrel, rim };
+template <>
+struct EnumNames<WallPart> {
+  static constexpr std::array<std::string_view, 3> names = {"diaphragm", "barrel", "rim"};
+};
+
 /// Extremes of a stress at one place of the wall over a turn, with their angles from a lobe.
 struct StressExtremes {
   double largest{};     ///< [Pa]
@@ -22,8 +31,14 @@ struct StressExtremes {
   [[nodiscard]] double range() const { return largest - least; }
   /// Takes a value at an angle.
   void take(double value, double angle, bool first) {
-    if (first || value > largest) largest = value, at_largest = angle;
-    if (first || value < least) least = value, at_least = angle;
+    if (first || value > largest) {
+      largest = value;
+      at_largest = angle;
+    }
+    if (first || value < least) {
+      least = value;
+      at_least = angle;
+    }
   }
 
   template <class Visitor>
@@ -40,7 +55,7 @@ struct StressExtremes {
 /// Stress at one place of the wall over a turn.
 struct OvalStation {
   static constexpr bool kTableRow = true;
-  std::string_view part;      ///< "diaphragm", "barrel" or "rim"
+  WallPart part = WallPart::barrel;
   double at{};                ///< z from the barrel's end, or the radius in the diaphragm [m]
   std::string_view face;      ///< "inner" or "outer"
   StressExtremes hoop;        ///< round the axis
@@ -64,6 +79,11 @@ struct OvalStation {
   }
 };
 
+/// Angles over one wave at which the extremes are sought: a degree each.
+inline constexpr int kOvalAngles = 180;
+/// Even places of each part of the wall at which the stress is stated.
+inline constexpr int kOvalPlaces = 9;
+
 /// Stress under one torque.
 struct LoadedOval {
   double torque{};                    ///< T at the output [N*m]
@@ -76,5 +96,9 @@ struct LoadedOval {
           &LoadedOval::stations);
   }
 };
+
+/// The station with the largest von Mises stress.
+/// @param torques  one or more, with stations
+[[nodiscard]] const OvalStation& governing_station(std::span<const LoadedOval> torques);
 
 }  // namespace strainwave

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/gear_fem/oval_cup.hpp"
+#include "strainwave/model/result/oval_stress.hpp"
+
+/// @file
+/// Stress of a sound flexspline over a turn of the wave generator, as a solid.
+
+namespace strainwave::gear_fem {
+
+/// Largest change of a stress from order p-1 to p over the largest stress, in a usable result [-].
+inline constexpr double kStressTolerance = 0.02;
+
+/// Stress over a turn, with its checks.
+struct OvalStress {
+  OvalContact contact;
+  double coning_angle{};     ///< turn of the rim's bore outward at a lobe [rad]
+  double rotation_stress{};  ///< largest change of a stress by large rotations [Pa]
+  std::vector<LoadedOval> torques;
+  std::size_t unknowns{};         ///< of one number of waves
+  double order_difference{};      ///< largest change of a stress from p-1 to p over the largest [-]
+  double equilibrium_residual{};  ///< largest nodal force out of equilibrium over the largest load
+  bool usable = false;
+  std::string reason;  ///< reason why the result must not be used; empty if usable
+
+  [[nodiscard]] double largest() const { return governing_station(torques).equivalent.largest; }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = OvalStress;
+    field({.name = "largest",
+           .unit = "Pa",
+           .doc = "largest von Mises stress of the wall over a turn",
+           .headline = true},
+          &R::largest);
+    field({"wave_generator", "", "contact of the wave generator with the bore"}, &R::contact);
+    field({"coning_angle", "rad", "turn of the rim's bore outward at a lobe"}, &R::coning_angle);
+    field(
+        {"rotation_stress", "Pa", "largest change of a stress by large rotations; 0 without them"},
+        &R::rotation_stress);
+    field({"torques", "", "the stress under each torque"}, &R::torques);
+    field({"unknowns", "", "of one number of waves"}, &R::unknowns);
+    field({"order_difference", "1",
+           "largest change of a stress from order p-1 to p over the largest stress"},
+          &R::order_difference);
+    field({"equilibrium_residual", "1",
+           "largest nodal force out of equilibrium over the largest nodal load"},
+          &R::equilibrium_residual);
+    field({"usable", "", "whether the checks agree"}, &R::usable);
+    field({"reason", "", "failed check; empty if all agree"}, &R::reason);
+  }
+};
+
+/// Computes the stress at both faces of diaphragm, barrel and rim (FE-52, FE-53).
+///
+/// The places are even, from two walls inside each end of a part: at the sharp corner of two walls
+/// the stress of a solid has no limit.
+///
+/// @param cup      with a rim
+/// @param torques  T at the output [N*m]; one or more
+/// @throws InputError, SolverError  as OvalCup; InputError for a part that is not longer than
+///                                  four walls
+[[nodiscard]] OvalStress oval_stress(const CupSection& cup, const fem::Elasticity& steel,
+                                     const CamFit& fit, const std::vector<double>& torques,
+                                     const OvalOptions& options = {});
+
+}  // namespace strainwave::gear_fem
