@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "cup_notes.hpp"
@@ -29,10 +28,6 @@ std::vector<ShellPlace> places_of(const OvalShell& shell) {
   return places;
 }
 
-double von_mises(const WallStress& s) {
-  return std::sqrt(s.axial * s.axial - s.axial * s.hoop + s.hoop * s.hoop + 3 * s.shear * s.shear);
-}
-
 OvalStation over_turn(const OvalShell& shell, const ShellPlace& place, double zeta, double torque) {
   OvalStation station{.part = place.part,
                       .at = place.at,
@@ -47,7 +42,7 @@ OvalStation over_turn(const OvalShell& shell, const ShellPlace& place, double ze
     station.hoop.take(s.hoop, angle, i == 0);
     station.meridional.take(s.axial, angle, i == 0);
     station.shear.take(s.shear, angle, i == 0);
-    station.equivalent.take(von_mises(s), angle, i == 0);
+    station.equivalent.take(von_mises({0, s.hoop, s.axial, s.shear, 0, 0}), angle, i == 0);
   }
   return station;
 }

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/units.hpp"
 
 namespace strainwave::gear_fem {
 namespace {
@@ -77,14 +76,6 @@ std::vector<FacePlace> places_of(const CupSection& cup) {
   add_tube(WallPart::barrel, cup.barrel, 0);
   add_tube(WallPart::rim, *cup.rim, cup.barrel.length);
   return places;
-}
-
-double von_mises(const std::array<double, 6>& s) {
-  const auto square = [](double value) { return value * value; };
-  return std::sqrt((square(s[kRadial] - s[kHoop]) + square(s[kHoop] - s[kAxial]) +
-                    square(s[kAxial] - s[kRadial])) /
-                       2 +
-                   3 * (square(s[kHoopAxial]) + square(s[kRadialAxial]) + square(s[kRadialHoop])));
 }
 
 OvalStation over_turn(const OvalCup& cup, const FacePlace& face, const OvalPlace& place,

@@ -47,10 +47,11 @@ std::string turn_plot(std::span<const SizedTurn> sizes, const std::string& subti
       panel.title = fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque, size.name(), tip);
       panel.x_label = "angle from a lobe to the crack [deg]";
       panel.y_label = "K_I [MPa·√m]";
-      panel.legend_title = "station";
+      panel.legend_title = "station, open share";
       for (const StationTurn& station : torque.stations) {
         if (station.tip != tip) continue;
-        PlotSeries line{.label = place_of(station, !size.depth)};
+        PlotSeries line{.label = fmt::format("{}, {:.0f} %", place_of(station, !size.depth),
+                                             100 * station.mode_I.open_share)};
         for (const TurnFactor& K : station.factors) {
           line.x.push_back(K.angle / units::deg);
           line.y.push_back(K.K_I / kMPaRootMetre);

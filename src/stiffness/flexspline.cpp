@@ -419,8 +419,9 @@ void note_ovalisation(const GearSet& gear, const CrackLoads<double>& loads, Wall
       {.code = "flexspline.ovalisation",
        .text = fmt::format(
            "assembly on the wave generator bends the wall {} by {}, against {} of shear from the "
-           "torque; it opens one face of a crack and closes the other "
-           "{} times per turn, and is left out of the decision whether a crack is open",
+           "torque; it opens one face of a crack and closes the other {} times per turn; the "
+           "stiffness takes a crack as the torque alone opens or closes it, and over a turn the "
+           "compliance of the crack lies between those of an open and of a closed crack",
            where,
            shown_quantity(bending_to_shape(gear.drive, loads.flexspline_steel(), wall.mean_radius,
                                            wall.thickness),
@@ -428,7 +429,9 @@ void note_ovalisation(const GearSet& gear, const CrackLoads<double>& loads, Wall
            shown_quantity(tau, "Pa", 3), U),
        .path = "flexspline.crack",
        .equation = "ST-17",
-       .severity = Severity::care});
+       .severity = Severity::care,
+       .next_step = "Run strainwave turn, which states K and the share of a turn during which the "
+                    "crack is open."});
 }
 
 }  // namespace

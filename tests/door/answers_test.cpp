@@ -11,6 +11,7 @@
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/expect.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -112,7 +113,7 @@ void expect_keeps(const std::string& schema, const Json& value) {
 /// The examples for a command, in the order in which the test takes them.
 ///
 /// Their number times that of the commands is large, and the sanitizers make each answer ten times
-/// slower.  Under them a command takes every third example, each command others, and goes on only
+/// slower.  Under them a command takes every sixth example, each command others, and goes on only
 /// until one example has been answered.  The release build takes all.
 struct ExamplesOfCommand {
   std::map<std::string, std::shared_ptr<const Drive>> first;
@@ -122,13 +123,11 @@ struct ExamplesOfCommand {
 ExamplesOfCommand examples_of(const Command& row) {
   ExamplesOfCommand of;
   if (row.takes != Takes::nothing) of.first = test::example_drives();
-#ifdef STRAINWAVE_SANITIZED
-  constexpr std::size_t kEvery = 3;
+  constexpr std::size_t kEvery = test::kSanitized ? 6 : 1;
   std::size_t n = std::hash<std::string_view>()(row.name);
   for (const auto& [name, drive] : test::example_drives())
     if (n++ % kEvery != 0)
       if (auto moved = of.first.extract(name)) of.until_one_is_answered.insert(std::move(moved));
-#endif
   if (row.takes != Takes::drive) of.first["no drive"] = nullptr;
   return of;
 }

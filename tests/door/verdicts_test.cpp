@@ -6,6 +6,7 @@
 
 #include "door/answers.hpp"
 #include "support/expect.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -82,13 +83,9 @@ std::map<std::string, ListedCode> listed_codes() {
 TEST(NoteCodes, IdentityNotesOfTheExamplesHaveTheListedSeverity) {
   const auto listed = listed_codes();
   std::map<std::string, int> seen;
-#ifdef STRAINWAVE_SANITIZED
-  // The sanitizers take ten times as long, so they see every third example of each command; the
-  // release sees whether each code is reached.
-  constexpr std::size_t kEvery = 3;
-#else
-  constexpr std::size_t kEvery = 1;
-#endif
+  // Under the sanitizers each command sees every sixth example; the release build sees whether each
+  // code is reached.
+  constexpr std::size_t kEvery = test::kSanitized ? 6 : 1;
   std::size_t n = 0;
   for (const auto& [command, options] : test::trial_options()) {
     // These commands repeat the notes of stiffness, sensitivity and torsion.

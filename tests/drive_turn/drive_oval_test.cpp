@@ -7,9 +7,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/model/input/turning_cup.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -121,6 +123,26 @@ TEST(DriveOval, BehaviourLargeRotations) {
   const DriveOval small = drive_oval(breathing_cup(), {.large_rotations = LargeRotations::off});
   EXPECT_FALSE(small.large_rotations);
   EXPECT_EQ(small.rotation_stress, 0);
+  // The components of the shells, seen directly.
+  const GearSet gear = breathing_cup();
+  const auto shell = [&](LargeRotations rotations) {
+    return oval_shell(shell_cup(gear), cam_fit(gear),
+                      {.large_rotations = rotations, .whole_meridian = true});
+  };
+  const OvalShell bent = shell(LargeRotations::on);
+  const OvalShell straight = shell(LargeRotations::off);
+  double change = 0;
+  for (std::size_t i = 0; i < large.torques[0].stations.size(); i += 2)
+    for (const double zeta : {-1.0, 1.0})
+      for (int j = 0; j < 36; ++j) {
+        const auto& [part, at] =
+            std::pair(large.torques[0].stations[i].part, large.torques[0].stations[i].at);
+        const WallStress a = bent.stress(bent.at(part, at), zeta, pi * j / 36, 0);
+        const WallStress b = straight.stress(straight.at(part, at), zeta, pi * j / 36, 0);
+        change = std::max({change, std::abs(a.hoop - b.hoop), std::abs(a.axial - b.axial),
+                           std::abs(a.shear - b.shear)});
+      }
+  test::expect_relative(large.rotation_stress, change, 1e-9);
   double difference = 0;
   for (std::size_t i = 0; i < large.torques[0].stations.size(); ++i)
     difference = std::max(difference, std::abs(large.torques[0].stations[i].hoop.largest -

@@ -180,6 +180,20 @@ TEST(OvalShell, IdentitySymmetry) {
               (some.waves[1].twist + next.waves[1].twist) / 2, 1e-9);
 }
 
+// (CU-1) Kind: exact.  The radius of a flat plate does not change through its wall, so the stress
+// is linear there; that of a tube does.
+TEST(OvalShell, IdentityThroughTheWall) {
+  const OvalShell shell = oval_shell(
+      size25(), cam_of_size25(), {.large_rotations = LargeRotations::off, .whole_meridian = true});
+  const auto bow = [&](WallPart part, double at) {
+    const ShellPlace place = shell.at(part, at);
+    const auto hoop = [&](double zeta) { return shell.stress(place, zeta, 0.3, 0).hoop; };
+    return std::abs(hoop(1) + hoop(-1) - 2 * hoop(0)) / std::abs(hoop(1) - hoop(-1));
+  };
+  EXPECT_LT(bow(WallPart::diaphragm, 22 * mm), 1e-9);
+  EXPECT_GT(bow(WallPart::rim, 22 * mm), 0.005);
+}
+
 TEST(OvalShell, InputOfRanges) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto cup_rule = [](const auto& change) {

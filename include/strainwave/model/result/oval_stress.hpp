@@ -21,6 +21,9 @@ struct EnumNames<WallPart> {
   static constexpr std::array<std::string_view, 3> names = {"diaphragm", "barrel", "rim"};
 };
 
+/// Von Mises stress [Pa] of a stress: rr, theta theta, zz, theta z, rz, r theta [Pa].
+[[nodiscard]] double von_mises(const std::array<double, 6>& stress);
+
 /// Extremes of a stress at one place of the wall over a turn, with their angles from a lobe.
 struct StressExtremes {
   double largest{};     ///< [Pa]
