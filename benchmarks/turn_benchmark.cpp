@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // K over a turn of the wave generator without finite elements: 36 angles, under the given number of
-// torques.
+// torques; and the stress of the sound flexspline.
 #include <benchmark/benchmark.h>
 
+#include "strainwave/drive_turn/drive_oval.hpp"
 #include "strainwave/drive_turn/drive_turn.hpp"
 #include "strainwave/io/gear_reader.hpp"
 
@@ -35,6 +36,18 @@ void drive_turn_of_surface_crack(benchmark::State& state) {
   state.counters["range"] = K;
 }
 BENCHMARK(drive_turn_of_surface_crack)->Unit(benchmark::kMillisecond);
+
+/// Stress of the sound flexspline over a turn, under one torque.
+void drive_oval_of_a_cup(benchmark::State& state) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml");
+  double stress = 0;
+  for (auto _ : state) {
+    stress = drive_oval(gear).largest();
+    benchmark::DoNotOptimize(&stress);
+  }
+  state.counters["largest"] = stress;
+}
+BENCHMARK(drive_oval_of_a_cup)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace strainwave

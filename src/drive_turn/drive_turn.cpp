@@ -98,7 +98,7 @@ std::vector<Note> notes_of(const GearSet& gear, const CrackOfWall& of) {
     notes.push_back(
         {"turn.rim_teeth",
          "the teeth are left out: K is that of a crack in the smooth rim, whose stress finite "
-         "elements judged within 2.2 %; no model judged K there, and the notch of a tooth root "
+         "elements judged within 1.7 %; no model judged K there, and the notch of a tooth root "
          "raises K of a shallow crack",
          of.path, "IN-3", Severity::care,
          "Raise K by the notch factor of the tooth root if the crack is shallower than its "

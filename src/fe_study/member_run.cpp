@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "cup_notes.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fem/mesh_size.hpp"
@@ -177,14 +178,7 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
                             "the mouth of a surface crack is assumed on the outer surface, because "
                             "the file does not state it",
                             kFlexspline, "", Severity::care});
-    if (gear.load.axial_force != 0)
-      work.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
-                            "load.axial_force", "", Severity::care});
-    if (flexspline.stress_nonuniformity != 1)
-      work.notes.push_back({"fe.stress_nonuniformity",
-                            "flexspline.stress_nonuniformity is not applied, because finite "
-                            "elements compute the stress distribution",
-                            "flexspline.stress_nonuniformity", "", Severity::information});
+    add_load_notes(work.notes, gear);
   }
   if (options.crack) return;
   work.cup = flexspline.crack_free == CrackFree::sections;

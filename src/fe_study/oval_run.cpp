@@ -3,14 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "cup_notes.hpp"
 #include "run_text.hpp"
-#include "strainwave/core/ascending.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
-#include "strainwave/core/units.hpp"
-#include "strainwave/model/input/turning_cup.hpp"
 #include "strainwave/present/oval.hpp"
 
 namespace strainwave::fe_study {
@@ -24,10 +20,7 @@ std::vector<Note> notes_of(const GearSet& gear) {
                    "round the rim",
                    "flexspline", "FE-52", Severity::care,
                    "Add the notch of a fillet or of a tooth root by a factor of your own."});
-  if (perimeter_is_assumed(gear))
-    notes.push_back({"fe.cam_perimeter", "the cam is taken to have the perimeter of the bore",
-                     "wave_generator.cam_perimeter_excess", "FE-52", Severity::care,
-                     "Give cam_perimeter_excess if the perimeter is known."});
+  add_oval_notes(notes, gear);
   return notes;
 }
 
@@ -41,25 +34,20 @@ ResultEvidence evidence_of(const OvalRun& run) {
                           .equations = {"FE-51", "FE-52"},
                           .accuracies = {},
                           .requirement = {}};
-  if (run.contact.large_rotations) evidence.equations.emplace_back("FE-53");
+  if (run.large_rotations) evidence.equations.emplace_back("FE-53");
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }
 
-OvalRun run_oval(const GearSet& gear, const OvalRequest& request) {
-  check(gear);
-  require_turning_cup(gear);
-  for (const double torque : request.torques)
-    require(std::isfinite(torque), "--torque", torque, "N*m", "finite");
+OvalRun run_oval(const GearSet& gear, const OvalRequest& request, std::optional<int> order) {
+  const std::vector<double> torques = plan_oval(gear, request);
   gear_fem::OvalOptions options{.large_rotations = request.large_rotations};
-  options.order = request.order.value_or(options.order);
+  options.order = order.value_or(options.order);
   require(options.order >= 4 && options.order <= 8, "order", options.order, "1",
           ">= 4 and <= 8 for the oval");
   const Flexspline& flexspline = *gear.flexspline;
   const ElasticConstants steel =
       elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
-  const std::vector<double> torques =
-      request.torques.empty() ? std::vector{gear.load.torque} : ascending(request.torques);
   OvalRun run;
   static_cast<gear_fem::OvalStress&>(run) = gear_fem::oval_stress(
       gear_fem::cup_section(flexspline), {.youngs_modulus = steel.E, .poissons_ratio = steel.nu},
@@ -69,22 +57,11 @@ OvalRun run_oval(const GearSet& gear, const OvalRequest& request) {
 }
 
 std::string oval_text(const OvalRun& run, const GearSet& gear) {
-  const gear_fem::OvalContact& contact = run.contact;
   std::string text =
       fmt::format("Finite elements: {}\n{} unknowns for each number of waves, {}\n\n",
                   gear.name.empty() ? "drive" : gear.name, run.unknowns,
                   verdict(run.usable, run.reason)) +
-      largest_stress_sentence(run.torques);
-  text += paragraph(fmt::format(
-      "The cam presses with {:.4g} N on each lobe, over {:.3g} deg to both sides, at most {:.3g} "
-      "MPa. The rim turns outward by {:.3g} deg at a lobe (coning).",
-      contact.lobe_force, contact.half_arc / units::deg, contact.largest_pressure / units::MPa,
-      run.coning_angle / units::deg));
-  text += paragraph(contact.large_rotations
-                        ? fmt::format("Large rotations of the oval change a stress by up to "
-                                      "{:.4g} MPa.",
-                                      run.rotation_stress / units::MPa)
-                        : std::string("The oval is computed for small rotations."));
+      oval_sentences(run, run.contact);
   text += fmt::format("Checks: order p-1 {:.1e} of the largest stress, equilibrium {:.1e}\n",
                       run.order_difference, run.equilibrium_residual);
   text += oval_tables(run.torques) + "\nNotes\n";

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "cup_notes.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fe_study/memory.hpp"
@@ -86,23 +87,12 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
                        "the crack is alone; the cam is rigid and has no friction; the torque acts "
                        "evenly round the rim, not in the zones of the teeth",
                        run.path, "FE-52", Severity::care});
-  if (perimeter_is_assumed(gear))
-    run.notes.push_back({"fe.cam_perimeter", "the cam is taken to have the perimeter of the bore",
-                         "wave_generator.cam_perimeter_excess", "FE-52", Severity::care,
-                         "Give cam_perimeter_excess if the perimeter is known."});
   if (plan.crack.mouth_unknown())
     run.notes.push_back({"fe.mouth_outside",
                          "the mouth of the surface crack is assumed on the outer surface, because "
                          "the file does not state it",
                          run.path, "", Severity::care, "Give the mouth of the crack."});
-  if (gear.load.axial_force != 0)
-    run.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
-                         "load.axial_force", "", Severity::care});
-  if (flexspline.stress_nonuniformity != 1)
-    run.notes.push_back({"fe.stress_nonuniformity",
-                         "flexspline.stress_nonuniformity is not applied, because finite "
-                         "elements compute the stress distribution",
-                         "flexspline.stress_nonuniformity", "", Severity::information});
+  add_oval_notes(run.notes, gear);
   return work;
 }
 

@@ -44,16 +44,16 @@ std::string turn_csv(const TurnRun& run, const GearSet& gear) {
   if (!run.calculated) return plan_text(run.plan);
   const bool surface = run.sizes.front().depth.has_value();
   const std::vector<SizedTurn> turns = run.turns();
-  std::vector<std::string> remarks = {
+  const std::vector<std::string> remarks = {
       fmt::format("K of {} over a turn of the wave generator by finite elements, {} tip.", run.path,
                   governing_station(turns)->tip),
       fmt::format(
           "Stations {}; the faces may touch, then K_I = 0.",
           surface ? "from the place of the front next to the surface, 0, to the deepest point, 1"
                   : "from -1 at the inner face to 1 at the outer face")};
-  if (const std::string reason = run.reason(); !reason.empty())
-    remarks.push_back(fmt::format("NOT usable: {}", reason));
-  return turn_table_text(turn_table(turns, turn_conditions(gear, run.path)), remarks);
+  TurnTable table = turn_table(turns, turn_conditions(gear, run.path));
+  table.unusable_because = run.reason();
+  return turn_table_text(table, remarks);
 }
 
 std::string turn_text(const TurnRun& run, const GearSet& gear) {

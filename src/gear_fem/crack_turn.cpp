@@ -254,7 +254,7 @@ CrackTurn turn_crack(const TurningCrack& turning) {
   const auto refuse = [&](const std::string& why) {
     if (result.reason.empty()) result.reason = why;
   };
-  if (!(cup.equilibrium_residual() <= 1e-5))
+  if (!(cup.equilibrium_residual() <= kOvalEquilibrium))
     refuse(fmt::format("the sound cup: nodal forces out of equilibrium by {:.2g}",
                        cup.equilibrium_residual()));
   const std::vector<fem::SolidResult> now = full_solutions(*body, 1, result, sound);

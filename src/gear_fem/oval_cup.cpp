@@ -246,7 +246,10 @@ class OvalSolver {
 
   /// Contact of the solution, with the cam that it was solved for.
   [[nodiscard]] OvalContact contact(const CamCurve& cam, bool large) const {
-    OvalContact contact{.steps = steps_, .large_rotations = large, .iterations = iterations_};
+    OvalContact contact;
+    contact.steps = steps_;
+    contact.large_rotations = large;
+    contact.iterations = iterations_;
     for (int j = 0; j < quarter_.points(); ++j) {
       double u_r = 0;
       double u_theta = 0;

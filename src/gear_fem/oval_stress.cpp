@@ -32,7 +32,7 @@ constexpr double kClearWalls = 2;
 /// Share by which a place lies inside of its face.
 constexpr double kInside = 1e-4;
 
-/// Places of both faces along a part.
+/// Adds the places of both faces of a part.
 /// @param wall  thickness of the wall at a place
 template <class Wall, class Place>
 void add_part(std::vector<FacePlace>& places, WallPart part, double from, double to,
@@ -51,7 +51,7 @@ void add_part(std::vector<FacePlace>& places, WallPart part, double from, double
   }
 }
 
-/// Places of both faces of the wall, along it from the bore of the diaphragm.
+/// All places at which the stress is stated, from the bore of the diaphragm to the rim's end.
 std::vector<FacePlace> places_of(const CupSection& cup) {
   std::vector<FacePlace> places;
   const double foot = cup.diaphragm ? cup.diaphragm->thickness : 0.0;
@@ -99,7 +99,7 @@ OvalStation over_turn(const OvalCup& cup, const FacePlace& face, const OvalPlace
   return station;
 }
 
-/// Largest difference of a stress component, and the largest component, without torque.
+/// Largest difference of a stress component, and the largest component.
 struct Compared {
   double difference = 0;
   double largest = 0;
@@ -137,6 +137,7 @@ OvalStress oval_stress(const CupSection& cup, const fem::Elasticity& steel, cons
   const OvalCup coarse(cup, steel, fit, lower);
   OvalStress result;
   result.contact = oval.contact();
+  result.large_rotations = result.contact.large_rotations;
   result.coning_angle = coning_angle(oval, cup);
   result.unknowns = oval.unknowns();
   result.equilibrium_residual = oval.equilibrium_residual();
@@ -151,20 +152,25 @@ OvalStress oval_stress(const CupSection& cup, const fem::Elasticity& steel, cons
       loaded.stations.push_back(over_turn(oval, face, place, loaded.torque));
     for (int i = 0; i < kComparedAngles; ++i) {
       const double angle = pi * i / kComparedAngles;
-      const auto stress = oval.field(place, angle, 0).stress;
-      orders.take(stress, coarse.field(below, angle, 0).stress);
-      if (result.contact.large_rotations)
-        rotations.take(stress, oval.small_field(place, angle, 0).stress);
+      for (const double torque : torques)
+        orders.take(oval.field(place, angle, torque).stress,
+                    coarse.field(below, angle, torque).stress);
+      if (result.large_rotations)
+        rotations.take(oval.field(place, angle, 0).stress,
+                       oval.small_field(place, angle, 0).stress);
     }
   }
   result.rotation_stress = rotations.difference;
   result.order_difference = orders.difference / orders.largest;
-  result.usable = result.order_difference <= kStressTolerance;
-  if (!result.usable)
+  if (!(result.equilibrium_residual <= kOvalEquilibrium))
+    result.reason = fmt::format("nodal forces are out of equilibrium by {:.2g}, more than {:g}",
+                                result.equilibrium_residual, kOvalEquilibrium);
+  else if (!(result.order_difference <= kStressTolerance))
     result.reason = fmt::format(
         "a stress changes by {:.2g} of the largest from order p-1 to p, more than {:g}; give a "
         "higher order",
         result.order_difference, kStressTolerance);
+  result.usable = result.reason.empty();
   return result;
 }
 

@@ -204,6 +204,8 @@ std::string turn_table_text(const TurnTable& table, const std::vector<std::strin
   constexpr double kMPaRootMetre = 1e6;
   std::string text;
   for (const std::string& remark : remarks) text += fmt::format("# {}\n", remark);
+  if (!table.unusable_because.empty())
+    text += fmt::format("# {}{}\n", kUnusableMark, table.unusable_because);
   for (const TurnCondition& condition : table.conditions)
     text += fmt::format("# {}{} = {}\n", kConditionMark, condition.name, condition.text);
   const bool shapes = !table.aspect_ratios.empty();

@@ -175,8 +175,13 @@ Meridian meridian_of(const ShellCup& cup, double band_width) {
     const Diaphragm& plate = *cup.diaphragm;
     start = -plate.thickness / 2;  // the middle of the diaphragm
     const double inner = plate.inner_diameter / 2;
+    constexpr int kMostElements = 40;
+    // The thickness of an element is constant, so a profile needs many.
     const int count =
-        std::clamp(static_cast<int>(std::ceil((radius - inner) / (0.06 * radius))), 6, 40);
+        plate.profile.empty()
+            ? std::clamp(static_cast<int>(std::ceil((radius - inner) / (0.06 * radius))), 6,
+                         kMostElements)
+            : kMostElements;
     for (int i = 0; i < count; ++i) {
       const std::array<double, 2> r = {inner + (radius - inner) * i / count,
                                        inner + (radius - inner) * (i + 1) / count};

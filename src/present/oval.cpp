@@ -107,13 +107,22 @@ PlotPanel panel_of(const LoadedOval& loaded, const Shown& shown) {
 
 }  // namespace
 
-std::string largest_stress_sentence(std::span<const LoadedOval> torques) {
-  const OvalStation& worst = governing_station(torques);
+std::string oval_sentences(const OvalState& oval, const WaveContact& contact) {
+  const OvalStation& worst = oval.governing();
   return paragraph(fmt::format(
-      "The largest von Mises stress of the sound wall over a turn is {} MPa, on {}, at {} deg from "
-      "a lobe.",
-      stress_text(worst.equivalent.largest), place_of(worst),
-      angle_text(worst.equivalent.at_largest)));
+             "The largest von Mises stress of the sound wall over a turn is {} MPa, on {}, at {} "
+             "deg from a lobe.",
+             stress_text(worst.equivalent.largest), place_of(worst),
+             angle_text(worst.equivalent.at_largest))) +
+         paragraph(fmt::format(
+             "The cam presses with {:.4g} N on each lobe, over {:.3g} deg to both sides, at most "
+             "{:.3g} MPa. The rim turns outward by {:.3g} deg at a lobe (coning).",
+             contact.lobe_force, contact.half_arc / units::deg,
+             contact.largest_pressure / units::MPa, oval.coning_angle / units::deg)) +
+         paragraph(oval.large_rotations
+                       ? fmt::format("Large rotations of the oval change a stress by up to {} MPa.",
+                                     stress_text(oval.rotation_stress))
+                       : std::string("The oval is computed for small rotations."));
 }
 
 std::string oval_tables(std::span<const LoadedOval> torques) {

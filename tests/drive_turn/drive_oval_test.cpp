@@ -160,7 +160,7 @@ TEST(DriveOval, InputRulesBrokenOnce) {
     const std::string message = test::broken_rule([&] { return drive_oval(gear, request); });
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };
-  refused(breathing_cup(), {.torques = {std::nan("")}}, "--torque");
+  refused(breathing_cup(), {.torques = {std::nan("")}}, "torque");
   GearSet gear = breathing_cup();
   gear.drive.wave_number = 3;
   refused(gear, {}, "drive.wave_number");
@@ -175,6 +175,13 @@ TEST(DriveOval, InputRulesBrokenOnce) {
   EXPECT_NO_THROW((void)drive_oval(gear));
   EXPECT_EQ(test::count_notes(drive_oval(gear).notes, "turn.cam_perimeter"), 1);
   EXPECT_EQ(test::count_notes(drive_oval(gear).notes, "oval.model"), 1);
+  EXPECT_EQ(test::count_notes(drive_oval(gear).notes, "oval.boss"), 0);
+  EXPECT_EQ(test::count_notes(drive_oval(gear).notes, "oval.profile"), 0);
+  gear.flexspline->boss =
+      Boss{{.outer_diameter = 36.8 * mm, .wall_thickness = 6 * mm, .length = 4 * mm}};
+  gear.flexspline->diaphragm->profile = {{20 * mm, 1.2 * mm}, {26 * mm, 0.762 * mm}};
+  EXPECT_EQ(test::count_notes(drive_oval(gear).notes, "oval.boss"), 1);
+  EXPECT_EQ(test::count_notes(drive_oval(gear).notes, "oval.profile"), 1);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,11 +63,12 @@ std::vector<Drive> drives() {
        {.radial_displacement = 0.25 * mm, .clearance = 0.02 * mm, .band_width = 7 * mm}}};
 }
 
-gear_fem::OvalCup solid_of(const Drive& drive) {
+gear_fem::OvalCup solid_of(const Drive& drive, const std::optional<TubeSection>& boss = {}) {
   const ShellCup& cup = drive.cup;
-  return {{.barrel = cup.barrel, .rim = cup.rim, .diaphragm = cup.diaphragm, .boss = {}},
+  return {{.barrel = cup.barrel, .rim = cup.rim, .diaphragm = cup.diaphragm, .boss = boss},
           {.youngs_modulus = cup.youngs_modulus, .poissons_ratio = cup.poissons_ratio},
-          drive.cam};
+          drive.cam,
+          {.fine_corners = true}};
 }
 
 /// A place of the solid's faces where the shell has this place.
@@ -75,7 +77,10 @@ gear_fem::OvalPlace solid_place(const gear_fem::OvalCup& solid, const ShellCup& 
   constexpr double kJustInside = 0.9999;
   const double outside = kJustInside * zeta * place.thickness / 2;
   const double foot = cup.diaphragm ? cup.diaphragm->thickness : 0.0;
-  if (place.part == WallPart::diaphragm) return solid.at(place.at, foot / 2 - outside);
+  if (place.part == WallPart::diaphragm) {
+    const double inside = (1 - kJustInside * zeta) / 2;  // the outer face lies at z = 0
+    return solid.at(place.at, inside * diaphragm_thickness(*cup.diaphragm, place.at));
+  }
   return solid.at(place.radius + outside, foot + place.at);
 }
 
@@ -102,20 +107,21 @@ double worst_difference(const OvalShell& shell, const gear_fem::OvalCup& solid,
   return worst / largest;
 }
 
-/// Places of a part that are three walls from its ends, where the solid has corners.
-std::vector<ShellPlace> clear_places(const OvalShell& shell, WallPart part) {
+/// Places of a part that are some walls from its ends, where the solid has corners.
+std::vector<ShellPlace> clear_places(const OvalShell& shell, WallPart part, double walls = 3) {
   const std::span<const ShellPlace> of_part = shell.part(part);
   std::vector<ShellPlace> places;
   for (const ShellPlace& place : of_part)
-    if (std::min(place.at - of_part.front().at, of_part.back().at - place.at) > 3 * place.thickness)
+    if (std::min(place.at - of_part.front().at, of_part.back().at - place.at) >
+        walls * place.thickness)
       places.push_back(place);
   return places;
 }
 
 // (CU-1) to (CU-4) Kind: crosscheck.  Source: OvalCup (FE-51 to FE-53), a solid by finite elements.
-// Tolerance of each stress of the barrel 2 % of the largest there, 2 sqrt(r t) from the joints,
-// which a shell does not resolve; of rim and diaphragm 3 % of the largest of the part, three walls
-// from its ends.  1.5 % of the force of a lobe, 5 % of the largest pressure.
+// Tolerance of each stress of the barrel 2.5 % of the largest there, 2 sqrt(r t) from the joints,
+// which a shell does not resolve; of the rim 2 % and of the diaphragm 1 % of the largest of the
+// part, three walls from its ends.  1.5 % of the force of a lobe, 5 % of the largest pressure.
 TEST(OvalShell, CrosscheckSolid) {
   for (const Drive& drive : drives()) {
     SCOPED_TRACE(drive.name);
@@ -131,12 +137,33 @@ TEST(OvalShell, CrosscheckSolid) {
     std::vector<ShellPlace> places;
     for (int i = 0; i <= 4; ++i)
       places.push_back(shell.barrel_at(clear + i * (barrel.length - 2 * clear) / 4));
-    EXPECT_LT(worst_difference(shell, solid, places), 0.02);
-    EXPECT_LT(worst_difference(shell, solid, clear_places(shell, WallPart::rim)), 0.03);
+    EXPECT_LT(worst_difference(shell, solid, places), 0.025);
+    EXPECT_LT(worst_difference(shell, solid, clear_places(shell, WallPart::rim)), 0.02);
     if (drive.cup.diaphragm) {
-      EXPECT_LT(worst_difference(shell, solid, clear_places(shell, WallPart::diaphragm)), 0.03);
+      EXPECT_LT(worst_difference(shell, solid, clear_places(shell, WallPart::diaphragm)), 0.01);
     }
   }
+}
+
+// (CU-4) Kind: crosscheck.  Source: as above.  What the rigid boss and the flat middle of a
+// diaphragm cost, two walls from the ends of the diaphragm: within the shares that the notes
+// oval.boss and oval.profile state, and more than half of them, so the notes do not overstate.
+TEST(OvalShell, CrosscheckBossAndProfile) {
+  const Drive plain = drives().front();
+  const auto difference = [](const Drive& drive, const std::optional<TubeSection>& boss) {
+    const OvalShell shell = oval_shell(drive.cup, drive.cam, {.whole_meridian = true});
+    return worst_difference(shell, solid_of(drive, boss),
+                            clear_places(shell, WallPart::diaphragm, 2));
+  };
+  const double with_boss = difference(
+      plain, TubeSection{.outer_diameter = 36.8 * mm, .wall_thickness = 6 * mm, .length = 4 * mm});
+  Drive profiled = plain;
+  profiled.cup.diaphragm->profile = {{20 * mm, 1.2 * mm}, {26 * mm, 0.762 * mm}};
+  const double with_profile = difference(profiled, {});
+  EXPECT_LT(with_boss, 0.165);
+  EXPECT_GT(with_boss, 0.08);
+  EXPECT_LT(with_profile, 0.06);
+  EXPECT_GT(with_profile, 0.03);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "strainwave/core/units.hpp"
@@ -19,9 +20,9 @@ using std::numbers::pi;
 
 GearSet oval_drive() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/breathing_crack.toml"); }
 
-// (FE-52) Kind: identity and closed form.  The torque of a round cup changes the shear alone, in the
-// middle of the barrel by T rho/J within 1 %, and at the rim's end by nothing.  The rim cones by
-// about w_0 over the distance to the diaphragm.
+// (FE-52) Kind: identity and closed form.  The torque of a round cup changes the shear alone, in
+// the middle of the barrel by T rho/J within 1 %, and at the rim's end by nothing.  The rim cones
+// by about w_0 over the distance to the diaphragm.
 TEST(FeOval, IdentityTorqueAndCone) {
   const OvalRun run = run_oval(oval_drive(), {.torques = {48, 0}});
   EXPECT_TRUE(run.usable) << run.reason;
@@ -61,18 +62,34 @@ TEST(FeOval, IdentityTorqueAndCone) {
   EXPECT_NE(oval_plot(run, oval_drive()).find("Stress round the axis"), std::string::npos);
 }
 
+// A coarse section is not usable, and the answer says what to do.  What is not applied is noted.
+TEST(FeOval, BehaviourOfTheChecks) {
+  GearSet gear = oval_drive();
+  gear.load.axial_force = 100;
+  gear.flexspline->stress_nonuniformity = 1.2;
+  const OvalRun run = run_oval(gear, {.large_rotations = LargeRotations::off}, 4);
+  EXPECT_FALSE(run.large_rotations);
+  EXPECT_EQ(run.rotation_stress, 0);
+  EXPECT_FALSE(run.usable);
+  EXPECT_GT(run.order_difference, gear_fem::kStressTolerance);
+  EXPECT_NE(run.reason.find("give a higher order"), std::string::npos) << run.reason;
+  EXPECT_EQ(evidence_of(run).unusable_because, run.reason);
+  for (const char* const code : {"fe.axial_force", "fe.stress_nonuniformity", "fe.cam_perimeter"})
+    EXPECT_EQ(std::ranges::count(run.notes, code, &Note::code), 1) << code;
+}
+
 TEST(FeOval, InputRulesBrokenOnce) {
-  const auto refused = [](const auto& change, const OvalRequest& request,
-                          const std::string& words) {
+  const auto refused = [](const auto& change, const OvalRequest& request, const std::string& words,
+                          std::optional<int> order = std::nullopt) {
     GearSet gear = oval_drive();
     change(gear);
-    const std::string message = test::broken_rule([&] { return run_oval(gear, request); });
+    const std::string message = test::broken_rule([&] { return run_oval(gear, request, order); });
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };
   const auto nothing = [](GearSet&) {};
-  refused(nothing, {.torques = {std::nan("")}}, "--torque");
-  refused(nothing, {.order = 3}, "order");
-  refused(nothing, {.order = 9}, "order");
+  refused(nothing, {.torques = {std::nan("")}}, "torque");
+  refused(nothing, {}, "order", 3);
+  refused(nothing, {}, "order", 9);
   refused([](GearSet& gear) { gear.drive.wave_number = 3; }, {}, "drive.wave_number");
   refused([](GearSet& gear) { gear.flexspline->rim.reset(); }, {}, "flexspline.rim");
   refused([](GearSet& gear) { gear.wave_generator->bearing->clearance = 0.4 * mm; }, {},

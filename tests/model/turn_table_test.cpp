@@ -246,7 +246,7 @@ TEST(TurnTable, InputAnotherDrive) {
           "but must run over a wave of 120 deg");
   refused([](GearSet& gear, WallThroughCrack&) { gear.drive.radial_displacement *= 1.02; },
           "\"turn.csv\" is for a drive with drive.radial_displacement = 0.8 mm, but this drive has "
-          "0.816 mm; compute the table for this drive by strainwave turn");
+          "0.816 mm; leave out turn_table, and compute a table for this drive by strainwave turn");
   refused([](GearSet& gear, WallThroughCrack&) { gear.wave_generator->cam->arc_angle = pi / 4; },
           "wave_generator.cam = two arcs of 30 deg, but this drive has two arcs of 45 deg");
   refused([](GearSet& gear, WallThroughCrack&) { gear.wave_generator->cam.reset(); },
@@ -257,11 +257,34 @@ TEST(TurnTable, InputAnotherDrive) {
   refused([](GearSet& gear, WallThroughCrack&) { gear.flexspline->barrel->wall_thickness *= 0.98; },
           "flexspline.barrel.wall_thickness = ");
   refused([](GearSet& gear, WallThroughCrack&) { gear.flexspline->diaphragm.reset(); },
-          "but this drive does not give it");
+          "flexspline.diaphragm = plate, but this drive has none");
   refused([](GearSet&, WallThroughCrack& crack) { crack.angle = 0.9; }, "crack.angle = 45 deg");
   refused([](GearSet&, WallThroughCrack& crack) { crack.section = WallSection::rim; },
           "crack.section = barrel, but this drive has rim");
   refused([](GearSet&, WallThroughCrack& crack) { crack.distance = 0.02; }, "crack.distance = ");
+  // A table for a cup without a bottom, and for a profile, is not for this cup.
+  const auto for_another = [&](const std::function<void(Flexspline&)>& change,
+                               const std::string& words) {
+    GearSet other = good;
+    change(*other.flexspline);
+    TurnTable table = *good.turn_tables.at("turn.csv");
+    table.conditions = turn_conditions(other, "flexspline.crack[0]");
+    GearSet gear = good;
+    gear.turn_tables["turn.csv"] = std::make_shared<const TurnTable>(std::move(table));
+    const std::string message = test::broken_rule([&] {
+      check_turn_tables(gear);
+      return 0;
+    });
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  };
+  for_another([](Flexspline& wall) { wall.diaphragm.reset(); },
+              "flexspline.diaphragm = none, but this drive has plate");
+  for_another(
+      [](Flexspline& wall) {
+        wall.diaphragm->profile = {{0.05, 0.004}, {0.06, 0.003}};
+      },
+      "stations of flexspline.diaphragm.profile = 2, but this drive has 0");
+  for_another([](Flexspline& wall) { wall.rim->length = 0.02; }, ".rim.length");
   GearSet near = good;
   near.drive.radial_displacement *= 1.009;
   EXPECT_NO_THROW(check_turn_tables(near));

@@ -39,10 +39,18 @@ TEST(OvalTables, BehaviourPlacesOfTheTable) {
     EXPECT_NE(text.find(row), std::string::npos) << row << '\n' << text;
   EXPECT_EQ(text.find("barrel        1"), std::string::npos) << text;
   EXPECT_EQ(std::ranges::count(oval_csv(torques), '\n'), 1 + 20);
-  EXPECT_NE(
-      largest_stress_sentence(torques).find("19 MPa, on the outer face of the rim,\n  z = 8 mm"),
-      std::string::npos)
-      << largest_stress_sentence(torques);
+  const OvalState state{
+      .coning_angle = 0.01, .large_rotations = true, .rotation_stress = 3e6, .torques = torques};
+  const std::string sentences =
+      oval_sentences(state, {.lobe_force = 80, .half_arc = 1, .largest_pressure = 2e5});
+  EXPECT_NE(sentences.find("19 MPa, on the outer face of the rim,\n  z = 8 mm"), std::string::npos)
+      << sentences;
+  EXPECT_NE(sentences.find("presses with 80 N on each lobe, over 57.3 deg to both sides, at most"),
+            std::string::npos)
+      << sentences;
+  EXPECT_NE(sentences.find("0.2 MPa"), std::string::npos) << sentences;
+  EXPECT_NE(sentences.find("outward by 0.573 deg"), std::string::npos) << sentences;
+  EXPECT_NE(sentences.find("change a stress by up to 3 MPa."), std::string::npos) << sentences;
 }
 
 // One panel for each stress, with four curves; the joint of two parts is one distance.

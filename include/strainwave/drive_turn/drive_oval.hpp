@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/oval_request.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/model/result/oval_stress.hpp"
 #include "strainwave/oval_shell/oval_shell.hpp"
@@ -13,11 +13,6 @@
 /// Stress of the sound flexspline over a turn of the wave generator, without finite elements.
 
 namespace strainwave {
-
-struct OvalRequest {
-  std::vector<double> torques = {};  ///< T at the output [N*m]; empty: that of the file
-  LargeRotations large_rotations = LargeRotations::automatic;
-};
 
 /// Pressure of the cam on the bore.
 struct BandPressure {
@@ -34,38 +29,18 @@ struct BandPressure {
 };
 
 /// Stress over a turn, with its evidence.
-struct DriveOval {
-  ShellContact contact;      ///< of the wave generator
-  double coning_angle{};     ///< turn of the rim's meridian outward at a lobe [rad]
-  bool large_rotations{};    ///< whether large rotations of the oval were computed
-  double rotation_stress{};  ///< largest change of a stress by large rotations [Pa]
+struct DriveOval : OvalState {
+  ShellContact contact;  ///< of the wave generator
   std::vector<BandPressure> pressure;
-  std::vector<LoadedOval> torques;
   std::vector<Note> notes;
   std::vector<std::string> equations;
-
-  /// The station with the largest von Mises stress.
-  [[nodiscard]] const OvalStation& governing() const { return governing_station(torques); }
-  [[nodiscard]] double largest() const { return governing().equivalent.largest; }
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     using R = DriveOval;
-    field({.name = "largest",
-           .unit = "Pa",
-           .doc = "largest von Mises stress of the wall over a turn",
-           .headline = true},
-          &R::largest);
+    OvalState::describe(field);
     field({"wave_generator", "", "contact of the wave generator with the bore"}, &R::contact);
-    field({"coning_angle", "rad", "turn of the rim's meridian outward at a lobe"},
-          &R::coning_angle);
-    field({"large_rotations", "", "whether large rotations of the oval were computed"},
-          &R::large_rotations);
-    field(
-        {"rotation_stress", "Pa", "largest change of a stress by large rotations; 0 without them"},
-        &R::rotation_stress);
     field({"pressure", "", "of the wave generator on the bore"}, &R::pressure);
-    field({"torques", "", "the stress under each torque"}, &R::torques);
   }
 };
 
@@ -76,9 +51,9 @@ struct DriveOval {
 ///
 /// Range: as oval_shell.
 /// Accuracy: the table of (CU-4).  Where two walls meet, the stress is that of the shell; fillets
-/// and notches are not in it.
+/// and notches are not in it.  Notes say what a boss and a profile of the diaphragm change.
 ///
-/// @throws InputError   as `check` and require_turning_cup; if the cam does not touch the bore
+/// @throws InputError   as plan_oval; if the cam does not touch the bore
 /// @throws SolverError  if the contact or the large rotations do not converge
 [[nodiscard]] DriveOval drive_oval(const GearSet& gear, const OvalRequest& request = {});
 

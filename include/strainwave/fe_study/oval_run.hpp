@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "strainwave/gear_fem/oval_stress.hpp"
-#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/oval_request.hpp"
 #include "strainwave/model/result/evidence.hpp"
 
 /// @file
@@ -15,12 +15,6 @@
 
 namespace strainwave::fe_study {
 
-struct OvalRequest {
-  std::vector<double> torques = {};  ///< T at the output [N*m]; empty: that of the file
-  std::optional<int> order = {};     ///< p of the section, 4 to 8; absent: that of OvalOptions
-  LargeRotations large_rotations = LargeRotations::automatic;
-};
-
 struct OvalRun : gear_fem::OvalStress {
   std::vector<Note> notes;
 };
@@ -28,8 +22,10 @@ struct OvalRun : gear_fem::OvalStress {
 [[nodiscard]] ResultEvidence evidence_of(const OvalRun& run);
 
 /// Computes the stress.  Every MPI rank may call it, and gets the result.
-/// @throws InputError, SolverError  as `check`, require_turning_cup and gear_fem::oval_stress
-[[nodiscard]] OvalRun run_oval(const GearSet& gear, const OvalRequest& request);
+/// @param order  p of the section, 4 to 8; absent: that of gear_fem::OvalOptions
+/// @throws InputError, SolverError  as plan_oval and gear_fem::oval_stress
+[[nodiscard]] OvalRun run_oval(const GearSet& gear, const OvalRequest& request,
+                               std::optional<int> order = std::nullopt);
 
 [[nodiscard]] std::string oval_text(const OvalRun& run, const GearSet& gear);
 [[nodiscard]] std::string oval_csv(const OvalRun& run);

@@ -12,6 +12,7 @@
 #include "strainwave/fem/harmonic_section.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
+#include "strainwave/model/result/oval_stress.hpp"
 
 /// @file
 /// A sound flexspline at work: bent oval by the wave generator, and twisted by the torque.
@@ -31,11 +32,7 @@ struct OvalOptions {
 };
 
 /// Contact of the wave generator with the bore.
-struct OvalContact {
-  double lobe_force{};        ///< resultant of the pressure of one lobe along its axis [N]
-  double largest_pressure{};  ///< on the band [Pa]
-  /// Half of the arc on which a lobe presses [rad]; a quarter turn if it presses all round
-  double half_arc{};
+struct OvalContact : WaveContact {
   double overlap{};              ///< deepest remaining overlap over w_0 [-]
   int steps{};                   ///< linear systems of the contact; 0 if it is not one-sided
   bool large_rotations = false;  ///< whether they were computed
@@ -44,11 +41,7 @@ struct OvalContact {
   template <class Visitor>
   static void describe(Visitor&& field) {
     using R = OvalContact;
-    field({"lobe_force", "N", "force of one lobe of the wave generator on the bore"},
-          &R::lobe_force);
-    field({"largest_pressure", "Pa", "largest pressure on the band of the bore"},
-          &R::largest_pressure);
-    field({"half_arc", "rad", "half of the arc on which a lobe presses"}, &R::half_arc);
+    WaveContact::describe(field);
     field({.name = "overlap", .unit = "1", .doc = "deepest overlap over w_0", .detail = true},
           &R::overlap);
     field({"large_rotations", "", "whether the oval was computed with large rotations"},
@@ -60,6 +53,9 @@ struct OvalContact {
           &R::iterations);
   }
 };
+
+/// Largest nodal force out of equilibrium over the largest load, in a usable result [-].
+inline constexpr double kOvalEquilibrium = 1e-5;
 
 /// What the oval and a unit torque cause at one place (r, z) of the section, round the axis.
 struct OvalPlace {

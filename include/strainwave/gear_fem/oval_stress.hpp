@@ -18,33 +18,19 @@ namespace strainwave::gear_fem {
 inline constexpr double kStressTolerance = 0.02;
 
 /// Stress over a turn, with its checks.
-struct OvalStress {
+struct OvalStress : OvalState {
   OvalContact contact;
-  double coning_angle{};     ///< turn of the rim's bore outward at a lobe [rad]
-  double rotation_stress{};  ///< largest change of a stress by large rotations [Pa]
-  std::vector<LoadedOval> torques;
   std::size_t unknowns{};         ///< of one number of waves
   double order_difference{};      ///< largest change of a stress from p-1 to p over the largest [-]
   double equilibrium_residual{};  ///< largest nodal force out of equilibrium over the largest load
   bool usable = false;
   std::string reason;  ///< reason why the result must not be used; empty if usable
 
-  [[nodiscard]] double largest() const { return governing_station(torques).equivalent.largest; }
-
   template <class Visitor>
   static void describe(Visitor&& field) {
     using R = OvalStress;
-    field({.name = "largest",
-           .unit = "Pa",
-           .doc = "largest von Mises stress of the wall over a turn",
-           .headline = true},
-          &R::largest);
+    OvalState::describe(field);
     field({"wave_generator", "", "contact of the wave generator with the bore"}, &R::contact);
-    field({"coning_angle", "rad", "turn of the rim's bore outward at a lobe"}, &R::coning_angle);
-    field(
-        {"rotation_stress", "Pa", "largest change of a stress by large rotations; 0 without them"},
-        &R::rotation_stress);
-    field({"torques", "", "the stress under each torque"}, &R::torques);
     field({"unknowns", "", "of one number of waves"}, &R::unknowns);
     field({"order_difference", "1",
            "largest change of a stress from order p-1 to p over the largest stress"},

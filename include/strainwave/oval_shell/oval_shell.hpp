@@ -2,10 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
@@ -61,26 +59,18 @@ struct WallStress {
   double shear{};  ///< theta z, in the diaphragm theta r
 };
 
-/// What the wave generator does, in numbers.
-struct ShellContact {
-  double lobe_force{};        ///< resultant of the pressure of one lobe along its axis [N]
-  double half_arc{};          ///< half of the arc on which a lobe presses [rad]
-  double largest_pressure{};  ///< on the band [Pa]
-  int iterations{};           ///< of the large rotations; 0: small rotations
+/// Contact of the wave generator with the bore.
+struct ShellContact : WaveContact {
+  int iterations{};  ///< of the large rotations; 0: small rotations
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    using R = ShellContact;
-    field({"lobe_force", "N", "force of one lobe of the wave generator on the bore"},
-          &R::lobe_force);
-    field({"half_arc", "rad", "half of the arc on which a lobe presses"}, &R::half_arc);
-    field({"largest_pressure", "Pa", "largest pressure on the bore, even over the band"},
-          &R::largest_pressure);
+    WaveContact::describe(field);
     field({.name = "iterations",
            .unit = "",
            .doc = "iterations of the large rotations",
            .detail = true},
-          &R::iterations);
+          &ShellContact::iterations);
   }
 };
 

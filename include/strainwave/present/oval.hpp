@@ -13,8 +13,9 @@
 
 namespace strainwave {
 
-/// The largest von Mises stress and its place as a sentence.
-[[nodiscard]] std::string largest_stress_sentence(std::span<const LoadedOval> torques);
+/// The largest von Mises stress and its place, the contact of the cam, the coning angle and the
+/// effect of large rotations, as sentences.
+[[nodiscard]] std::string oval_sentences(const OvalState& oval, const WaveContact& contact);
 /// A table for each torque, with every second place and both ends of each part.
 [[nodiscard]] std::string oval_tables(std::span<const LoadedOval> torques);
 /// Each station under each torque as a row.

@@ -7,33 +7,14 @@
 namespace strainwave {
 namespace {
 
-struct OvalOptions {
-  std::vector<double> torque;
-  std::optional<LargeRotations> nonlinear;
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    using O = OvalOptions;
-    field({.name = "torque",
-           .unit = "N*m",
-           .doc = "torque at the output, may be repeated; if left out that of the file"},
-          &O::torque);
-    field({"nonlinear", "",
-           "large rotations of the oval: auto if they matter, on or off; auto if left out"},
-          &O::nonlinear);
-  }
-};
-
-DriveOval oval(const Request& request, const OvalOptions& options) {
-  return drive_oval(request.drive.gear,
-                    {.torques = options.torque,
-                     .large_rotations = options.nonlinear.value_or(LargeRotations::automatic)});
+DriveOval oval(const Request& request, const OvalRequestOptions& options) {
+  return drive_oval(request.drive.gear, options.request());
 }
 
 }  // namespace
 
 Command oval_command() {
-  return command<OvalOptions, DriveOval>({
+  return command<OvalRequestOptions, DriveOval>({
       .name = "oval",
       .summary = "Compute the stress of the sound flexspline over a turn of the wave generator",
       .description =

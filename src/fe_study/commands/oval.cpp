@@ -5,40 +5,28 @@
 namespace strainwave::fe_study {
 namespace {
 
-struct OvalOptions {
-  std::vector<double> torque;
-  std::optional<LargeRotations> nonlinear;
+struct OvalCommandOptions : OvalRequestOptions {
   std::optional<int> order;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    using O = OvalOptions;
-    field({.name = "torque",
-           .unit = "N*m",
-           .doc = "torque at the output, may be repeated; if left out that of the file"},
-          &O::torque);
-    field({"nonlinear", "",
-           "large rotations of the oval: auto if they matter, on or off; auto if left out"},
-          &O::nonlinear);
+    OvalRequestOptions::describe(field);
     field({.name = "order",
            .unit = "",
            .doc = "order p of the section; 5 if left out",
            .range = {.lower = 4, .lower_open = false, .upper = 8, .upper_open = false}},
-          &O::order);
+          &OvalCommandOptions::order);
   }
 };
 
-OvalRun oval(const Request& request, const OvalOptions& options) {
-  return run_oval(request.drive.gear,
-                  {.torques = options.torque,
-                   .order = options.order,
-                   .large_rotations = options.nonlinear.value_or(LargeRotations::automatic)});
+OvalRun oval(const Request& request, const OvalCommandOptions& options) {
+  return run_oval(request.drive.gear, options.request(), options.order);
 }
 
 }  // namespace
 
 Command oval_command() {
-  return command<OvalOptions, OvalRun>({
+  return command<OvalCommandOptions, OvalRun>({
       .name = "oval",
       .summary = "Compute the stress of the sound flexspline over a turn of the wave generator",
       .description =

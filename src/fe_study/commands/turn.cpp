@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/run_request.hpp"
 #include "strainwave/fe_study/turn_run.hpp"
+#include "strainwave/model/input/oval_request.hpp"
 
 namespace strainwave::fe_study {
 namespace {
 
-struct TurnCommandOptions : TurnRequestOptions, CrackOptions {
-  std::optional<LargeRotations> nonlinear;
+struct TurnCommandOptions : TurnRequestOptions, NonlinearOption, CrackOptions {
   bool dry_run = false;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     using O = TurnCommandOptions;
     TurnRequestOptions::describe(field);
-    field({"nonlinear", "",
-           "large rotations of the oval: auto if they matter, on or off; auto if left out"},
-          &O::nonlinear);
+    NonlinearOption::describe(field);
     CrackOptions::describe(field);
     field({"dry_run", "", "print size, memory and time without computing"}, &O::dry_run);
   }
@@ -23,9 +21,10 @@ struct TurnCommandOptions : TurnRequestOptions, CrackOptions {
 
 TurnRun turn_run(const Request& request, const TurnCommandOptions& options) {
   const RunOptions run = run_options(request, options);
-  TurnOptions asked{
-      .request = options.request(run.crack), .order = run.order, .progress = run.progress};
-  if (options.nonlinear) asked.large_rotations = *options.nonlinear;
+  const TurnOptions asked{.request = options.request(run.crack),
+                          .order = run.order,
+                          .large_rotations = options.large_rotations(),
+                          .progress = run.progress};
   if (!options.dry_run) return run_turn(request.drive.gear, asked, request.ranks);
   TurnRun result = planned_turn(request.drive.gear, asked);
   result.refused = memory_refusal(result.plan, request.ranks);

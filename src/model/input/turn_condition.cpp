@@ -80,8 +80,6 @@ void add_drive(Conditions& conditions, const GearSet& gear) {
   if (follows_perimeter(fit.shape))
     conditions.number("wave_generator.cam_perimeter_excess", fit.perimeter_excess, "m");
   conditions.number("wave_generator.bearing.clearance", fit.clearance, "m");
-  if (fit.band_width > 0)
-    conditions.number("wave_generator.bearing.outer_ring.width", fit.band_width, "m");
 }
 
 void add_flexspline(Conditions& conditions, const GearSet& gear) {
@@ -90,10 +88,20 @@ void add_flexspline(Conditions& conditions, const GearSet& gear) {
       elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
   conditions.number("flexspline.material.youngs_modulus", steel.E, "Pa");
   conditions.number("flexspline.material.poissons_ratio", steel.nu, "1");
-  if (flexspline.rim) conditions.numbers("flexspline.rim", *flexspline.rim);
+  if (flexspline.rim) {
+    conditions.numbers("flexspline.rim", *flexspline.rim);
+    const double band = cam_fit(gear).band_width;
+    conditions.number("wave_generator.bearing.outer_ring.width",
+                      band > 0 ? std::min(band, flexspline.rim->length) : flexspline.rim->length,
+                      "m");
+  }
   if (flexspline.barrel) conditions.numbers("flexspline.barrel", *flexspline.barrel);
+  // A table for a cup without a bottom is not for a cup with one.
+  conditions.word("flexspline.diaphragm", flexspline.diaphragm ? "plate" : "none");
   if (!flexspline.diaphragm) return;
   conditions.numbers("flexspline.diaphragm", *flexspline.diaphragm);
+  conditions.number("stations of flexspline.diaphragm.profile",
+                    static_cast<double>(flexspline.diaphragm->profile.size()), "1");
   for (std::size_t i = 0; i < flexspline.diaphragm->profile.size(); ++i)
     conditions.numbers(fmt::format("flexspline.diaphragm.profile[{}]", i),
                        flexspline.diaphragm->profile[i]);
@@ -142,10 +150,10 @@ void check_turn_conditions(const std::vector<TurnCondition>& wanted,
     const auto here = std::ranges::find(found, condition.name, &TurnCondition::name);
     const auto refuse = [&](const std::string& has) {
       throw InputError(
-          at,
-          fmt::format("\"{}\" is for a drive with {} = {}, but this drive {}; compute the table "
-                      "for this drive by strainwave turn",
-                      shown(file), shown(condition.name), shown(condition.text), has));
+          at, fmt::format(
+                  "\"{}\" is for a drive with {} = {}, but this drive {}; leave out turn_table, "
+                  "and compute a table for this drive by strainwave turn",
+                  shown(file), shown(condition.name), shown(condition.text), has));
     };
     if (here == found.end()) refuse("does not give it");
     bool same = false;

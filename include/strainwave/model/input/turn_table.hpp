@@ -20,9 +20,11 @@ namespace strainwave {
 ///
 /// All lists are in ascending order.
 struct TurnTable {
-  std::string file;           ///< file name as the drive gives it
+  std::string file;  ///< file name as the drive gives it
   /// What the drive must be; empty: the table does not say for which drive it is.
   std::vector<TurnCondition> conditions = {};
+  /// Reason why the table must not be used, for its file; a table with a reason is not read back.
+  std::string unusable_because = {};
   std::string size_name;      ///< "depth" or "half_length"
   std::vector<double> sizes;  ///< depth a, or half length of a through crack [m]; one or more
   /// a/c of a surface crack [-]; empty: the table is for the shape of the crack in the file
@@ -95,8 +97,9 @@ class TurnFactors {
 /// Checks the cracks of a drive against the tables of K that they name; `check` calls it.
 ///
 /// @throws InputError  if a table was not read, is for another kind of crack or another
-///                     drive, or does not run over a wave or a turn; if the crack is beyond the table; if an axial force acts,
-///                     which tables do not cover.  The message names crack and table
+///                     drive, or does not run over a wave or a turn; if the crack is beyond the
+///                     table; if an axial force acts, which tables do not cover.  The message names
+///                     crack and table
 void check_turn_tables(const GearSet& gear);
 
 /// Calls `f(path, crack)` for each crack that can have a table of K over a turn.

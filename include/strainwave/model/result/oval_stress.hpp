@@ -104,4 +104,50 @@ struct LoadedOval {
 /// @param torques  one or more, with stations
 [[nodiscard]] const OvalStation& governing_station(std::span<const LoadedOval> torques);
 
+/// Contact of the wave generator with the bore, in numbers.
+struct WaveContact {
+  double lobe_force{};        ///< resultant of the pressure of one lobe along its axis [N]
+  double half_arc{};          ///< half of the arc on which a lobe presses [rad]; at most pi/2
+  double largest_pressure{};  ///< on the bore, even over the width of the band [Pa]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = WaveContact;
+    field({"lobe_force", "N", "force of one lobe of the wave generator on the bore"},
+          &R::lobe_force);
+    field({"half_arc", "rad", "half of the arc on which a lobe presses"}, &R::half_arc);
+    field({"largest_pressure", "Pa", "largest pressure on the bore, even over the band"},
+          &R::largest_pressure);
+  }
+};
+
+/// The oval as every model states it.
+struct OvalState {
+  double coning_angle{};     ///< turn of the rim's meridian outward at a lobe [rad]
+  bool large_rotations{};    ///< whether large rotations of the oval were computed
+  double rotation_stress{};  ///< largest change of a stress by large rotations [Pa]
+  std::vector<LoadedOval> torques;
+
+  [[nodiscard]] const OvalStation& governing() const { return governing_station(torques); }
+  [[nodiscard]] double largest() const { return governing().equivalent.largest; }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = OvalState;
+    field({.name = "largest",
+           .unit = "Pa",
+           .doc = "largest von Mises stress of the wall over a turn",
+           .headline = true},
+          &R::largest);
+    field({"coning_angle", "rad", "turn of the rim's meridian outward at a lobe"},
+          &R::coning_angle);
+    field({"large_rotations", "", "whether large rotations of the oval were computed"},
+          &R::large_rotations);
+    field(
+        {"rotation_stress", "Pa", "largest change of a stress by large rotations; 0 without them"},
+        &R::rotation_stress);
+    field({"torques", "", "the stress under each torque"}, &R::torques);
+  }
+};
+
 }  // namespace strainwave
