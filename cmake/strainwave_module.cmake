@@ -13,7 +13,8 @@ function(strainwave_module name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE "${PROJECT_SOURCE_DIR}/src/${name}")
-  target_link_libraries(strainwave_${name} PUBLIC ${ARG_DEPENDS} PRIVATE fmt::fmt)
+  target_link_libraries(strainwave_${name} PUBLIC ${ARG_DEPENDS}
+    PRIVATE $<IF:$<BOOL:${STRAINWAVE_SELF_CONTAINED}>,fmt::fmt-header-only,fmt::fmt>)
   strainwave_flags(strainwave_${name})
   set_property(GLOBAL APPEND PROPERTY STRAINWAVE_ALL_MODULES ${name})
   if(NOT ARG_NOT_INSTALLED)
@@ -94,6 +95,7 @@ endfunction()
 
 function(strainwave_flags target)
   target_compile_options(${target} PRIVATE
+    $<$<BOOL:${STRAINWAVE_SELF_CONTAINED}>:-ffunction-sections;-fdata-sections>
     -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion
     # clang warns of names that other namespaces hide.  g++ 12 falsely warns of overlapping strings and of
     # members of empty classes and variants without a value.
@@ -124,7 +126,8 @@ function(strainwave_shared_library module)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(strainwave_shared PRIVATE $<BUILD_INTERFACE:strainwave_${module}>)
-  target_link_options(strainwave_shared PRIVATE "-Wl,--version-script=${exports}")
+  target_link_options(strainwave_shared PRIVATE "-Wl,--version-script=${exports}"
+    $<$<BOOL:${STRAINWAVE_SELF_CONTAINED}>:-static-libstdc++;-static-libgcc;-Wl,--gc-sections;-Wl,--as-needed>)
   set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_shared)
   file(RELATIVE_PATH includes "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/${CMAKE_INSTALL_INCLUDEDIR}")
   configure_file(cmake/strainwave.pc.in "${PROJECT_BINARY_DIR}/strainwave.pc" @ONLY)

@@ -150,6 +150,10 @@ SW_API sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attac
 SW_API sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachments* attachments,
                               sw_drive** drive);
 
+/** The fields of a drive as JSON, with those that its text left out and that have a fixed default.
+ *  Quantities are text in SI units, "0.002 m"; `provenance.input` of a result has the same form. */
+SW_API sw_error* sw_drive_fields(const sw_drive* drive, sw_text* json);
+
 /** Sets one field, crack or section in the TOML text of a drive, and keeps everything else.
  * @param path    "output_shaft.crack[0].depth"; "[+]" adds an element @param value   TOML as behind
  *                `=`; NULL removes the present value @param edited  the new text; the caller frees

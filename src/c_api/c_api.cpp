@@ -14,6 +14,7 @@
 #include "strainwave/door/batch.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/edit.hpp"
+#include "strainwave/present/json.hpp"
 #include "strainwave/strainwave.h"
 
 // NOLINTBEGIN(readability-identifier-naming): the header fixes these names
@@ -243,6 +244,10 @@ sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_text* edi
         given(edit(view(text), view(path),
                    value != nullptr ? std::optional(std::string(view(*value))) : std::nullopt));
   });
+}
+
+sw_error* sw_drive_fields(const sw_drive* drive, sw_text* json) {
+  return guarded([&] { *json = given(json_of(drive->drive->gear, JsonNumbers::as_input)); });
 }
 
 sw_error* sw_run(const sw_drive* drive, sw_text command, sw_text options,

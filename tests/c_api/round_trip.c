@@ -83,6 +83,12 @@ int main(int n_arguments, char** arguments) {
   sw_drive* drive = NULL;
   succeed(sw_read_from(file, text("drive.toml"), &none, &drive));
 
+  sw_text fields;
+  succeed(sw_drive_fields(drive, &fields));
+  EXPECT(has(fields, "\"ratio\": 100"));
+  EXPECT(has(fields, " N*m\""));
+  sw_text_free(fields);
+
   sw_answer* answer = NULL;
   succeed(sw_run(drive, text("stiffness"), text("{\"method\": \"corrected\"}"), NULL, 0, NULL,
                  &answer));

@@ -1,5 +1,5 @@
-#!/ usr / bin / python3
-#SPDX - License - Identifier : Apache - 2.0
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Compares the symbols that libstrainwave.so exports with tests/data/public_symbols.txt.
 
     tests/c_api/symbols.py LIBRARY             compare

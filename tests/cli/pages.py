@@ -23,7 +23,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ["README.md", *sorted(str(p.relative_to(ROOT)) for p in (ROOT / "docs/guide").glob("*.md"))]
 BLOCK = re.compile(r"^```(\w*)\n((?:(?!```).*\n)*)```\n|^((?:    .*\n)+)", re.M)
-KNOWN = {"./demo", "./check", "cmake", "mpirun", "sbatch", "sudo", "tools/install_dependencies", "python3", "tools/judge_closed_forms.py"}
+KNOWN = {"./demo", "./check", "cmake", "mpirun", "sbatch", "sudo", "tools/install_dependencies", "python3", "v/bin/pip", "tools/judge_closed_forms.py"}
 ENDS = {"require": {0, 5, 6}}  # met, not met, cannot be told
 
 

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stiffness, damage, life and dynamics of strain wave gears with cracks.
+
+    import strainwave as sw
+
+    drive = sw.read("drive.toml")
+    answer = drive.stiffness()
+    print(answer.cracked.positive.stiffness, answer.verdict.reason)
+
+`Drive` is a drive, its methods are the commands of the program `strainwave`, and the commands that
+take no drive are functions of this module.  Numbers are in SI units.
+"""
+
+from __future__ import annotations
+
+from . import _commands, _library
+from ._commands import *  # noqa: F403
+from .answers import Accuracy, Note, Part, Quantity, Result, Svg, Verdict
+from .batch import ROW_CODES, BatchResult
+from .drive import Crack, Cracks, Drive, new, parse, read
+from .errors import Error, InputError, InternalError, NotUsable, OptionError, SolverError
+from .tables import materials, sif
+
+__version__ = _library.version()
+
+__all__ = [
+    "Accuracy", "BatchResult", "Crack", "Cracks", "Drive", "Error", "InputError", "InternalError",
+    "NotUsable", "Note", "OptionError", "Part", "Quantity", "ROW_CODES", "Result", "SolverError",
+    "Svg",
+    "Verdict", "__version__", "materials", "new", "parse", "read", "sif",
+]
+__all__ += [name for name in _commands.__all__ if name != "DriveCommands"]

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many evaluations of one drive with different numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _library
+from .answers import FloatArray
+from .errors import InputError
+from .running import ShownProgress, shown_progress
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .drive import Drive
+
+#: Outcomes of a row, in the order of their numbers.
+ROW_CODES = ("ok", "refused", "no-answer", "not-usable", "output-absent")
+
+
+@dataclass(frozen=True, eq=False)
+class BatchResult:
+    """The outputs of many evaluations."""
+
+    outputs: tuple[str, ...]
+    """names of the q outputs"""
+    numbers: FloatArray
+    """shape (q,) + shape of the rows [SI unit of the output]; NaN where a row has no number that may
+    be used"""
+    codes: NDArray[np.int32]
+    """outcome of each row, an index into ROW_CODES"""
+    faults: dict[str, str]
+    """the message of the first row with each outcome but "ok" """
+    inputs: dict[str, FloatArray]
+    """the values of the fields as they were broadcast [SI unit of the field]"""
+
+    @property
+    def ok(self) -> NDArray[np.bool_]:
+        """Whether the numbers of a row may be used."""
+        return np.equal(self.codes, 0)
+
+    def __getitem__(self, output: str) -> FloatArray:
+        """The numbers of an output, in the shape of the rows."""
+        try:
+            row: FloatArray = self.numbers[self.outputs.index(output)]
+        except ValueError:
+            raise KeyError(f"{output} was not asked for; outputs are "
+                           f"{', '.join(self.outputs)}") from None
+        return row
+
+    def to_frame(self) -> "pandas.DataFrame":
+        """One row for each evaluation: the fields, the outputs, and the outcome."""
+        from .answers import _pandas
+
+        columns: dict[str, Any] = {path: values.ravel() for path, values in self.inputs.items()}
+        columns.update({name: self[name].ravel() for name in self.outputs})
+        columns["outcome"] = np.array(ROW_CODES)[self.codes.ravel()]
+        return _pandas().DataFrame(columns)
+
+
+def _column(path: str, values: Any) -> FloatArray:
+    """Values of a field as doubles; words, dates, complex numbers and truth values are refused."""
+    try:
+        given = np.asarray(values)
+    except ValueError as error:
+        raise InputError(f"{path}: its values are not one array: {error}", path=path) from None
+    if given.dtype.kind not in "fiu":
+        raise InputError(f"{path}: its values must be numbers in the SI unit of the field, not "
+                         f"{given.dtype}", path=path)
+    return given.astype(np.float64)
+
+
+def batch(drive: "Drive", values: Mapping[str, Any], outputs: Sequence[str], *,
+          method: str = "corrected", threads: int = 0, out: Any = None,
+          progress: ShownProgress = None) -> BatchResult:
+    """See Drive.batch."""
+    if isinstance(outputs, str):
+        outputs = (outputs,)
+    paths = list(values)
+    columns = [_column(path, values[path]) for path in paths]
+    try:
+        rows = np.broadcast_arrays(*columns) if columns else []
+    except ValueError:
+        shapes = ", ".join(f"{path} {column.shape}" for path, column in zip(paths, columns))
+        raise InputError(f"the shapes of the values do not fit together: {shapes}") from None
+    shape = rows[0].shape if rows else ()
+    n_rows = int(np.prod(shape, dtype=np.int64))
+    table = np.empty((n_rows, len(paths)))
+    for place, row in enumerate(rows):
+        table[:, place] = row.ravel()
+    found = np.empty((n_rows, len(outputs)))
+    codes = np.empty(n_rows, dtype=np.intc)
+    faults = _library.batch(drive._handle, paths, table.ctypes.data, n_rows, list(outputs), method,
+                            _whole("threads", threads), found.ctypes.data, codes.ctypes.data,
+                            shown_progress(progress))
+    found[codes != 0] = np.nan
+    numbers = _out(out, (len(outputs),) + shape)
+    numbers[...] = found.T.reshape(numbers.shape)
+    return BatchResult(tuple(outputs), numbers, codes.astype(np.int32).reshape(shape),
+                       {ROW_CODES[code]: fault for code, fault in enumerate(faults) if fault},
+                       {path: np.array(row) for path, row in zip(paths, rows)})
+
+
+def _whole(name: str, value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
+        raise TypeError(f"{name} must be a whole number, not {type(value).__name__}")
+    if not -(1 << 31) <= value < 1 << 31:
+        raise InputError(f"{name} must be from 0 to 256, not {value}", path=name)
+    return int(value)
+
+
+def _out(out: Any, shape: tuple[int, ...]) -> FloatArray:
+    if out is None:
+        return np.empty(shape)
+    if not isinstance(out, np.ndarray) or out.dtype != np.float64 or not out.dtype.isnative:
+        raise InputError("out must be an array of native float64", path="out")
+    if out.shape != shape:
+        raise InputError(f"out must have the shape {shape}, not {out.shape}", path="out")
+    if not out.flags.writeable:
+        raise InputError("out must be writeable", path="out")
+    return out

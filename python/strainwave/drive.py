@@ -1,0 +1,400 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A drive: the text of its file, which can be read, changed and evaluated."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _library
+from ._commands import DriveCommands, explain
+from ._commands import new as _new
+from .answers import Quantity
+from .errors import InputError, OptionError
+from .running import ShownProgress, run, spelled
+
+if TYPE_CHECKING:
+    from .batch import BatchResult
+
+#: A value of a field: text with a unit ("3 mm"), a quantity, or a bare number, which is in the SI
+#: unit of the field; whole numbers, truth values, lists and tables; None removes the field.
+FieldValue = Union[str, float, int, bool, Quantity, Sequence[Any], Mapping[str, Any], None]
+
+_MEMBERS = ("wave_generator", "flexspline", "output_shaft", "mesh", "circular_spline")
+_NUMBER = re.compile(r"^([-+]?(?:[0-9.]+(?:[eE][-+]?[0-9]+)?|inf|nan)) (\S.*)$")
+_units: dict[str, str] = {}  # unit of a field by its path without indices
+
+
+def _unit(path: str) -> str:
+    """SI unit of the field with this path; "1" for a number without a unit."""
+    bare = re.sub(r"\[[^]]*\]", "", re.sub(r'^material\.("[^"]*"|[^.]*)', "material.NAME", path))
+    if bare not in _units:
+        try:
+            texts = [meaning.text for meaning in explain(bare).meanings]
+        except OptionError:
+            texts = []
+        found = [match.group(1) for match in (re.search(r"; in ([^;]+)(;|$)", one) for one in texts)
+                 if match]
+        _units[bare] = found[0] if found else "1"
+    return _units[bare]
+
+
+def _toml(value: Any, path: str) -> str:
+    """A value as TOML."""
+    if isinstance(value, Quantity):
+        return _toml(spelled(value), path) if value.unit not in ("1", "") else spelled(value)
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (int, float)):
+        unit = _unit(path)
+        return repr(value) if unit == "1" else json.dumps(f"{value!r} {unit}", ensure_ascii=False)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Mapping):
+        inner = (f"{_key(name)} = {_toml(one, f'{path}.{name}')}" for name, one in value.items())
+        return "{" + ", ".join(inner) + "}"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "[" + ", ".join(_toml(one, path) for one in value) + "]"
+    raise TypeError(f"{path}: a field takes text, a number, a quantity, a list or a table, not "
+                    f"{type(value).__name__}")
+
+
+def _key(name: str) -> str:
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
+
+
+def _value(given: Any, path: str) -> Any:
+    """A value of the library's JSON: text in the SI unit of the field becomes a Quantity."""
+    if isinstance(given, str):
+        match = _NUMBER.match(given)
+        if match and match.group(2) == _unit(path):
+            return Quantity(float(match.group(1)), match.group(2))
+        return given
+    if isinstance(given, list):
+        return [_value(one, path) for one in given]
+    if isinstance(given, dict):
+        return {name: _value(one, f"{path}.{_key(name)}" if path else name)
+                for name, one in given.items()}
+    return given
+
+
+def _steps(path: str) -> list[Union[str, int]]:
+    """A path in its steps: names and indices."""
+    steps: list[Union[str, int]] = []
+    for quoted, name, index in re.findall(r'"([^"]*)"|([^.\[\]"]+)|\[(\d+)\]', path):
+        steps.append(int(index) if index else quoted or name)
+    return steps
+
+
+class Drive(DriveCommands):
+    """A strain wave gear, as its file describes it.
+
+    A drive is a value: drives with the same text are equal, and a copy is independent.  A field is
+    read and set by its path::
+
+        drive["output_shaft.crack[0].depth"]            # <Quantity 0.002 m>
+        drive["output_shaft.crack[0].depth"] = "3 mm"
+        drive["output_shaft.crack[0].depth"] = 3e-3     # a bare number is in the SI unit
+        del drive["output_shaft.crack[0]"]
+
+    Each change is checked at once.  If it breaks a rule, the drive stays as it was.
+
+    Args:
+        text: TOML
+        name: name of the text in messages
+        tables: texts that the drive names, such as compliance tables, by their names
+
+    Raises:
+        InputError: if the text breaks a rule
+    """
+
+    def __init__(self, text: str, name: str = "drive.toml",
+                 tables: Optional[Mapping[str, str]] = None) -> None:
+        given = dict(tables or {})
+        self._text = text
+        self._name = name
+        self._handle, self._tables = _library.read_drive(
+            text, name, lambda wanted: given[wanted].encode("utf-8", "surrogateescape")
+            if wanted in given else None)
+
+    @classmethod
+    def _read(cls, path: Path) -> "Drive":
+        def beside(wanted: str) -> Optional[bytes]:
+            file = path.parent / wanted
+            return file.read_bytes() if file.is_file() else None
+
+        made = cls.__new__(cls)
+        with path.open("rb") as file:
+            content = file.read(_MOST + 1)  # the library refuses what is longer
+        made._text = content.decode("utf-8", "surrogateescape")
+        made._name = str(path)
+        made._handle, made._tables = _library.read_drive(made._text, made._name, beside)
+        return made
+
+    @property
+    def text(self) -> str:
+        """The text of the file, with its comments."""
+        return self._text
+
+    @property
+    def name(self) -> str:
+        """Name of the text in messages."""
+        return self._name
+
+    @property
+    def tables(self) -> dict[str, str]:
+        """The texts that the drive names, by their names."""
+        return dict(self._tables)
+
+    def fields(self) -> dict[str, Any]:
+        """All fields as nested dicts, with those at a fixed default; numbers with a unit are
+        quantities."""
+        given: dict[str, Any] = _value(_library.drive_fields(self._handle), "")
+        return given
+
+    def __getitem__(self, path: str) -> Any:
+        """A field, a crack or a section by its path.
+
+        Raises:
+            KeyError: if the drive has no such field
+        """
+        if not isinstance(path, str):
+            raise TypeError("the path of a field is text, such as \"load.torque\", not "
+                            f"{type(path).__name__}")
+        at: Any = _library.drive_fields(self._handle)
+        for step in _steps(path) or [path]:
+            try:
+                at = at[step]
+            except (KeyError, IndexError, TypeError):
+                raise KeyError(f"{path}: {self._name} does not give this field; explain({path!r}) "
+                               "says what it is") from None
+        return _value(at, path)
+
+    def __contains__(self, path: str) -> bool:
+        try:
+            self[path]
+        except KeyError:
+            return False
+        return True
+
+    def __setitem__(self, path: str, value: FieldValue) -> None:
+        """Sets a field, a crack or a section; a bare number is in the SI unit of the field.
+
+        Raises:
+            InputError: if the path does not exist, or the drive would break a rule; the drive stays
+                as it was
+        """
+        self.edit({path: value})
+
+    def __delitem__(self, path: str) -> None:
+        self.edit({path: None})
+
+    def edit(self, changes: Mapping[str, FieldValue]) -> None:
+        """Makes several changes at once, checked together.
+
+        Args:
+            changes: values by paths; None removes what is there; "[+]" in a path adds an element
+
+        Raises:
+            InputError: if a path does not exist, or the drive would break a rule; the drive stays
+                as it was
+        """
+        text = self._text
+        for path, value in changes.items():
+            text = _library.edit(text, path, None if value is None else _toml(value, path))
+        changed = self._with_text(text)
+        self._text, self._handle, self._tables = changed._text, changed._handle, changed._tables
+
+    def _with_text(self, text: str) -> "Drive":
+        """A drive with another text that names the same tables."""
+        if Path(self._name).is_file():
+            made = Drive.__new__(Drive)
+            made._text, made._name = text, self._name
+            folder, known = Path(self._name).parent, self._tables
+
+            def find(wanted: str) -> Optional[bytes]:
+                if wanted in known:
+                    return known[wanted].encode("utf-8", "surrogateescape")
+                file = folder / wanted
+                return file.read_bytes() if file.is_file() else None
+
+            made._handle, made._tables = _library.read_drive(text, self._name, find)
+            return made
+        return Drive(text, self._name, self._tables)
+
+    @property
+    def cracks(self) -> "Cracks":
+        """The cracks of all members."""
+        return Cracks(self)
+
+    def batch(self, values: Mapping[str, Any], outputs: Sequence[str], *, method: str = "corrected",
+              threads: int = 0, out: Any = None, progress: ShownProgress = None) -> "BatchResult":
+        """Evaluates the stiffness for many values of some fields.
+
+        Args:
+            values: arrays by the paths of fields [SI unit of the field]; they are broadcast together
+            outputs: names of q outputs, such as "cracked.positive.stiffness"
+            method: "as-printed", "repaired" or "corrected"
+            threads: 1 to 256; 0: as many as the machine has
+            out: array for the numbers, shape (q,) + broadcast shape, float64; None: a new one
+            progress: True for a line of progress, or a function that receives the completed fraction
+
+        Raises:
+            InputError: if a field or an output does not exist
+        """
+        from .batch import batch
+
+        return batch(self, values, outputs, method=method, threads=threads, out=out,
+                     progress=progress)
+
+    def save(self, path: _library.PathLike) -> None:
+        """Writes the text into a file; the tables that it names are not written."""
+        Path(path).write_bytes(self._text.encode("utf-8", "surrogateescape"))
+
+    def _run(self, command: str, options: Mapping[str, Any], texts: Optional[Mapping[str, str]],
+             progress: ShownProgress) -> Any:
+        return run(self, command, options, texts, progress)
+
+    def _key(self) -> tuple[Any, ...]:
+        return (self._text, self._name, tuple(sorted(self._tables.items())))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Drive) and self._key() == other._key()
+
+    def __hash__(self) -> int:
+        """Follows the present text: do not change a drive while it is a key of a dict."""
+        return hash(self._key())
+
+    def copy(self) -> "Drive":
+        """An independent copy."""
+        return self.__copy__()
+
+    def __copy__(self) -> "Drive":
+        made = Drive.__new__(Drive)
+        made.__dict__.update(self.__dict__)  # text and handle never change, they are replaced
+        return made
+
+    def __deepcopy__(self, _memo: dict[int, Any]) -> "Drive":
+        return self.__copy__()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Drive, (self._text, self._name, self._tables))
+
+    def __repr__(self) -> str:
+        return f"<Drive {self._name}>"
+
+
+class Cracks(Sequence["Crack"]):
+    """The cracks of a drive, member after member."""
+
+    def __init__(self, drive: Drive) -> None:
+        self._drive = drive
+
+    def _paths(self) -> list[str]:
+        fields = _library.drive_fields(self._drive._handle)
+        return [f"{member}.crack[{index}]" for member in _MEMBERS
+                for index in range(len(fields.get(member, {}).get("crack", ())))]
+
+    def __len__(self) -> int:
+        return len(self._paths())
+
+    def __getitem__(self, index: Any) -> Any:
+        paths = self._paths()[index]
+        if isinstance(index, slice):
+            return [Crack(self._drive, path) for path in paths]
+        return Crack(self._drive, str(paths))
+
+    def append(self, member: str, **fields: FieldValue) -> "Crack":
+        """Adds a crack, such as `append("output_shaft", kind="annular", depth="2 mm")`.
+
+        Args:
+            member: "wave_generator", "flexspline", "output_shaft", "mesh" or "circular_spline"
+            fields: the fields of the crack
+
+        Raises:
+            InputError: if the drive would break a rule; the drive stays as it was
+        """
+        if member not in _MEMBERS:
+            raise InputError(f"{member} has no cracks; members with cracks are "
+                             f"{', '.join(_MEMBERS)}", path=member)
+        self._drive.edit({f"{member}.crack[+]": fields})
+        count = len(_library.drive_fields(self._drive._handle)[member]["crack"])
+        return Crack(self._drive, f"{member}.crack[{count - 1}]")
+
+    def clear(self) -> None:
+        """Removes all cracks."""
+        self._drive.edit({path: None for path in reversed(self._paths())})
+
+    def __repr__(self) -> str:
+        return f"<Cracks {', '.join(self._paths()) or 'none'}>"
+
+
+class Crack:
+    """One crack of a drive, by its path."""
+
+    def __init__(self, drive: Drive, path: str) -> None:
+        self._drive = drive
+        self._path = path
+
+    @property
+    def path(self) -> str:
+        """Path of the crack, such as "output_shaft.crack[0]"."""
+        return self._path
+
+    def fields(self) -> dict[str, Any]:
+        """The fields of the crack."""
+        given: dict[str, Any] = self._drive[self._path]
+        return given
+
+    def __getitem__(self, name: str) -> Any:
+        return self._drive[f"{self._path}.{name}"]
+
+    def __setitem__(self, name: str, value: FieldValue) -> None:
+        self._drive[f"{self._path}.{name}"] = value
+
+    def __repr__(self) -> str:
+        return f"<Crack {self._path}>"
+
+
+def read(path: _library.PathLike) -> Drive:
+    """Reads a drive from its file, with the tables beside the file that it names.
+
+    Raises:
+        OSError: if the file cannot be read
+        InputError: if the file breaks a rule
+    """
+    return Drive._read(Path(path))
+
+
+def parse(text: str, name: str = "drive.toml",
+          tables: Optional[Mapping[str, str]] = None) -> Drive:
+    """Reads a drive from TOML text; arguments as of Drive."""
+    return Drive(text, name, tables)
+
+
+def new(*, size: Optional[int] = None, ratio: Optional[float] = None,
+        form: Optional[Literal["cup", "hat"]] = None,
+        length: Optional[Literal["standard", "short", "flat"]] = None,
+        blank: Optional[Literal["ratio", "size"]] = None) -> Drive:
+    """A drive to start from: the commented example, or typical proportions of a size.
+
+    Args:
+        size: size in the catalogue; None: the commented example
+        ratio: ratio of the typical drive, 30 to 320
+        form: flexspline of the typical drive: cup, or silk hat with the diaphragm outward
+        length: length class of its flexspline
+        blank: walls made for the wave of this ratio, or of ratio 100 for all ratios of a size
+
+    Raises:
+        OptionError: if no catalogue has the size
+    """
+    return Drive(_new(size=size, ratio=ratio, form=form, length=length, blank=blank).text)
+
+
+_MOST = 1 << 20  # bytes of a drive

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+# Written by tools/write_python.py; change the descriptions in the C++ sources instead.
+"""The classes of the results, one module for each command."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from . import (
+        accuracy as accuracy,
+        audit as audit,
+        backbone as backbone,
+        calibrate as calibrate,
+        catalogue as catalogue,
+        diff as diff,
+        duty as duty,
+        explain as explain,
+        frf as frf,
+        grow as grow,
+        life as life,
+        material_list as material_list,
+        material_show as material_show,
+        modes as modes,
+        new as new,
+        oval as oval,
+        report as report,
+        require as require,
+        schema as schema,
+        sensitivity as sensitivity,
+        sif_eval as sif_eval,
+        sif_list as sif_list,
+        sif_plot as sif_plot,
+        sif_show as sif_show,
+        simulate as simulate,
+        solve as solve,
+        stiffness as stiffness,
+        sweep as sweep,
+        torsion as torsion,
+        transmission as transmission,
+        turn as turn,
+        units as units,
+        validate as validate,
+    )

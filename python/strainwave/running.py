@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Running commands: options, the texts that they name, and progress."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
+
+import numpy as np
+
+from . import _library
+from .answers import Quantity
+
+if TYPE_CHECKING:
+    from .drive import Drive
+
+#: An option that is text; a path is read, a drive is handed over, a quantity is spelled.
+Named = Union[str, "os.PathLike[str]", Quantity, "Drive"]
+#: True for a line of progress on standard error, or a function that receives the completed
+#: fraction, 0 to 1.
+ShownProgress = Union[bool, _library.Progress, None]
+
+MAX_SHOWN = 40  # characters of a bar
+
+
+def spelled(value: Union[Quantity, float]) -> str:
+    """A quantity as the files of drives spell it, with all digits: "0.002 m"."""
+    if not isinstance(value, Quantity):
+        return repr(float(value))
+    digits = repr(value.value)
+    return digits if value.unit in ("1", "") else f"{digits} {value.unit}"
+
+
+def shown_progress(progress: ShownProgress) -> Optional[_library.Progress]:
+    """The function that receives the completed fraction."""
+    if progress is None or progress is False:
+        return None
+    if progress is True:
+        return _bar
+    return progress
+
+
+def _bar(fraction: float) -> None:
+    done = round(MAX_SHOWN * fraction)
+    sys.stderr.write(f"\r[{'#' * done}{'.' * (MAX_SHOWN - done)}] {100 * fraction:5.1f} %")
+    if fraction >= 1:
+        sys.stderr.write("\n")
+    sys.stderr.flush()
+
+
+def _option(value: Any, texts: dict[str, str]) -> Any:
+    """An option as JSON takes it.  A file or a drive that it names is added to the texts."""
+    from .drive import Drive
+
+    if isinstance(value, Drive):
+        name = value.name
+        while texts.setdefault(name, value.text) != value.text:
+            name += "'"
+        return name
+    if isinstance(value, Quantity):
+        return spelled(value)
+    if isinstance(value, os.PathLike):
+        name = os.fspath(value)
+        texts[name] = Path(name).read_bytes().decode("utf-8", "surrogateescape")
+        return name
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, (list, tuple)):
+        return [_option(one, texts) for one in value]
+    return value
+
+
+def run(drive: Optional["Drive"], command: str, options: Mapping[str, Any],
+        texts: Optional[Mapping[str, str]], progress: ShownProgress) -> Any:
+    """Runs a command.
+
+    Args:
+        drive: None for a command without a drive
+        command: name of the command, such as "sif eval"
+        options: by their names; None leaves an option at its default
+
+    Returns:
+        the result, an object of the class in `strainwave.results`
+    """
+    attached = dict(texts or {})
+    given = {name: _option(value, attached) for name, value in options.items() if value is not None}
+    try:
+        document = json.dumps(given, allow_nan=False)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{command}: an option must be text, a finite number, a truth value or a "
+                        f"list of texts: {error}") from None
+    call = Call(None if drive is None else drive.copy(), command, document, attached)
+    word = command.replace(" ", "_")
+    module = importlib.import_module(f"{__package__}.results.{word}")
+    kind = getattr(module, "".join(part.capitalize() for part in command.split()) + "Result")
+    return kind._from(call(shown_progress(progress)), call)
+
+
+@dataclass(frozen=True)
+class Call:
+    """A command with its input, which can be run again: a result that was pickled or copied makes
+    its documents so."""
+
+    drive: Optional["Drive"]
+    command: str
+    options: str  #: JSON
+    texts: Mapping[str, str]
+
+    def __call__(self, progress: Optional[_library.Progress] = None) -> _library.Handle:
+        handle = None if self.drive is None else self.drive._handle
+        return _library.run(handle, self.command, self.options, self.texts, progress)

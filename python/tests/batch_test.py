@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many evaluations of one drive."""
+
+import unittest
+
+import numpy as np
+import strainwave as sw
+from support import EXAMPLES, main
+
+OUTPUTS = ("cracked.positive.stiffness", "intact.stiffness")
+
+
+def size25():
+    return sw.read(EXAMPLES / "cracked_size25.toml")
+
+
+class Batch(unittest.TestCase):
+    def test_identity_each_row_is_a_single_evaluation(self):
+        depths = np.linspace(0.5e-3, 5e-3, 7)
+        rows = size25().batch({"output_shaft.crack[0].depth": depths}, OUTPUTS)
+        for depth, stiffness in zip(depths, rows["cracked.positive.stiffness"]):
+            drive = size25()
+            drive["output_shaft.crack[0].depth"] = depth
+            self.assertEqual(drive.stiffness().cracked.positive.stiffness.value, stiffness)
+        self.assertTrue(rows.ok.all())
+
+    def test_identity_the_number_of_threads_changes_no_bit(self):
+        depths = np.linspace(0.5e-3, 5e-3, 100)
+        first = size25().batch({"output_shaft.crack[0].depth": depths}, OUTPUTS, threads=1)
+        for threads in (0, 2, 7):
+            rows = size25().batch({"output_shaft.crack[0].depth": depths}, OUTPUTS, threads=threads)
+            np.testing.assert_array_equal(rows.numbers, first.numbers)
+
+    def test_behaviour_values_are_broadcast(self):
+        rows = size25().batch({"output_shaft.crack[0].depth": np.linspace(1e-3, 2e-3, 3),
+                               "load.torque": np.array([[10.0], [20.0]])}, OUTPUTS)
+        self.assertEqual((rows.numbers.shape, rows.codes.shape), ((2, 2, 3), (2, 3)))
+        self.assertEqual(rows.inputs["load.torque"].shape, (2, 3))
+        single = size25().batch({"load.torque": 10.0}, OUTPUTS)
+        self.assertEqual(single["intact.stiffness"].shape, ())
+
+    def test_behaviour_kinds_of_arrays(self):
+        torque = np.array([10, 20, 30, 40])
+        want = size25().batch({"load.torque": torque.astype(float)}, OUTPUTS).numbers
+        strided = np.zeros(8)
+        strided[::2] = torque
+        locked = torque.astype(float)
+        locked.setflags(write=False)
+        for given in (torque, list(torque), tuple(torque), torque.astype(np.float32), strided[::2],
+                      torque.astype(">f8"), locked, torque.astype(np.uint8),
+                      np.asfortranarray(torque)[::-1][::-1]):
+            np.testing.assert_array_equal(size25().batch({"load.torque": given}, OUTPUTS).numbers,
+                                          want)
+
+    def test_behaviour_refused_rows(self):
+        rows = size25().batch({"output_shaft.crack[0].depth": [1e-3, -1e-3, 2e-3, np.nan]}, OUTPUTS)
+        self.assertEqual(list(rows.codes), [0, 1, 0, 1])
+        self.assertEqual(list(rows.ok), [True, False, True, False])
+        self.assertTrue(np.isnan(rows.numbers[:, 1]).all())
+        self.assertIn("violates: > 0", rows.faults["refused"])
+
+    def test_behaviour_numbers_that_may_not_be_used_are_not_given(self):
+        rows = sw.read(EXAMPLES / "article.toml").batch(
+            {"output_shaft.crack[0].depth": [1e-4, 11e-3]}, ["cracked.positive.stiffness"])
+        self.assertEqual([sw.ROW_CODES[code] for code in rows.codes], ["ok", "not-usable"])
+        self.assertTrue(np.isnan(rows.numbers[0, 1]))
+        self.assertIn("a/t = 0.88", rows.faults["not-usable"])
+
+    def test_limit_no_rows_and_many_rows(self):
+        empty = size25().batch({"load.torque": np.zeros((0, 3))}, OUTPUTS)
+        self.assertEqual(empty.numbers.shape, (2, 0, 3))
+        many = sw.read(EXAMPLES / "solid_shaft.toml").batch(
+            {"load.torque": np.linspace(1, 2, 20000)}, ["intact.stiffness"], threads=2)
+        self.assertTrue(many.ok.all())
+        self.assertEqual(len(set(many["intact.stiffness"])), 1)  # a shaft is linear
+
+    def test_behaviour_numbers_go_to_a_given_array(self):
+        out = np.full((2, 3), -1.0)
+        rows = size25().batch({"load.torque": [1.0, 2.0, 3.0]}, OUTPUTS, out=out)
+        self.assertIs(rows.numbers, out)
+        self.assertTrue((out > 0).all())
+        wide = np.full((2, 6), -1.0)
+        size25().batch({"load.torque": [1.0, 2.0, 3.0]}, OUTPUTS, out=wide[:, ::2])
+        np.testing.assert_array_equal(wide[:, ::2], out)
+        for wrong in (np.zeros((3, 2)), np.zeros((2, 3), np.float32), np.zeros((2, 3), ">f8"),
+                      [[0.0] * 3] * 2):
+            with self.assertRaises(sw.InputError):
+                size25().batch({"load.torque": [1.0, 2.0, 3.0]}, OUTPUTS, out=wrong)
+        out.setflags(write=False)
+        with self.assertRaises(sw.InputError):
+            size25().batch({"load.torque": [1.0, 2.0, 3.0]}, OUTPUTS, out=out)
+
+    def test_input_each_rule_broken_once(self):
+        drive, torque = size25(), "load.torque"
+        for values, outputs, options in (
+                ({"load.torq": [1.0]}, OUTPUTS, {}), ({torque: [1.0]}, ["cracked.stiffnes"], {}),
+                ({torque: [1.0]}, OUTPUTS, {"method": "best"}),
+                ({torque: [1.0]}, OUTPUTS, {"threads": 257}),
+                ({torque: [1.0]}, OUTPUTS, {"threads": -1}),
+                ({torque: [1.0]}, OUTPUTS, {"threads": 1 << 40}),
+                ({torque: ["1 N*m"]}, OUTPUTS, {}), ({torque: [True]}, OUTPUTS, {}),
+                ({torque: [1j]}, OUTPUTS, {}), ({torque: [None]}, OUTPUTS, {}),
+                ({torque: [[1.0], [1.0, 2.0]]}, OUTPUTS, {}),
+                ({torque: [1.0, 2.0], "drive.ratio": [1.0, 2.0, 3.0]}, OUTPUTS, {}),
+                ({torque: [1.0]}, OUTPUTS + OUTPUTS, {})):
+            with self.assertRaises(sw.InputError, msg=f"{values} {outputs} {options}") as caught:
+                drive.batch(values, outputs, **options)
+            self.assertGreater(len(str(caught.exception)), 15)
+        with self.assertRaises(TypeError):
+            drive.batch({torque: [1.0]}, OUTPUTS, threads=1.5)
+        with self.assertRaises(KeyError):
+            drive.batch({torque: [1.0]}, OUTPUTS)["cracked.negative.stiffness"]
+
+    def test_behaviour_progress(self):
+        told = []
+        size25().batch({"load.torque": np.linspace(1, 2, 2000)}, OUTPUTS, threads=1,
+                       progress=told.append)
+        self.assertEqual(told[-1], 1.0)
+        self.assertEqual(told, sorted(told))
+
+    def test_behaviour_a_progress_function_stops_by_an_exception(self):
+        class Enough(Exception):
+            pass
+
+        def stop(_fraction):
+            raise Enough
+
+        with self.assertRaises(Enough):
+            size25().batch({"load.torque": np.linspace(1, 2, 100000)}, OUTPUTS, progress=stop)
+        with self.assertRaises(Enough):
+            sw.read(EXAMPLES / "catalogue_size25.toml").torsion(compare=True, progress=stop)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The package as a whole: its written files, its types, its wheel."""
+
+import ast
+import importlib.util
+import inspect
+import os
+import re
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+import strainwave as sw
+from strainwave import _commands, _library
+from support import EXAMPLES, ROOT, main, missing, python
+
+PACKAGE = ROOT / "python" / "strainwave"
+TYPING = Path(__file__).resolve().parent / "typing"
+
+
+class Written(unittest.TestCase):
+    def test_identity_the_written_files_are_those_of_the_library(self):
+        checked = subprocess.run([sys.executable, str(ROOT / "tools" / "write_python.py"), "--check"],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+    def test_identity_every_public_name_is_there_and_documented(self):
+        for name in sw.__all__:
+            value = getattr(sw, name)
+            if not name.startswith("_") and not isinstance(value, (str, tuple)):
+                self.assertTrue(inspect.getdoc(value), name)
+
+    def test_identity_the_syntax_is_that_of_python_3_9(self):
+        for file in PACKAGE.rglob("*.py"):
+            ast.parse(file.read_text(), str(file), feature_version=(3, 9))
+
+    def test_identity_new_takes_the_options_of_its_command(self):
+        command = set(inspect.signature(_commands.new).parameters)
+        self.assertEqual(set(inspect.signature(sw.new).parameters), command - {"texts", "progress"})
+
+    def test_identity_the_version_is_that_of_the_sources(self):
+        text = (ROOT / "CMakeLists.txt").read_text()
+        self.assertEqual(sw.__version__,
+                         re.search(r"project\(strainwave VERSION ([0-9.]+)", text).group(1))
+
+    def test_behaviour_a_library_that_is_not_there_is_named(self):
+        for path in ("/no/such/libstrainwave.so", "/dev/null"):
+            ended = python("import strainwave", env={**os.environ, "STRAINWAVE_LIBRARY": path})
+            self.assertEqual(ended.returncode, 1)
+            self.assertIn(f"ImportError: strainwave: cannot load its library {path}", ended.stderr)
+
+    def test_behaviour_optional_packages_are_named(self):
+        ended = python("import sys; sys.modules['pandas'] = None; import strainwave as sw\n"
+                       "try: sw.new().stiffness().to_frame()\n"
+                       "except ImportError as error: print(error)\n"
+                       "try: sw.new().sweep(vary=['load.torque=1 N*m..2 N*m:2']).to_frame()\n"
+                       "except ImportError as error: print(error)")
+        self.assertIn("to_frame() needs pandas", ended.stdout, ended.stderr)
+
+
+@unittest.skipIf(missing("mypy"), missing("mypy"))
+class Types(unittest.TestCase):
+    def mypy(self, *files):
+        return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--no-incremental",
+                               "--no-error-summary", *map(str, files)],
+                              cwd=ROOT, capture_output=True, text=True, check=False).stdout
+
+    def test_identity_package_and_right_uses_are_accepted(self):
+        self.assertEqual(self.mypy(PACKAGE, TYPING / "right.py"), "")
+
+    def test_input_each_wrong_use_is_refused(self):
+        lines = (TYPING / "wrong.py").read_text().splitlines()
+        want = {place for place, line in enumerate(lines, 1) if line.endswith("# wrong")}
+        said = self.mypy(TYPING / "wrong.py")
+        found = {int(line) for line in re.findall(r"wrong\.py:(\d+): error", said)}
+        self.assertEqual(found, want, said)
+
+
+def backend():
+    place = ROOT / "python" / "backend" / "strainwave_backend.py"
+    made = importlib.util.spec_from_file_location("strainwave_backend", place)
+    module = importlib.util.module_from_spec(made)
+    made.loader.exec_module(module)
+    return module
+
+
+class Wheel(unittest.TestCase):
+    """Packs the library of this build; ./check --long also builds the library of a wheel."""
+
+    def test_identity_the_same_bytes_twice(self):
+        settings = {"library": str(_library.library_file())}
+        with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as other:
+            name = backend().build_wheel(one, settings)
+            self.assertEqual(backend().build_wheel(other, settings), name)
+            self.assertEqual(Path(one, name).read_bytes(), Path(other, name).read_bytes())
+            archive = backend().build_sdist(one)
+            backend().build_sdist(other)
+            self.assertEqual(Path(one, archive).read_bytes(), Path(other, archive).read_bytes())
+            with tarfile.open(Path(one, archive)) as packed:
+                names = set(packed.getnames())
+        stem = archive[:-len(".tar.gz")]
+        for needed in ("PKG-INFO", "CMakeLists.txt", "pyproject.toml", "LICENSE",
+                       "python/strainwave/drive.py", "src/c_api/c_api.cpp"):
+            self.assertTrue(f"{stem}/{needed}" in names, needed)
+
+    def test_behaviour_contents_and_tag(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = backend().build_wheel(folder, {"library": str(_library.library_file())})
+            self.assertRegex(name, r"^strainwave-[0-9.]+-py3-none-(manylinux_2_\d+|linux)_\w+\.whl$")
+            with zipfile.ZipFile(Path(folder, name)) as packed:
+                names = packed.namelist()
+                info = f"strainwave-{sw.__version__}.dist-info"
+                record = packed.read(f"{info}/RECORD").decode()
+                metadata = packed.read(f"{info}/METADATA").decode()
+        modules = {f"strainwave/{path.relative_to(PACKAGE)}" for path in PACKAGE.rglob("*.py")}
+        self.assertLessEqual(modules | {"strainwave/py.typed", "strainwave/libstrainwave.so.0",
+                                        f"{info}/licenses/LICENSE"}, set(names))
+        self.assertEqual({line.split(",")[0] for line in record.splitlines()}, set(names))
+        self.assertIn("Requires-Dist: numpy", metadata)
+
+    def test_behaviour_installed_without_a_network(self):
+        """In a fresh environment whose only other packages are those of the system."""
+        with tempfile.TemporaryDirectory() as folder:
+            wheel = backend().build_wheel(folder, {"library": str(_library.library_file())})
+            environment = Path(folder, "v")
+            subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", environment],
+                           check=True, capture_output=True)
+            clean = {name: value for name, value in os.environ.items()
+                     if name not in ("PYTHONPATH", "STRAINWAVE_LIBRARY")}
+            subprocess.run([environment / "bin" / "pip", "install", "--no-index", "--quiet",
+                            Path(folder, wheel)], check=True, env=clean, capture_output=True)
+            said = subprocess.run(
+                [environment / "bin" / "python", "-c",
+                 "import sys, strainwave as sw; print(sw.__file__); "
+                 "print(sw.read(sys.argv[1]).stiffness().intact.stiffness.value)",
+                 EXAMPLES / "article.toml"], check=True, env=clean, cwd=folder, text=True,
+                capture_output=True).stdout.splitlines()
+        self.assertTrue(said[0].startswith(str(environment)))
+        self.assertEqual(float(said[1]),
+                         sw.read(EXAMPLES / "article.toml").stiffness().intact.stiffness.value)
+
+
+if __name__ == "__main__":
+    main()

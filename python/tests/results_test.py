@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Results: quantities, arrays, evidence, documents, frames."""
+
+import copy
+import dataclasses
+import json
+import math
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import strainwave as sw
+from strainwave import answers
+from support import EXAMPLES, main, missing
+
+
+def read(name):
+    return sw.read(EXAMPLES / f"{name}.toml")
+
+
+class Quantities(unittest.TestCase):
+    def test_behaviour_digits_follow_the_accuracy(self):
+        for value, uncertainty, shown in ((72811.46, 0.3, "7.3e+04 m"), (72811.46, 0.05, "7.28e+04 m"),
+                                          (72811.46, 0.001, "7.281e+04 m"), (72811.46, None, "72811.5 m"),
+                                          (1 / 3, 1e-30, "0.333333333333 m"), (0.0, 0.1, "0 m"),
+                                          (math.nan, None, "nan m"), (-0.5, 0.2, "-0.5 m")):
+            self.assertEqual(str(sw.Quantity(value, "m", uncertainty)), shown)
+        self.assertEqual(str(sw.Quantity(2, "1")), "2")
+
+    def test_behaviour_arithmetic_gives_numbers(self):
+        two, three = sw.Quantity(2, "m", 0.1), sw.Quantity(3, "m")
+        self.assertEqual((two + three, two - 1, 1 - two, two * three, 6 / three, three / two, -two,
+                          abs(sw.Quantity(-2, "m")), 1 + two, 2 * two), (5, 1, -1, 6, 2, 1.5, -2, 2, 3, 4))
+        self.assertTrue(two < three and three > two and two <= 2 and two >= 2 and two == 2)
+        self.assertEqual((two.uncertainty, three.uncertainty), (0.2, None))
+        self.assertEqual(f"{two:.2f} {two}", "2.00 2 m")
+        self.assertEqual(np.sqrt(sw.Quantity(9, "m")), 3)
+        self.assertEqual(len({two, sw.Quantity(2, "m", 0.1), three}), 2)
+        self.assertNotEqual(two, sw.Quantity(2, "mm", 0.1))
+        self.assertNotEqual(two, "2 m")
+
+    def test_behaviour_an_unusable_result_refuses_its_numbers(self):
+        number = answers.quantity({"value": 5.0, "unit": "m"}, "it did not converge")
+        for use in (float, lambda q: q.value, lambda q: q + 1, lambda q: q < 3, np.asarray, abs):
+            with self.assertRaisesRegex(sw.NotUsable, "it did not converge"):
+                use(number)
+        self.assertEqual(str(number), "not usable: it did not converge")
+
+
+class Results(unittest.TestCase):
+    def test_identity_numbers_are_those_of_the_document(self):
+        answer = read("cracked_size25").stiffness()
+        document = json.loads(answer.document("json"))
+        self.assertEqual(answer.envelope(), document)
+        self.assertEqual(answer.to_dict(), document["result"])
+        stated = document["result"]["cracked"]["positive"]["stiffness"]
+        self.assertEqual((answer.cracked.positive.stiffness.value,
+                          answer.cracked.positive.stiffness.unit), (stated["value"], "N*m/rad"))
+        self.assertEqual([note.code for note in answer.notes],
+                         [note["code"] for note in document["notes"]])
+        self.assertEqual(answer.equations, tuple(document["equations"]))
+        self.assertEqual(answer.verdict.reason, document["verdict"]["reason"])
+        self.assertEqual(answer.accuracies[0].path, document["accuracies"][0]["path"])
+        self.assertEqual(answer.provenance, document["provenance"])
+
+    def test_behaviour_an_unusable_answer_shows_that_first(self):
+        drive = read("article")
+        drive["output_shaft.crack[0].depth"] = "11 mm"  # leaves too little of the shaft
+        answer = drive.stiffness()
+        self.assertFalse(answer.usable)
+        self.assertIn("a/t = 0.88", answer.unusable_because)
+        self.assertIn("not usable: output_shaft.crack[0]", repr(answer))
+        self.assertIn("not usable", str(answer.cracked.positive.stiffness))
+        self.assertTrue(answer._repr_html_().startswith("<p><strong>The numbers must not be used"))
+        with self.assertRaises(sw.NotUsable):
+            float(answer.cracked.positive.stiffness)
+        self.assertGreater(answer.to_dict()["cracked"]["positive"]["stiffness"]["value"], 0)
+
+    def test_behaviour_results_are_frozen(self):
+        answer = read("article").stiffness()
+        with self.assertRaises(dataclasses.FrozenInstanceError):
+            answer.method = "repaired"
+        with self.assertRaises(dataclasses.FrozenInstanceError):
+            answer.cracked.positive.stiffness = 3
+        curve = read("catalogue_size25").torsion()
+        with self.assertRaises(ValueError):
+            curve.curve.points.torque[0] = 1
+        given = answer.to_dict()
+        given["method"] = "changed"
+        self.assertEqual(answer.method, "corrected")
+
+    def test_behaviour_arrays_have_units(self):
+        answer = read("catalogue_size25").torsion()
+        points = answer.curve.points
+        self.assertEqual(points.torque.dtype, np.float64)
+        self.assertEqual(points.unit_of("torque"), "N*m")
+        self.assertEqual(points.unit_of("twist"), "rad")
+        self.assertEqual(len(points.torque), len(points.twist))
+        self.assertEqual(answer.positive.unit_of("K1"), "N*m/rad")
+
+    def test_behaviour_pickled_and_copied_results_make_their_documents(self):
+        answer = read("article").stiffness()
+        for again in (pickle.loads(pickle.dumps(answer)), copy.copy(answer), copy.deepcopy(answer)):
+            self.assertEqual(again, answer)
+            self.assertEqual(again.document("text"), answer.document("text"))
+        drive = read("article")
+        answer = drive.stiffness()
+        stored = pickle.dumps(answer)
+        drive["load.torque"] = "1 N*m"
+        self.assertEqual(pickle.loads(stored).document("json"), answer.document("json"))
+
+    def test_behaviour_documents(self):
+        answer = read("catalogue_size25").torsion()
+        self.assertIn("plot", answer.documents)
+        self.assertTrue(answer.svg().startswith("<svg") or "<svg" in answer.svg())
+        self.assertEqual(str(answer), answer.document("text"))
+        with tempfile.TemporaryDirectory() as folder:
+            for name, start in (("a.json", "{"), ("a.csv", ""), ("a.txt", ""), ("a.svg", "<")):
+                answer.save(Path(folder, name))
+                self.assertTrue(Path(folder, name).read_text().startswith(start))
+            answer.save(Path(folder, "other.dat"), "json")
+            self.assertEqual(Path(folder, "other.dat").read_text(), answer.document("json"))
+            with self.assertRaisesRegex(ValueError, "json, text, csv, plot"):
+                answer.save(Path(folder, "a.png"))
+        with self.assertRaises(sw.OptionError):
+            answer.document("picture")
+        with self.assertRaises(ValueError):
+            sw.audit().svg()
+
+    def test_behaviour_libraries(self):
+        self.assertIn("17-4PH H900", sw.materials)
+        self.assertEqual(float(sw.materials["17-4PH H900"].material[0].yield_strength.value), 1.17e9)
+        self.assertEqual(len(list(sw.materials)), len(sw.materials))
+        with self.assertRaises(KeyError):
+            sw.materials["unobtainium"]
+        with self.assertRaises(KeyError):
+            sw.sif["no-such-solution"]
+        self.assertNotIn("no-such-solution", sw.sif)
+        self.assertIn("tube-through-inclined", sw.sif)
+        tube = sw.sif["tube-through-inclined"]
+        texts = tube(half_length="4 mm", torque="100 N*m")
+        numbers = tube(half_length=4e-3, torque=sw.Quantity(100, "N*m"))
+        self.assertEqual(texts.largest, numbers.largest)
+        self.assertEqual(texts.largest.unit_of("K_I"), "Pa*m^0.5")
+        with self.assertRaises(sw.InputError):
+            tube(half_lenght="4 mm")
+        self.assertEqual(tube.show().name, "tube-through-inclined")
+
+    def test_behaviour_a_file_and_a_drive_as_options(self):
+        counted = sw.duty(rainflow=EXAMPLES / "joint_history.csv", column="torque")
+        self.assertGreater(counted.history.points, 0)
+        changed = read("article")
+        changed["load.torque"] = "1 N*m"
+        difference = sw.diff(read("article"), changed)
+        self.assertIn("load.torque", difference.document("text"))
+        with self.assertRaises(FileNotFoundError):
+            sw.duty(rainflow=Path("no_such_history.csv"))
+
+    def test_behaviour_texts_that_options_name(self):
+        text = (EXAMPLES / "joint_history.csv").read_text()
+        given = sw.duty(rainflow="mine.csv", column="torque", texts={"mine.csv": text})
+        same = sw.duty(rainflow=EXAMPLES / "joint_history.csv", column="torque")
+        self.assertEqual(given.history.points, same.history.points)
+        with self.assertRaises(sw.OptionError):
+            sw.duty(rainflow="mine.csv", column="torque")
+
+
+@unittest.skipIf(missing("pandas"), missing("pandas"))
+class Frames(unittest.TestCase):
+    def test_identity_the_table_of_a_sweep(self):
+        answer = read("article").sweep(vary=["load.torque=10 N*m..50 N*m:5"])
+        frame = answer.to_frame()
+        self.assertEqual(list(frame["load.torque"]), [10, 20, 30, 40, 50])
+        self.assertEqual(frame.attrs["units"]["load.torque"], "N*m")
+        self.assertEqual(len(frame), 5)
+
+    def test_behaviour_arrays_of_a_part(self):
+        points = read("catalogue_size25").torsion().curve.points
+        frame = points.to_frame()
+        self.assertEqual(frame.attrs["units"]["torque"], "N*m")
+        np.testing.assert_array_equal(frame["twist"], points.twist)
+
+    def test_behaviour_what_has_no_table(self):
+        with self.assertRaises(ValueError):
+            read("article").stiffness().cracked.to_frame()
+        with self.assertRaises(ValueError):
+            sw.explain("load.torque").to_frame()
+
+    def test_behaviour_rows_of_a_batch(self):
+        frame = read("article").batch({"load.torque": [10.0, -1e9]}, ["intact.stiffness"]).to_frame()
+        self.assertEqual(list(frame.columns), ["load.torque", "intact.stiffness", "outcome"])
+
+
+if __name__ == "__main__":
+    main()

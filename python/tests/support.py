@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Paths and helpers of the tests.  ctest sets PYTHONPATH, STRAINWAVE_LIBRARY and STRAINWAVE_CLI."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
+DATA = ROOT / "tests" / "data"
+CLI = os.environ.get("STRAINWAVE_CLI", str(ROOT / "build" / "release" / "apps" / "cli" / "strainwave"))
+
+
+def trials():
+    """Options of each command that show its result at little cost: pairs of command and JSON."""
+    lines = (DATA / "command_trials.txt").read_text().splitlines()
+    return [re.match(r"([a-z ]+) (\{.*)", line).groups() for line in lines
+            if line and not line.startswith("#")]
+
+
+def python(code, *arguments, **options):
+    """Runs a program in another interpreter."""
+    return subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True,
+                          timeout=120, check=False, **options)
+
+
+def missing(module):
+    """Reason to skip a test that needs an optional module; empty if the module is there."""
+    try:
+        __import__(module)
+    except ImportError:
+        return f"{module} is not installed"
+    return ""
+
+
+main = unittest.main

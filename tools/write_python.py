@@ -1,0 +1,334 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the modules of the Python package that follow from the table of commands: the functions
+and methods (python/strainwave/_commands.py) and the classes of the results
+(python/strainwave/results/).
+
+    STRAINWAVE_LIBRARY=build/release/libstrainwave.so tools/write_python.py           write
+    STRAINWAVE_LIBRARY=build/release/libstrainwave.so tools/write_python.py --check   compare only
+
+Names, units and descriptions come from the library, so that the package cannot drift from it.
+"""
+
+import difflib
+import json
+import keyword
+import pathlib
+import re
+import sys
+import textwrap
+import types
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "python" / "strainwave"
+sys.dont_write_bytecode = True
+# The package without its __init__, which imports what this program writes.
+sys.modules["strainwave"] = types.ModuleType("strainwave")
+sys.modules["strainwave"].__path__ = [str(PACKAGE)]
+
+from strainwave import _library  # noqa: E402
+from strainwave.answers import Part, Result  # noqa: E402
+
+HEAD = '''# SPDX-License-Identifier: Apache-2.0
+# Written by tools/write_python.py; change the descriptions in the C++ sources instead.
+"""{doc}"""
+'''
+ENVELOPE = ("format", "command", "usable", "unusable_because", "verdict", "notes", "equations",
+            "accuracies", "result", "provenance")
+# A field with the name of a member of its class, and a reserved word, get an underscore at the end.
+TAKEN_OF_PART = {name for name in dir(Part) if not name.startswith("_")}
+TAKEN = {name for name in dir(Result) if not name.startswith("_")} | set(ENVELOPE)
+
+
+def schema(of, command):
+    answer = _library.run(None, "schema", json.dumps({"of": of, "command": command}), {})
+    return json.loads(json.loads(_library.document(answer, "json"))["result"]["schema"])
+
+
+def identifier(name):
+    spelled = re.sub(r"\W", "_", name)
+    return spelled + "_" if keyword.iskeyword(spelled) else spelled
+
+
+def camel(name):
+    return "".join(word[:1].upper() + word[1:] for word in re.split(r"[\W_]+", name))
+
+
+def sentence(text):
+    """A description as a sentence of a docstring."""
+    spelled = text.replace("\\", "\\\\").replace('"""', "'''")
+    return spelled + " " if spelled.endswith('"') else spelled
+
+
+def wrapped(text, indent, first=""):
+    return "\n".join(textwrap.wrap(text, 100 - len(indent) if not first else 100,
+                                   initial_indent=first or indent, subsequent_indent=indent,
+                                   break_on_hyphens=False, break_long_words=False))
+
+
+def listed(before, parts, after, indent):
+    """Code with a list that is wrapped between its parts only."""
+    text = before + ", ".join(part.replace(" ", "\0") for part in parts) + after.replace(" ", "\0")
+    inner = " " * len(before)
+    first, *rest = text.split("\n")
+    return wrapped(first.replace(before, before.replace(" ", "\0"), 1), inner,
+                   indent or "\0").replace("\0", " ")[0 if indent else 1:]
+
+
+def structure(node):
+    """What two objects of the same class have in common."""
+    return json.dumps(node["properties"], sort_keys=True)
+
+
+class ResultModule:
+    """The classes of the result of one command."""
+
+    def __init__(self, command):
+        self.command = command["name"]
+        self.documents = command["documents"]
+        self.names = {}  # structure of an object -> name of its class
+        self.keys = {}  # structure of an object -> names of the fields that have it
+        self.written = []  # classes, parts before wholes
+        self.used = set()
+        self.root = camel(self.command) + "Result"
+        result = schema("result", self.command)["properties"]["result"]
+        self.collect(result, self.root)
+        self.object(result, (self.root,))
+
+    def collect(self, node, key):
+        """Notes which fields have the same structure."""
+        if "properties" in node:
+            self.keys.setdefault(structure(node), []).append(key)
+            for field, part in node["properties"].items():
+                self.collect(part, field)
+        elif "items" in node:
+            self.collect(node["items"], key)
+
+    def class_name(self, node, path):
+        """Named after the field; a structure of several fields is named after what contains them."""
+        path = (self.command,) + path[1:]
+        if len(set(self.keys[structure(node)])) > 1:
+            path = path[:-2] + (path[-2] + "_part",)
+        for depth in range(1, len(path) + 1):
+            name = "".join(camel(key) for key in path[-depth:])
+            if name not in self.names.values() and name != self.root and name not in RESERVED:
+                return name
+        return next(numbered for numbered in (f"{name}{n}" for n in range(2, 100))
+                    if numbered not in self.names.values())
+
+    def value(self, node, path):
+        """Type and converter of a value."""
+        kind = node.get("type")
+        if "oneOf" in node:
+            return "Any", "_to.plain"
+        if "enum" in node:
+            words = ", ".join(json.dumps(word) for word in node["enum"])
+            return f"Literal[{words}]", "_to.plain"
+        if kind == "object":
+            parts = node.get("properties", {})
+            if not parts:
+                return "dict[str, Any]", "_to.plain"
+            if set(parts) <= {"value", "unit", "relative_uncertainty"} and "value" in parts:
+                return "Quantity", "_to.quantity"
+            if set(parts) == {"values", "unit"}:
+                return "FloatArray", "_to.floats"
+            if set(parts) == {"values"}:
+                return "AnyArray", "_to.entries"
+            name = self.object(node, path)
+            return name, f"{name}._of"
+        if kind == "array":
+            inner, convert = self.value(node["items"], path)
+            return f"tuple[{inner}, ...]", f"_to.many({convert})"
+        if kind == ["number", "null"]:
+            return "float", "_to.plain_number"
+        return {"string": "str", "integer": "int", "boolean": "bool",
+                "number": "float"}[kind], "_to.plain"
+
+    def object(self, node, path):
+        """Writes the class of an object unless one of the same structure exists; returns its name."""
+        key = structure(node)
+        if key in self.names:
+            return self.names[key]
+        whole = len(path) == 1
+        name = self.names[key] = self.root if whole else self.class_name(node, path)
+        required = set(node.get("required", ()))
+        fields, table, units, text = [], [], [], []
+        for field, part in node["properties"].items():
+            attribute = identifier(field)
+            if attribute in (TAKEN if whole else TAKEN_OF_PART):
+                attribute += "_"
+            kind, convert = self.value(part, path + (field,))
+            self.used |= set(re.findall(r"\w+", f"{kind} {convert}"))
+            unit = part.get("properties", {}).get("unit", {}).get("const", "")
+            if kind == "FloatArray" and unit:
+                units.append((attribute, unit))
+            if field not in required:
+                kind = f"Optional[{kind}]"
+                self.used.add("Optional")
+            shown = sentence(part.get("description", ""))
+            if unit and unit != "1":
+                shown = f"{shown} [{unit}]".strip()
+            if kind.startswith("Optional") and "if left out" not in shown:
+                shown = f"{shown}; None if absent".lstrip("; ")
+            fields.append((attribute, kind, shown))
+            table.append((field, attribute, convert))
+        doc = sentence(node.get("description", "")) or name
+        text.append(f"@dataclass(frozen=True, eq=False, repr=False)\nclass {name}"
+                    f"({'Result' if whole else 'Part'}):")
+        text.append(wrapped(f'"""{RESULT_DOC.format(self.command) if whole else doc[:1].upper() + doc[1:] + "."}"""',
+                            "    "))
+        text.append("")
+        for attribute, kind, shown in fields:
+            text.append(f"    {attribute}: {kind}")
+            if shown:
+                text.append(wrapped(f'"""{shown}"""', "    "))
+        text.append("")
+        if whole:
+            listed = ", ".join(json.dumps(one) for one in self.documents)
+            text.append(f"    command: ClassVar[str] = {json.dumps(self.command)}")
+            text.append(wrapped(f"documents: ClassVar[tuple[str, ...]] = ({listed},)", "        ", "    "))
+        text.append("    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {")
+        text += [f"        {json.dumps(field)}: ({json.dumps(attribute)}, {convert}),"
+                 for field, attribute, convert in table]
+        text.append("    }")
+        text.append("    _units: ClassVar[dict[str, str]] = {"
+                    + ("\n" + "".join(f"        {json.dumps(a)}: {json.dumps(u)},\n" for a, u in units)
+                       + "    }" if units else "}"))
+        self.written.append("\n".join(text))
+        return name
+
+    def text(self):
+        typing = [name for name in ("Any", "ClassVar", "Literal", "Optional")
+                  if name in self.used | {"ClassVar"}]
+        shared = sorted(({"Converter", "Result"} | {name for name in SHARED if name in self.used}
+                         | ({"Part"} if len(self.written) > 1 else set())))
+        return (HEAD.format(doc=f"The result of the command {self.command}.")
+                + "\nfrom __future__ import annotations\n\nfrom dataclasses import dataclass\n"
+                + f"from typing import {', '.join(typing)}\n\n"
+                + "from .. import answers as _to\n"
+                + wrapped(f"from ..answers import {', '.join(shared)}", "                       ",
+                          " ").lstrip() + "\n\n\n"
+                + "\n\n\n".join(self.written) + "\n")
+
+
+SHARED = ("AnyArray", "FloatArray", "Part", "Quantity")
+RESERVED = set(SHARED) | {"Any", "ClassVar", "Literal", "Optional", "Result", "Converter"}
+RESULT_DOC = "What `{}` answers."
+
+
+def option_type(option):
+    if "enum" in option:
+        return f"Literal[{', '.join(json.dumps(word) for word in option['enum'])}]"
+    if option["type"] == "array":
+        return "Sequence[Named]"
+    return {"boolean": "bool", "integer": "int", "number": "float", "string": "Named"}[option["type"]]
+
+
+def function(command, method):
+    """The function of a command, or its method of Drive."""
+    options = schema("options", command["name"])
+    required = options["required"]
+    name = identifier(command["name"].replace(" ", "_"))
+    result = camel(command["name"]) + "Result"
+    module = identifier(command["name"].replace(" ", "_"))
+    spelt = []
+    for option, about in sorted(options["properties"].items(), key=lambda one: one[0] not in required):
+        kind = option_type(about)
+        spelt.append((identifier(option), option, kind if option in required else f"Optional[{kind}]",
+                       "" if option in required else " = None", about["description"]))
+    first = [f"{spelled}: {kind}" for spelled, option, kind, _, _ in spelt if option in required]
+    rest = [f"{spelled}: {kind}{fallback}"
+            for spelled, option, kind, fallback, _ in spelt if option not in required]
+    rest += ["texts: Optional[Mapping[str, str]] = None", "progress: ShownProgress = None"]
+    indent = "    " if method else ""
+    head = listed(f"{indent}def {name}(", (["self"] if method else []) + first + ["*"] + rest,
+                  f") -> results.{module}.{result}:", "")
+    doc = [f'{indent}    """{sentence(command["summary"])}.', "", f"{indent}    Args:"]
+    for spelled, _, _, _, about in spelt:
+        doc.append(wrapped(f"{spelled}: {sentence(about)}", indent + " " * 12, indent + " " * 8))
+    doc.append(wrapped("texts: texts that options name, by their names; an option may also be a "
+                       "pathlib.Path, whose file is read", indent + " " * 12, indent + " " * 8))
+    doc.append(wrapped("progress: True for a line of progress, or a function that receives the "
+                       "completed fraction", indent + " " * 12, indent + " " * 8))
+    doc.append(f'{indent}    """')
+    runner = "self._run(" if method else "run(None, "
+    given = listed("given: dict[str, Any] = {", [f"{json.dumps(option)}: {spelled}"
+                                                 for spelled, option, _, _, _ in spelt], "}", "")
+    body = [textwrap.indent(f'{given}\nanswer: results.{module}.{result} = '
+                            f'{runner}"{command["name"]}", given, texts, progress)\nreturn answer',
+                            indent + "    ")]
+    return "\n".join([head, *doc, *body])
+
+
+def commands_text(commands):
+    text = [HEAD.format(doc="The commands, as functions and as methods of Drive.")
+            + '''
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional, Sequence
+
+from .running import Named, ShownProgress, run
+
+if TYPE_CHECKING:
+    from . import results
+''']
+    functions = [command for command in commands if command["takes"] != "drive"]
+    methods = [command for command in commands if command["takes"] != "nothing"]
+    names = [identifier(command["name"].replace(" ", "_")) for command in functions
+             if command["name"] != "new"]  # drive.new gives a drive
+    text.append("__all__ = [\n" + "".join(f'    "{name}",\n' for name in ["DriveCommands"] + names) + "]\n")
+    for command in functions:
+        text.append("\n" + function(command, False) + "\n")
+    text.append('''
+class DriveCommands:
+    """The commands that take a drive."""
+
+    def _run(self, command: str, options: Mapping[str, Any], texts: Optional[Mapping[str, str]],
+             progress: ShownProgress) -> Any:
+        raise NotImplementedError
+''')
+    for command in methods:
+        text.append(function(command, True) + "\n")
+    return "\n".join(text)
+
+
+def written():
+    """All files by their paths."""
+    commands = _library.commands()
+    files = {PACKAGE / "_commands.py": commands_text(commands)}
+    for command in commands:
+        name = identifier(command["name"].replace(" ", "_"))
+        files[PACKAGE / "results" / f"{name}.py"] = ResultModule(command).text()
+    listed = sorted(path.stem for path in files if path.parent.name == "results")
+    files[PACKAGE / "results" / "__init__.py"] = (
+        HEAD.format(doc="The classes of the results, one module for each command.")
+        + "\nfrom typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    from . import (\n"
+        + "".join(f"        {name} as {name},\n" for name in listed) + "    )\n")
+    return files
+
+
+def main():
+    if sys.argv[1:] not in ([], ["--check"]):
+        sys.exit(__doc__)
+    files = written()
+    stale = [path for path in (PACKAGE / "results").glob("*.py") if path not in files]
+    if sys.argv[1:] == ["--check"]:
+        wrong = [path for path, text in files.items() if not path.exists() or path.read_text() != text]
+        for path in wrong[:1]:
+            old = path.read_text().splitlines() if path.exists() else []
+            print("\n".join(list(difflib.unified_diff(old, files[path].splitlines(), "in the tree",
+                                                     "from the library", lineterm=""))[:40]))
+        if wrong or stale:
+            sys.exit("These files differ from what the library describes: "
+                     + ", ".join(str(path.relative_to(ROOT)) for path in wrong + stale)
+                     + ". Run tools/write_python.py without --check.")
+        return
+    (PACKAGE / "results").mkdir(exist_ok=True)
+    for path, text in files.items():
+        path.write_text(text)
+    for path in stale:
+        path.unlink()
+
+
+if __name__ == "__main__":
+    main()
