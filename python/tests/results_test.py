@@ -78,6 +78,15 @@ class Results(unittest.TestCase):
             float(answer.cracked.positive.stiffness)
         self.assertGreater(answer.to_dict()["cracked"]["positive"]["stiffness"]["value"], 0)
 
+    def test_identity_numbers_without_a_unit_beside_them(self):
+        audit = sw.audit()
+        stated = audit.to_dict()["rows"]
+        self.assertEqual(len(audit.rows), len(stated))
+        self.assertEqual([row.corrected for row in audit.rows],
+                         [given.get("corrected") for given in stated])
+        self.assertGreater(sum(row.corrected is not None for row in audit.rows), 10)
+        self.assertTrue(math.isnan(answers.plain_number(None, "")))
+
     def test_behaviour_results_are_frozen(self):
         answer = read("article").stiffness()
         with self.assertRaises(dataclasses.FrozenInstanceError):
@@ -139,6 +148,7 @@ class Results(unittest.TestCase):
             sw.sif["no-such-solution"]
         self.assertNotIn("no-such-solution", sw.sif)
         self.assertIn("tube-through-inclined", sw.sif)
+        self.assertEqual(len(list(sw.sif)), len(sw.sif))
         tube = sw.sif["tube-through-inclined"]
         texts = tube(half_length="4 mm", torque="100 N*m")
         numbers = tube(half_length=4e-3, torque=sw.Quantity(100, "N*m"))
