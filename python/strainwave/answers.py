@@ -432,6 +432,23 @@ class Result(Part):
         """
         return Svg(self.document(self._document_for(".svg")))
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the plot of the answer by matplotlib, with the numbers, labels and colours of svg().
+
+        Args:
+            ax: axes, one for each panel of the plot; None: new ones
+
+        Returns:
+            the axes, one alone if the plot has one panel
+
+        Raises:
+            ValueError: if the command makes no plot, or the number of axes is wrong
+            ImportError: if matplotlib is not installed
+        """
+        from .plots import draw
+
+        return draw(self.svg(), ax)
+
     def to_frame(self) -> "pandas.DataFrame":
         """The table of the answer (its CSV) as a pandas.DataFrame; `attrs["units"]` names the
         units.

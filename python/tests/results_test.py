@@ -108,6 +108,12 @@ class Results(unittest.TestCase):
         self.assertEqual(points.unit_of("twist"), "rad")
         self.assertEqual(len(points.torque), len(points.twist))
         self.assertEqual(answer.positive.unit_of("K1"), "N*m/rad")
+        self.assertEqual(sw.audit().rows[0].unit_of("verdict"), "1")
+        ragged = answers.floats({"values": [[1.0, None], [3.0]]}, "")
+        self.assertEqual([len(row) for row in ragged], [2, 1])
+        self.assertTrue(math.isnan(ragged[0][1]))
+        self.assertEqual(answers.floats({"values": [[1.0, 2.0], [3.0, 4.0]]}, "").shape, (2, 2))
+        self.assertEqual(answers.floats({"values": []}, "").shape, (0,))
 
     def test_behaviour_pickled_and_copied_results_make_their_documents(self):
         answer = read("article").stiffness()

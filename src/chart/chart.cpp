@@ -10,7 +10,9 @@
 #include <optional>
 #include <string_view>
 
+#include "chart_numbers.hpp"
 #include "contour_lines.hpp"
+#include "line_styles.hpp"
 #include "strainwave/chart/svg_text.hpp"
 
 namespace strainwave {
@@ -24,20 +26,6 @@ constexpr double kRight = 200;  // room for the labels of the lines
 constexpr double kTop = 60;
 constexpr double kBottom = 58;
 constexpr double kLabelHeight = 18;
-
-// After Okabe and Ito's palette, which colour-blind readers can tell apart.  Each colour has a
-// contrast of at least 3 against white and against the dark ground of a report.
-struct Stroke {
-  std::string_view colour;
-  std::string_view dashes;
-};
-constexpr std::array<Stroke, kDistinctLines> kStrokes = {{{"#6E6E6E", ""},
-                                                          {"#D55E00", ""},
-                                                          {"#0072B2", "7 4"},
-                                                          {"#009E73", "2 3"},
-                                                          {"#CC79A7", "9 3 2 3"},
-                                                          {"#AA7A00", "12 4"},
-                                                          {"#8A63D2", "4 2"}}};
 
 /// The number of characters of a UTF-8 text.
 std::size_t shown_length(std::string_view text) {
@@ -302,14 +290,11 @@ std::string panel_svg(const PlotPanel& panel, double top) {
     svg += margin_words(right + 14, label_y, "small", panel.legend_title, kMostOfTitle);
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     const PlotSeries& series = panel.series[n];
-    const Stroke& stroke = kStrokes[n % kStrokes.size()];
-    // After the seventh line the colours repeat, with one more dot between the dashes.
-    std::string dashes(stroke.dashes);
-    for (std::size_t round = n / kStrokes.size(); round > 0; --round)
-      dashes += dashes.empty() ? "16 3 1 3" : " 1 3";
+    const std::string_view colour = line_colour(n);
+    const std::string dashes = line_dashes(n);
     // The first line is the widest, so a line on top of it does not hide it.
     const std::string style = fmt::format(
-        "stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
+        "stroke=\"{}\" stroke-width=\"{}\"{}", colour, n == 0 ? 4 : 2,
         dashes.empty() ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", dashes));
     svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path_data(panel, series, x, y),
                        style);
@@ -318,7 +303,7 @@ std::string panel_svg(const PlotPanel& panel, double top) {
         drawable(panel.x_scale, series.x[n_points - 1]) &&
         drawable(panel.y_scale, series.y[n_points - 1]))
       svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"{}\"/>\n",
-                         x.px(series.x[n_points - 1]), y.px(series.y[n_points - 1]), stroke.colour);
+                         x.px(series.x[n_points - 1]), y.px(series.y[n_points - 1]), colour);
     svg += fmt::format("<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" {}/>\n", right + 14,
                        label_y - 4, style);
     svg += margin_words(right + 46, label_y, "tick", series.label, kMostOfLine);
@@ -359,7 +344,7 @@ std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
   }
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"9\" fill=\"{}\"/>\n",
-                       legend, top + 38, kStrokes[n == 0 ? 2 : 1].colour);
+                       legend, top + 38, bar_colour(n));
     svg += words(legend + 20, top + 46, "small", panel.series[n].label);
     legend += 120;
   }
@@ -380,7 +365,7 @@ std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
       svg += fmt::format(
           "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
           "fill=\"{}\"/>\n",
-          from, bar_top + 0.5, to - from, kBarHeight - 1, kStrokes[n == 0 ? 2 : 1].colour);
+          from, bar_top + 0.5, to - from, kBarHeight - 1, bar_colour(n));
       svg += words(value < 0 ? from - 5 : to + 5, bar_top + kBarHeight / 2 + 4,
                    value < 0 ? "small end" : "small",
                    (value < 0 ? "−" : "+") + fmt::format("{:.3g}", std::abs(value)));
@@ -433,11 +418,12 @@ Spoken spoken(std::span<const ContourPanel> panels) {
 }
 
 /// Begins a document of one height, to which panels are added.
-std::string svg_head(double height, const Spoken& text) {
+/// @param numbers  of the panels, as chart_numbers writes them
+std::string svg_head(double height, const Spoken& text, const std::string& numbers) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
       "height=\"{1:g}\" role=\"img\">\n"
-      "<title>{2}</title>\n<desc>{3}</desc>\n"
+      "<title>{2}</title>\n<desc>{3}</desc>\n<metadata class=\"numbers\">{4}</metadata>\n"
       "<style>\n"
       "text {{ font-family: 'DejaVu Sans', Arial, sans-serif; fill: #222 }}\n"
       ".title {{ font-size: 15px; font-weight: bold }}\n"
@@ -452,21 +438,7 @@ std::string svg_head(double height, const Spoken& text) {
       ".series {{ fill: none; stroke-linejoin: round }}\n"
       "</style>\n"
       "<rect width=\"{0:g}\" height=\"{1:g}\" class=\"ground\" fill=\"white\"/>\n",
-      kPlotWidth, height, svg_text(text.title), svg_text(text.description));
-}
-
-/// A colour between blue and vermilion, both dark enough on white; `share` from 0 to 1.
-std::string level_colour(double share) {
-  constexpr std::array<std::array<double, 3>, 3> kColours = {
-      {{0x00, 0x4C, 0x99}, {0x6A, 0x3D, 0x7C}, {0xB8, 0x3A, 0x00}}};
-  const double at = 2 * std::clamp(share, 0.0, 1.0);
-  const std::size_t low = at < 1 ? 0 : 1;
-  const double part = at - static_cast<double>(low);
-  std::string colour = "#";
-  for (std::size_t c = 0; c < 3; ++c)
-    colour += fmt::format("{:02X}", static_cast<int>(std::lround(kColours[low][c] * (1 - part) +
-                                                                 kColours[low + 1][c] * part)));
-  return colour;
+      kPlotWidth, height, svg_text(text.title), svg_text(text.description), svg_text(numbers));
 }
 
 /// A number at a point of the grid's axis, between its neighbours on the scale of the axis.
@@ -663,7 +635,8 @@ std::string contour_panel_svg(const ContourPanel& panel, double top) {
 }  // namespace
 
 std::string svg_plot(std::span<const PlotPanel> panels) {
-  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()), spoken(panels));
+  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()), spoken(panels),
+                             chart_numbers(panels));
   double top = 0.0;
   for (const PlotPanel& panel : panels) {
     svg += panel_svg(panel, top);
@@ -675,7 +648,7 @@ std::string svg_plot(std::span<const PlotPanel> panels) {
 std::string tornado_svg(std::span<const TornadoPanel> panels) {
   double height = 0.0;
   for (const TornadoPanel& panel : panels) height += tornado_height(panel);
-  std::string svg = svg_head(height, spoken(panels));
+  std::string svg = svg_head(height, spoken(panels), chart_numbers(panels));
   double top = 0.0;
   for (const TornadoPanel& panel : panels) {
     svg += tornado_panel_svg(panel, top);
@@ -685,7 +658,8 @@ std::string tornado_svg(std::span<const TornadoPanel> panels) {
 }
 
 std::string contour_svg(std::span<const ContourPanel> panels) {
-  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()), spoken(panels));
+  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()), spoken(panels),
+                             chart_numbers(panels));
   svg += "<style>.halo { paint-order: stroke; stroke: white; stroke-width: 4px }</style>\n";
   double top = 0.0;
   for (const ContourPanel& panel : panels) {

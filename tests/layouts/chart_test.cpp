@@ -9,6 +9,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/contrast.hpp"
@@ -115,6 +116,58 @@ TEST(Chart, BehaviourAPlotSaysWhatItShows) {
                 .find("<title>Elasticities</title>\n<desc>Elasticities: "
                       "bars of elasticity, the first for a.</desc>"),
             std::string::npos);
+}
+
+/// The numbers that a picture carries, as JSON.
+std::string numbers_in(const std::string& svg) {
+  const std::string begin = "<metadata class=\"numbers\">";
+  const std::size_t from = svg.find(begin) + begin.size();
+  std::string json = svg.substr(from, svg.find("</metadata>") - from);
+  for (const auto& [escaped, plain] : std::vector<std::pair<std::string, std::string>>{
+           {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
+    for (std::size_t at = 0; (at = json.find(escaped, at)) != std::string::npos; at += plain.size())
+      json.replace(at, escaped.size(), plain);
+  return json;
+}
+
+TEST(Chart, IdentityThePictureCarriesItsNumbers) {
+  const PlotPanel lines{
+      .title = "a \"b\" \\ <c> & d",
+      .subtitle = "below",
+      .x_label = "x [m]",
+      .y_label = "y",
+      .legend_title = "of",
+      .x_scale = AxisScale::logarithmic,
+      .series = {
+          {.label = "one", .x = {1, 2.5}, .y = {1.0 / 3.0, std::nan("")}, .discs = Discs::at_end},
+          {.label = "two", .x = {1e-9}, .y = {-2e9}}}};
+  EXPECT_EQ(numbers_in(svg_plot(std::span(&lines, 1))),
+            R"({"panels":[{"kind":"lines","title":"a \"b\" \\ <c> & d","subtitle":"below",)"
+            R"("x_label":"x [m]","y_label":"y","x_scale":"log","y_scale":"linear",)"
+            R"("legend_title":"of","series":[{"label":"one","colour":"#6E6E6E","dashes":"",)"
+            R"("end":true,"x":[1,2.5],"y":[0.33333,null]},{"label":"two","colour":"#D55E00",)"
+            R"("dashes":"","end":false,"x":[1e-09],"y":[-2e+09]}]}]})");
+  const TornadoPanel bars{.title = "bars",
+                          .x_label = "part",
+                          .labels = {"p", "q"},
+                          .series = {{.label = "s", .values = {1, -2}}}};
+  EXPECT_EQ(numbers_in(tornado_svg(std::span(&bars, 1))),
+            R"({"panels":[{"kind":"bars","title":"bars","subtitle":"","x_label":"part",)"
+            R"("labels":["p","q"],"series":[{"label":"s","colour":"#0072B2","values":[1,-2]}]}]})");
+  const ContourPanel contours{.title = "c",
+                              .subtitle = {},
+                              .x_label = "x",
+                              .y_label = "y",
+                              .value_label = "v",
+                              .y_scale = AxisScale::logarithmic,
+                              .x = {1, 2},
+                              .y = {3, 4},
+                              .values = {5, 6, 7, 8}};
+  EXPECT_EQ(numbers_in(contour_svg(std::span(&contours, 1))),
+            R"({"panels":[{"kind":"contours","title":"c","subtitle":"","x_label":"x",)"
+            R"("y_label":"y","x_scale":"linear","y_scale":"log","value_label":"v",)"
+            R"("colours":["#004C99","#6A3D7C","#B83A00"],"x":[1,2],"y":[3,4],)"
+            R"("values":[5,6,7,8]}]})");
 }
 
 }  // namespace
