@@ -36,6 +36,7 @@ class Interrupts(unittest.TestCase):
         """Sends Ctrl-C while the code runs; returns what was printed, and how long it took."""
         running = subprocess.Popen([sys.executable, "-u", "-c", LONG + code, CURVE], text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(running.kill)  # a program that does not stop must not outlive the test
         self.assertEqual(running.stdout.readline(), "begins\n")
         time.sleep(0.3)
         begin = time.monotonic()

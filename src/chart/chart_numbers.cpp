@@ -64,7 +64,7 @@ std::string chart_numbers(std::span<const PlotPanel> panels) {
   return json_of_panels(json_list(panels, [](const PlotPanel& panel) {
     std::size_t n = 0;
     const std::string series = json_list(panel.series, [&](const PlotSeries& one) {
-      const std::string json =
+      std::string json =
           fmt::format(R"({{"label":{},"colour":"{}","dashes":"{}","end":{},"x":{},"y":{}}})",
                       json_text(one.label), line_colour(n), line_dashes(n),
                       one.discs == Discs::at_end, json_numbers(one.x), json_numbers(one.y));
