@@ -10,6 +10,7 @@ and methods (python/strainwave/_commands.py) and the classes of the results
 Names, units and descriptions come from the library, so that the package cannot drift from it.
 """
 
+import ast
 import difflib
 import json
 import keyword
@@ -27,7 +28,17 @@ sys.modules["strainwave"] = types.ModuleType("strainwave")
 sys.modules["strainwave"].__path__ = [str(PACKAGE)]
 
 from strainwave import _library  # noqa: E402
-from strainwave.answers import Part, Result  # noqa: E402
+from strainwave.parts import Part  # noqa: E402
+
+
+
+def members_of(name):
+    """The names in a class of answers.py, which cannot be imported before its evidence is written."""
+    tree = ast.parse((PACKAGE / "answers.py").read_text())
+    body = next(node.body for node in tree.body if isinstance(node, ast.ClassDef) and node.name == name)
+    return {node.target.id if isinstance(node, ast.AnnAssign) else node.name for node in body
+            if isinstance(node, (ast.AnnAssign, ast.FunctionDef))}
+
 
 HEAD = '''# SPDX-License-Identifier: Apache-2.0
 # Written by tools/write_python.py; change the descriptions in the C++ sources instead.
@@ -37,7 +48,7 @@ ENVELOPE = ("format", "command", "usable", "unusable_because", "verdict", "notes
             "accuracies", "result", "provenance")
 # A field with the name of a member of its class, and a reserved word, get an underscore at the end.
 TAKEN_OF_PART = {name for name in dir(Part) if not name.startswith("_")}
-TAKEN = {name for name in dir(Result) if not name.startswith("_")} | set(ENVELOPE)
+TAKEN = TAKEN_OF_PART | set(ENVELOPE) | members_of("Result")
 
 
 def schema(of, command):
@@ -75,29 +86,72 @@ def listed(before, parts, after, indent):
                    indent or "\0").replace("\0", " ")[0 if indent else 1:]
 
 
+def is_quantity(node):
+    parts = node.get("properties", {})
+    return "value" in parts and set(parts) <= {"value", "unit", "relative_uncertainty"}
+
+
 def structure(node):
-    """What two objects of the same class have in common."""
-    return json.dumps(node["properties"], sort_keys=True)
+    """What two objects of the same class have in common: all but the units of their quantities, which
+    each quantity carries."""
+    def without_units(part):
+        if isinstance(part, list):
+            return [without_units(one) for one in part]
+        if not isinstance(part, dict):
+            return part
+        if is_quantity(part):
+            part = {**part, "properties": {**part["properties"], "unit": {}}}
+        return {name: without_units(one) for name, one in part.items()}
+
+    return json.dumps(without_units(node["properties"]), sort_keys=True)
+
+
+def unit_of(node):
+    return node.get("properties", {}).get("unit", {}).get("const", "")
+
+
+class Structures:
+    """The structures of all results: each is written once, in the module of the first result that has
+    it as a part."""
+
+    def __init__(self):
+        self.owners = {}  # structure -> (module, name of the class)
+        self.units = {}  # structure -> {field: units that it has}
+
+    def collect_units(self, node):
+        for part in node.get("properties", {}).values():
+            self.collect_units(part)
+        if "items" in node:
+            self.collect_units(node["items"])
+        if "properties" in node and not is_quantity(node):
+            units = self.units.setdefault(structure(node), {})
+            for field, part in node["properties"].items():
+                units.setdefault(field, set()).add(unit_of(part))
 
 
 class ResultModule:
-    """The classes of the result of one command."""
+    """The classes of one result, or of the evidence that all results have."""
 
-    def __init__(self, command):
-        self.command = command["name"]
-        self.documents = command["documents"]
-        self.names = {}  # structure of an object -> name of its class
+    def __init__(self, name, root, node, structures, command=None):
+        self.name = name  # of the module
+        self.root = root  # name of the class of the whole
+        self.command = command  # None: the evidence
+        self.structures = structures
+        self.names = {}  # structure of an object -> name of its class in this module
         self.keys = {}  # structure of an object -> names of the fields that have it
         self.written = []  # classes, parts before wholes
+        self.imported = {}  # module -> names
         self.used = set()
-        self.root = camel(self.command) + "Result"
-        result = schema("result", self.command)["properties"]["result"]
-        self.collect(result, self.root)
-        self.object(result, (self.root,))
+        self.collect(node, root)
+        if command:
+            self.object(node, (root,))
+        else:
+            for field, part in node["properties"].items():
+                self.object(part.get("items", part), (root, field))
 
     def collect(self, node, key):
         """Notes which fields have the same structure."""
-        if "properties" in node:
+        if "properties" in node and not is_quantity(node):
             self.keys.setdefault(structure(node), []).append(key)
             for field, part in node["properties"].items():
                 self.collect(part, field)
@@ -106,7 +160,7 @@ class ResultModule:
 
     def class_name(self, node, path):
         """Named after the field; a structure of several fields is named after what contains them."""
-        path = (self.command,) + path[1:]
+        path = (self.name,) + path[1:]
         if len(set(self.keys[structure(node)])) > 1:
             path = path[:-2] + (path[-2] + "_part",)
         for depth in range(1, len(path) + 1):
@@ -115,6 +169,16 @@ class ResultModule:
                 return name
         return next(numbered for numbered in (f"{name}{n}" for n in range(2, 100))
                     if numbered not in self.names.values())
+
+    def owned_elsewhere(self, key):
+        """The name of a class that another module has, imported; None if no module has it."""
+        if key not in self.structures.owners:
+            return None
+        module, name = self.structures.owners[key]
+        spelled = name if name not in self.names.values() and name != self.root else camel(module) + name
+        self.imported.setdefault(module, []).append(name if spelled == name else f"{name} as {spelled}")
+        self.names[key] = spelled
+        return spelled
 
     def value(self, node, path):
         """Type and converter of a value."""
@@ -128,7 +192,7 @@ class ResultModule:
             parts = node.get("properties", {})
             if not parts:
                 return "dict[str, Any]", "_to.plain"
-            if set(parts) <= {"value", "unit", "relative_uncertainty"} and "value" in parts:
+            if is_quantity(node):
                 return "Quantity", "_to.quantity"
             if set(parts) == {"values", "unit"}:
                 return "FloatArray", "_to.floats"
@@ -150,64 +214,72 @@ class ResultModule:
         if key in self.names:
             return self.names[key]
         whole = len(path) == 1
+        if not whole and (name := self.owned_elsewhere(key)):
+            return name
         name = self.names[key] = self.root if whole else self.class_name(node, path)
+        if not whole:
+            self.structures.owners[key] = (self.name, name)
         required = set(node.get("required", ()))
-        fields, table, units, text = [], [], [], []
+        fields, table, units = [], [], []
         for field, part in node["properties"].items():
             attribute = identifier(field)
             if attribute in (TAKEN if whole else TAKEN_OF_PART):
                 attribute += "_"
             kind, convert = self.value(part, path + (field,))
-            self.used |= set(re.findall(r"\w+", f"{kind} {convert}"))
-            unit = part.get("properties", {}).get("unit", {}).get("const", "")
+            unit = unit_of(part)
             if kind == "FloatArray" and unit:
                 units.append((attribute, unit))
             if field not in required:
                 kind = f"Optional[{kind}]"
-                self.used.add("Optional")
+            self.used |= set(re.findall(r"\w+", kind))
             shown = sentence(part.get("description", ""))
-            if unit and unit != "1":
+            if unit not in ("", "1") and len(self.structures.units[key][field]) == 1:
                 shown = f"{shown} [{unit}]".strip()
             if kind.startswith("Optional") and "if left out" not in shown:
                 shown = f"{shown}; None if absent".lstrip("; ")
             fields.append((attribute, kind, shown))
             table.append((field, attribute, convert))
-        doc = sentence(node.get("description", "")) or name
-        text.append(f"@dataclass(frozen=True, eq=False, repr=False)\nclass {name}"
-                    f"({'Result' if whole else 'Part'}):")
-        text.append(wrapped(f'"""{RESULT_DOC.format(self.command) if whole else doc[:1].upper() + doc[1:] + "."}"""',
-                            "    "))
-        text.append("")
+        doc = sentence(node.get("description", "")) or f"the field `{path[-1]}`"
+        doc = RESULT_DOC.format(self.command and self.command["name"]) if whole else doc[:1].upper() + doc[1:] + "."
+        text = [f"@dataclass(frozen=True, eq=False, repr=False)\nclass {name}({'Result' if whole else 'Part'}):",
+                wrapped(f'"""{doc}"""', "    "), ""]
         for attribute, kind, shown in fields:
             text.append(f"    {attribute}: {kind}")
             if shown:
                 text.append(wrapped(f'"""{shown}"""', "    "))
         text.append("")
         if whole:
-            listed = ", ".join(json.dumps(one) for one in self.documents)
-            text.append(f"    command: ClassVar[str] = {json.dumps(self.command)}")
-            text.append(wrapped(f"documents: ClassVar[tuple[str, ...]] = ({listed},)", "        ", "    "))
+            documents = ", ".join(json.dumps(one) for one in self.command["documents"])
+            comma = "," if len(self.command["documents"]) == 1 else ""
+            text.append(f"    command: ClassVar[str] = {json.dumps(self.command['name'])}")
+            text.append(wrapped(f"documents: ClassVar[tuple[str, ...]] = ({documents}{comma})", "        ", "    "))
         text.append("    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {")
         text += [f"        {json.dumps(field)}: ({json.dumps(attribute)}, {convert}),"
                  for field, attribute, convert in table]
         text.append("    }")
-        text.append("    _units: ClassVar[dict[str, str]] = {"
-                    + ("\n" + "".join(f"        {json.dumps(a)}: {json.dumps(u)},\n" for a, u in units)
-                       + "    }" if units else "}"))
+        if units:
+            text.append("    _units: ClassVar[dict[str, str]] = {\n"
+                        + "".join(f"        {json.dumps(a)}: {json.dumps(u)},\n" for a, u in units) + "    }")
         self.written.append("\n".join(text))
         return name
 
     def text(self):
-        typing = [name for name in ("Any", "ClassVar", "Literal", "Optional")
-                  if name in self.used | {"ClassVar"}]
-        shared = sorted(({"Converter", "Result"} | {name for name in SHARED if name in self.used}
-                         | ({"Part"} if len(self.written) > 1 else set())))
-        return (HEAD.format(doc=f"The result of the command {self.command}.")
-                + "\nfrom __future__ import annotations\n\nfrom dataclasses import dataclass\n"
-                + f"from typing import {', '.join(typing)}\n\n"
-                + "from .. import answers as _to\n"
-                + wrapped(f"from ..answers import {', '.join(shared)}", "                       ",
-                          " ").lstrip() + "\n\n\n"
+        up = ".." if self.command else "."
+        typing = ["ClassVar"] + [name for name in ("Any", "Literal", "Optional") if name in self.used]
+        shared = sorted({"Converter"} | {name for name in SHARED if name in self.used}
+                        | ({"Part"} if len(self.written) > bool(self.command) else set()))
+        doc = f"The result of the command {self.command['name']}." if self.command else "The evidence that each result has."
+        imports = [f"from {up} import parts as _to"]
+        if self.command:
+            imports.append("from ..answers import Result")
+        imports.append(f"from {up}parts import {', '.join(shared)}")
+        for module, names in sorted(self.imported.items()):
+            parent = "." if self.command else ".results."
+            one_line = f"from {parent}{module} import {', '.join(sorted(set(names)))}"
+            imports.append(one_line if len(one_line) <= 100 else
+                           listed(f"from {parent}{module} import (", sorted(set(names)), ")", ""))
+        return (HEAD.format(doc=doc) + "\nfrom __future__ import annotations\n\nfrom dataclasses import dataclass\n"
+                + f"from typing import {', '.join(sorted(typing))}\n\n" + "\n".join(imports) + "\n\n\n"
                 + "\n\n\n".join(self.written) + "\n")
 
 
@@ -296,14 +368,22 @@ def written():
     """All files by their paths."""
     commands = _library.commands()
     files = {PACKAGE / "_commands.py": commands_text(commands)}
-    for command in commands:
+    schemas = [schema("result", command["name"])["properties"] for command in commands]
+    structures = Structures()
+    evidence = {"properties": {"verdict": schemas[0]["verdict"], "note": schemas[0]["notes"],
+                               "accuracy": schemas[0]["accuracies"]}}
+    for node in [evidence] + [one["result"] for one in schemas]:
+        structures.collect_units(node)
+    files[PACKAGE / "_evidence.py"] = ResultModule("evidence", "Evidence", evidence, structures).text()
+    for command, one in zip(commands, schemas):
         name = identifier(command["name"].replace(" ", "_"))
-        files[PACKAGE / "results" / f"{name}.py"] = ResultModule(command).text()
-    listed = sorted(path.stem for path in files if path.parent.name == "results")
+        files[PACKAGE / "results" / f"{name}.py"] = ResultModule(
+            name, camel(command["name"]) + "Result", one["result"], structures, command).text()
+    modules = sorted(path.stem for path in files if path.parent.name == "results")
     files[PACKAGE / "results" / "__init__.py"] = (
         HEAD.format(doc="The classes of the results, one module for each command.")
         + "\nfrom typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    from . import (\n"
-        + "".join(f"        {name} as {name},\n" for name in listed) + "    )\n")
+        + "".join(f"        {name} as {name},\n" for name in modules) + "    )\n")
     return files
 
 

@@ -5,10 +5,8 @@ The backend needs only the standard library, CMake and a compiler, so that
 `pip install --no-index .` works without a network.  The wheel has no compiled Python module: one
 wheel serves every Python from 3.9 on.
 
-Settings (pip's --config-settings KEY=VALUE):
-
-    library=PATH    pack this library instead of building one
-    build_dir=PATH  build there; default: build/wheel
+The library is built in build/wheel.  The setting `library=PATH` (pip's --config-settings) packs that
+library instead.
 """
 
 import base64
@@ -21,6 +19,7 @@ import platform
 import re
 import shutil
 import subprocess
+import sys
 import sysconfig
 import tarfile
 import time
@@ -44,6 +43,7 @@ def _metadata():
             "Summary: Stiffness, damage, life and dynamics of strain wave gears with cracks\n"
             "License: Apache-2.0\nRequires-Python: >=3.9\nRequires-Dist: numpy>=1.21\n"
             "Provides-Extra: frames\nRequires-Dist: pandas; extra == 'frames'\n"
+            "Provides-Extra: plots\nRequires-Dist: matplotlib; extra == 'plots'\n"
             "Description-Content-Type: text/markdown\n\n"
             + (ROOT / "docs" / "guide" / "python.md").read_text(encoding="utf-8"))
 
@@ -53,7 +53,7 @@ def _built_library(settings):
     named = settings.get("library")
     if named:
         return pathlib.Path(named).resolve()
-    build = pathlib.Path(settings.get("build_dir", ROOT / "build" / "wheel"))
+    build = ROOT / "build" / "wheel"
     maker = ["-G", "Ninja"] if shutil.which("ninja") else []
     subprocess.run(["cmake", "-S", str(ROOT), "-B", str(build), *maker,
                     "-D", "CMAKE_BUILD_TYPE=Release", "-D", "STRAINWAVE_BUILD_TESTS=OFF",
@@ -97,6 +97,9 @@ def _licences():
         file = pathlib.Path("/usr/share/doc", package, "copyright")
         if file.is_file():
             texts[f"{package}.txt"] = file.read_bytes()
+        else:
+            print(f"The licence of {package} is not at {file}; add it before you pass the wheel on.",
+                  file=sys.stderr)
     return texts
 
 

@@ -15,10 +15,12 @@ from __future__ import annotations
 
 from . import _commands, _library
 from ._commands import *  # noqa: F403
-from .answers import Accuracy, Note, Part, Quantity, Result, Svg, Verdict
+from ._evidence import Accuracy, Note, Verdict
+from .answers import Result, Svg
 from .batch import ROW_CODES, BatchResult
 from .drive import Crack, Cracks, Drive, new, parse, read
 from .errors import Error, InputError, InternalError, NotUsable, OptionError, SolverError
+from .parts import Part, Quantity
 from .tables import materials, sif
 
 __version__ = _library.version()

@@ -375,9 +375,14 @@ def run(drive: Optional[Handle], command: str, options: str, texts: Mapping[str,
     attached = (Attachment * len(kept))(*(Attachment(*pair) for pair in kept))
     answer = c_void_p()
     command_text, options_text = text(command), text(options)
-    _Call(lambda told: _library.sw_run(drive.pointer if drive else None, command_text, options_text,
-                                       attached, len(texts), told, ctypes.byref(answer)),
-          progress).run()
+    call = _Call(lambda told: _library.sw_run(drive.pointer if drive else None, command_text,
+                                              options_text, attached, len(kept), told,
+                                              ctypes.byref(answer)), progress)
+    try:
+        call.run()
+    except BaseException:
+        _library.sw_answer_free(answer)  # it came together with a signal
+        raise
     assert answer.value
     return Handle(answer.value, _library.sw_answer_free)
 
@@ -408,9 +413,12 @@ def batch(drive: Handle, paths: Sequence[str], values: int, n_rows: int, outputs
                      (Text * len(kept_outputs))(*kept_outputs), len(kept_outputs), kept_method,
                      threads)
     faults = (Text * ROW_CODES)()
-    _Call(lambda told: _library.sw_batch(drive.pointer, ctypes.byref(task), told, numbers, codes,
-                                         faults), progress).run()
-    return [_taken(fault) for fault in faults]
+    try:
+        _Call(lambda told: _library.sw_batch(drive.pointer, ctypes.byref(task), told, numbers, codes,
+                                             faults), progress).run()
+    finally:
+        said = [_taken(fault) for fault in faults]
+    return said
 
 
 PathLike = Union[str, "os.PathLike[str]"]

@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of commands: quantities, parts of results, and the evidence that a result carries.
-
-The classes of the single commands are written by tools/write_python.py from the descriptions of the
-results; this module holds what they share.
-"""
+"""The result of a command: its evidence, its documents, its plot and its table."""
 
 from __future__ import annotations
 
@@ -11,311 +7,15 @@ import copy
 import html
 import io
 import json
-import math
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, ClassVar, Mapping, Optional, TypeVar, Union
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Callable, ClassVar, Mapping, Optional, TypeVar
 
 from . import _library
-from .errors import NotUsable
+from ._evidence import Accuracy, Note, Verdict
+from .parts import Part, pandas_module
 
 if TYPE_CHECKING:
     import pandas
-
-FloatArray = NDArray[np.float64]
-AnyArray = NDArray[Any]
-
-PartType = TypeVar("PartType", bound="Part")
-Converter = Callable[[Any, str], Any]  # JSON, reason why the result must not be used -> value
-
-
-class Quantity:
-    """A number with its unit and, where it is known, its accuracy.
-
-    `value`, `float()` and arithmetic give the number in the unit, which is an SI unit.  str() gives
-    as many digits as the accuracy warrants.  Of a result that must not be used, the number is
-    refused by NotUsable.
-    """
-
-    __slots__ = ("_value", "_unit", "_relative_uncertainty", "_unusable_because")
-
-    def __init__(self, value: float, unit: str, relative_uncertainty: Optional[float] = None,
-                 unusable_because: str = "") -> None:
-        self._value = float(value)
-        self._unit = unit
-        self._relative_uncertainty = relative_uncertainty
-        self._unusable_because = unusable_because
-
-    @property
-    def value(self) -> float:
-        """The number [unit]; NaN where the result has none.
-
-        Raises:
-            NotUsable: if the result must not be used
-        """
-        if self._unusable_because:
-            raise NotUsable(f"the result must not be used: {self._unusable_because}")
-        return self._value
-
-    @property
-    def unit(self) -> str:
-        """The SI unit; "1" for a pure number."""
-        return self._unit
-
-    @property
-    def relative_uncertainty(self) -> Optional[float]:
-        """One relative standard uncertainty [1]; None if it is not known."""
-        return self._relative_uncertainty
-
-    @property
-    def uncertainty(self) -> Optional[float]:
-        """One standard uncertainty [unit]; None if it is not known."""
-        relative = self._relative_uncertainty
-        return None if relative is None else abs(self.value) * relative
-
-    def __float__(self) -> float:
-        return self.value
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> AnyArray:
-        return np.asarray(self.value, dtype=dtype)
-
-    def __str__(self) -> str:
-        if self._unusable_because:
-            return f"not usable: {self._unusable_because}"
-        unit = "" if self._unit in ("1", "") else f" {self._unit}"
-        return _digits(self._value, self._relative_uncertainty) + unit
-
-    def __repr__(self) -> str:
-        return f"<Quantity {self}>"
-
-    def __format__(self, spec: str) -> str:
-        """The number alone in the format `spec`; without `spec`, as str()."""
-        return format(self.value, spec) if spec else str(self)
-
-    def _key(self) -> tuple[str, str, Optional[float], str]:
-        return (repr(self._value), self._unit, self._relative_uncertainty, self._unusable_because)
-
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, Quantity):
-            return self._key() == other._key()
-        if isinstance(other, (int, float)):
-            return self.value == other
-        return NotImplemented
-
-    def __hash__(self) -> int:
-        return hash(self._value)
-
-    def __lt__(self, other: Union[float, Quantity]) -> bool:
-        return self.value < float(other)
-
-    def __le__(self, other: Union[float, Quantity]) -> bool:
-        return self.value <= float(other)
-
-    def __gt__(self, other: Union[float, Quantity]) -> bool:
-        return self.value > float(other)
-
-    def __ge__(self, other: Union[float, Quantity]) -> bool:
-        return self.value >= float(other)
-
-    def __neg__(self) -> float:
-        return -self.value
-
-    def __abs__(self) -> float:
-        return abs(self.value)
-
-    def __add__(self, other: Union[float, Quantity]) -> float:
-        return self.value + float(other)
-
-    def __radd__(self, other: float) -> float:
-        return other + self.value
-
-    def __sub__(self, other: Union[float, Quantity]) -> float:
-        return self.value - float(other)
-
-    def __rsub__(self, other: float) -> float:
-        return other - self.value
-
-    def __mul__(self, other: Union[float, Quantity]) -> float:
-        return self.value * float(other)
-
-    def __rmul__(self, other: float) -> float:
-        return other * self.value
-
-    def __truediv__(self, other: Union[float, Quantity]) -> float:
-        return self.value / float(other)
-
-    def __rtruediv__(self, other: float) -> float:
-        return other / self.value
-
-
-def _digits(value: float, relative_uncertainty: Optional[float]) -> str:
-    """The number with one digit more than its uncertainty leaves certain, 2 to 12 digits; with 6
-    digits if the uncertainty is not known."""
-    if not math.isfinite(value) or value == 0:
-        return format(value, "g")
-    digits = 6
-    if relative_uncertainty is not None and relative_uncertainty > 0:
-        digits = min(max(1 - math.floor(math.log10(relative_uncertainty)), 2), 12)
-    return format(value, f".{digits}g")
-
-
-def number(json_value: Any) -> float:
-    """A number of JSON, which writes NaN and infinity as null."""
-    return math.nan if json_value is None else float(json_value)
-
-
-def quantity(value: Any, unusable_because: str) -> Quantity:
-    """Converts a number with its unit."""
-    return Quantity(number(value["value"]), value["unit"], value.get("relative_uncertainty"),
-                    unusable_because)
-
-
-def floats(value: Any, _unusable_because: str) -> FloatArray:
-    """Converts numbers of one unit to a read-only array; rows of unequal length become an array of
-    arrays."""
-    given = value["values"]
-    lengths = {len(row) if isinstance(row, list) else -1 for row in given}
-    if len(lengths) > 1:
-        made = np.empty(len(given), dtype=object)
-        for place, row in enumerate(given):
-            made[place] = floats({"values": row}, "")
-    else:
-        made = np.array(given, dtype=np.float64)  # null becomes NaN
-    made.setflags(write=False)
-    return made
-
-
-def entries(value: Any, _unusable_because: str) -> AnyArray:
-    """Converts whole numbers, words or truth values to a read-only array."""
-    made = np.array(value["values"])
-    made.setflags(write=False)
-    return made
-
-
-def plain(value: Any, _unusable_because: str) -> Any:
-    """Takes a value as JSON gives it."""
-    return value
-
-
-def plain_number(value: Any, _unusable_because: str) -> float:
-    """Takes a number without a unit."""
-    return number(value)
-
-
-def many(convert: Converter) -> Converter:
-    """Converts a list, element by element."""
-    return lambda value, unusable_because: tuple(convert(one, unusable_because) for one in value)
-
-
-class Part:
-    """A part of a result: its fields are attributes, documented with their units.
-
-    Two parts are equal if they are of one class and all their numbers are the same.
-    """
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]]  # JSON name -> attribute, converter
-    _units: ClassVar[dict[str, str]]  # units of the fields that are arrays
-    _json: dict[str, Any]
-
-    @classmethod
-    def _of(cls: type[PartType], value: Any, unusable_because: str) -> PartType:
-        made = cls.__new__(cls)
-        attributes = made.__dict__
-        for name, (attribute, convert) in cls._fields.items():
-            present = name in value
-            attributes[attribute] = convert(value[name], unusable_because) if present else None
-        attributes["_json"] = value
-        return made
-
-    def to_dict(self) -> dict[str, Any]:
-        """The part as JSON states it, in dicts and lists."""
-        return copy.deepcopy(self._json)
-
-    def unit_of(self, name: str) -> str:
-        """Unit of the field with this name; "1" for words and pure numbers."""
-        value = getattr(self, name)
-        return value.unit if isinstance(value, Quantity) else self._units.get(name, "1")
-
-    def to_frame(self) -> "pandas.DataFrame":
-        """The arrays of equal length as a pandas.DataFrame; `attrs["units"]` names the units.
-
-        Raises:
-            ValueError: if the part has no arrays
-        """
-        columns = {name: value for name, value in self.__dict__.items()
-                   if isinstance(value, np.ndarray) and value.ndim == 1}
-        if not columns:
-            raise ValueError(f"{type(self).__name__} has no arrays to put into columns; to_dict() "
-                             "gives its values")
-        length = max(len(column) for column in columns.values())
-        frame = _pandas().DataFrame({name: column for name, column in columns.items()
-                                     if len(column) == length})
-        frame.attrs["units"] = {name: self.unit_of(name) for name in frame.columns}
-        return frame
-
-    def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self._json == other.__dict__["_json"]
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __repr__(self) -> str:
-        words = ", ".join(f"{name}={value}" for name, value in self.__dict__.items()
-                          if isinstance(value, (Quantity, str, bool, int, float)))
-        return f"<{type(self).__name__} {words}>"
-
-    def _repr_html_(self) -> str:
-        return _table(self)
-
-
-def _pandas() -> Any:
-    try:
-        import pandas
-    except ImportError as error:
-        raise ImportError("to_frame() needs pandas, which is not installed; to_dict() gives the "
-                          "same values without pandas") from error
-    return pandas
-
-
-def _table(part: Part) -> str:
-    """The plain values of a part as an HTML table."""
-    rows = [(name, str(value)) for name, value in part.__dict__.items()
-            if isinstance(value, (Quantity, str, bool, int, float))]
-    cells = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
-                    for name, value in rows)
-    return f"<table>{cells}</table>"
-
-
-@dataclass(frozen=True)
-class Note:
-    """A remark on the validity of a result."""
-
-    code: str  #: machine-readable code, such as "crack.closed"
-    severity: str  #: "information", "care", "cannot tell" or "critical"
-    text: str  #: the remark, for a person
-    next_step: str  #: action for the reader; empty: none
-    path: str  #: field concerned; empty: the whole drive
-    equation: str  #: tag of the theory manual; empty: none
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """Whether the answer may be relied on."""
-
-    judgement: str  #: "good", "with care", "critical" or "cannot be told"
-    reason: str  #: reason in one sentence
-    next_step: str  #: empty if no action is needed
-
-
-@dataclass(frozen=True)
-class Accuracy:
-    """The accuracy of one member or crack, and its basis."""
-
-    path: str  #: member or crack
-    relative_uncertainty: float  #: one standard uncertainty, as it enters the compliance [1]
-    source: str  #: basis of the uncertainty
 
 
 class Svg(str):
@@ -366,12 +66,12 @@ class Result(Part):
     @property
     def verdict(self) -> Verdict:
         """Whether the answer may be relied on."""
-        return Verdict(**self._envelope["verdict"])
+        return Verdict._of(self._envelope["verdict"], "")
 
     @property
     def notes(self) -> tuple[Note, ...]:
         """Remarks on the validity."""
-        return tuple(Note(**note) for note in self._envelope["notes"])
+        return tuple(Note._of(note, "") for note in self._envelope["notes"])
 
     @property
     def equations(self) -> tuple[str, ...]:
@@ -381,8 +81,7 @@ class Result(Part):
     @property
     def accuracies(self) -> tuple[Accuracy, ...]:
         """The accuracy of each member and crack."""
-        return tuple(Accuracy(one["path"], number(one["relative_uncertainty"]["value"]),
-                              one["source"]) for one in self._envelope["accuracies"])
+        return tuple(Accuracy._of(one, "") for one in self._envelope["accuracies"])
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -458,7 +157,7 @@ class Result(Part):
         """
         if "csv" not in self.documents:
             raise ValueError(f"{self.command} makes no table; to_dict() gives its values")
-        pandas = _pandas()
+        pandas = pandas_module()
         frame = pandas.read_csv(io.StringIO(self.document("csv")), comment="#")
         units, names = {}, []
         for column in frame.columns:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _library
-from .answers import FloatArray
+from .parts import FloatArray, pandas_module
 from .errors import InputError
 from .running import ShownProgress, shown_progress
 
@@ -55,12 +55,10 @@ class BatchResult:
 
     def to_frame(self) -> "pandas.DataFrame":
         """One row for each evaluation: the fields, the outputs, and the outcome."""
-        from .answers import _pandas
-
         columns: dict[str, Any] = {path: values.ravel() for path, values in self.inputs.items()}
         columns.update({name: self[name].ravel() for name in self.outputs})
         columns["outcome"] = np.array(ROW_CODES)[self.codes.ravel()]
-        return _pandas().DataFrame(columns)
+        return pandas_module().DataFrame(columns)
 
 
 def _column(path: str, values: Any) -> FloatArray:

@@ -13,8 +13,8 @@ import numpy as np
 from . import _library
 from ._commands import DriveCommands, explain
 from ._commands import new as _new
-from .answers import Quantity
 from .errors import InputError, OptionError
+from .parts import Quantity
 from .running import ShownProgress, run, spelled
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 #: unit of the field; whole numbers, truth values, lists and tables; None removes the field.
 FieldValue = Union[str, float, int, bool, Quantity, Sequence[Any], Mapping[str, Any], None]
 
-_MEMBERS = ("wave_generator", "flexspline", "output_shaft", "mesh", "circular_spline")
 _NUMBER = re.compile(r"^([-+]?(?:[0-9.]+(?:[eE][-+]?[0-9]+)?|inf|nan)) (\S.*)$")
 _units: dict[str, str] = {}  # unit of a field by its path without indices
 
@@ -116,26 +115,28 @@ class Drive(DriveCommands):
 
     def __init__(self, text: str, name: str = "drive.toml",
                  tables: Optional[Mapping[str, str]] = None) -> None:
-        given = dict(tables or {})
-        self._text = text
-        self._name = name
-        self._handle, self._tables = _library.read_drive(
-            text, name, lambda wanted: given[wanted].encode("utf-8", "surrogateescape")
-            if wanted in given else None)
+        self._folder: Optional[Path] = None  # where tables are found that the text newly names
+        self._read_text(text, name, dict(tables or {}))
 
     @classmethod
     def _read(cls, path: Path) -> "Drive":
-        def beside(wanted: str) -> Optional[bytes]:
-            file = path.parent / wanted
-            return file.read_bytes() if file.is_file() else None
-
-        made = cls.__new__(cls)
         with path.open("rb") as file:
             content = file.read(_MOST + 1)  # the library refuses what is longer
-        made._text = content.decode("utf-8", "surrogateescape")
-        made._name = str(path)
-        made._handle, made._tables = _library.read_drive(made._text, made._name, beside)
+        made = cls.__new__(cls)
+        made._folder = path.parent
+        made._read_text(content.decode("utf-8", "surrogateescape"), str(path), {})
         return made
+
+    def _read_text(self, text: str, name: str, tables: Mapping[str, str]) -> None:
+        """Takes a text, if it is a drive."""
+        def find(wanted: str) -> Optional[bytes]:
+            if wanted in tables:
+                return tables[wanted].encode("utf-8", "surrogateescape")
+            file = self._folder / wanted if self._folder is not None else None
+            return file.read_bytes() if file is not None and file.is_file() else None
+
+        self._handle, self._tables = _library.read_drive(text, name, find)
+        self._text, self._name = text, name
 
     @property
     def text(self) -> str:
@@ -208,25 +209,7 @@ class Drive(DriveCommands):
         text = self._text
         for path, value in changes.items():
             text = _library.edit(text, path, None if value is None else _toml(value, path))
-        changed = self._with_text(text)
-        self._text, self._handle, self._tables = changed._text, changed._handle, changed._tables
-
-    def _with_text(self, text: str) -> "Drive":
-        """A drive with another text that names the same tables."""
-        if Path(self._name).is_file():
-            made = Drive.__new__(Drive)
-            made._text, made._name = text, self._name
-            folder, known = Path(self._name).parent, self._tables
-
-            def find(wanted: str) -> Optional[bytes]:
-                if wanted in known:
-                    return known[wanted].encode("utf-8", "surrogateescape")
-                file = folder / wanted
-                return file.read_bytes() if file.is_file() else None
-
-            made._handle, made._tables = _library.read_drive(text, self._name, find)
-            return made
-        return Drive(text, self._name, self._tables)
+        self._read_text(text, self._name, self._tables)
 
     @property
     def cracks(self) -> "Cracks":
@@ -296,10 +279,15 @@ class Cracks(Sequence["Crack"]):
     def __init__(self, drive: Drive) -> None:
         self._drive = drive
 
-    def _paths(self) -> list[str]:
+    def _counts(self) -> dict[str, int]:
+        """Number of cracks of each member that can have cracks."""
         fields = _library.drive_fields(self._drive._handle)
-        return [f"{member}.crack[{index}]" for member in _MEMBERS
-                for index in range(len(fields.get(member, {}).get("crack", ())))]
+        return {name: len(member["crack"]) for name, member in fields.items()
+                if isinstance(member, dict) and "crack" in member}
+
+    def _paths(self) -> list[str]:
+        return [f"{member}.crack[{index}]" for member, count in self._counts().items()
+                for index in range(count)]
 
     def __len__(self) -> int:
         return len(self._paths())
@@ -314,18 +302,18 @@ class Cracks(Sequence["Crack"]):
         """Adds a crack, such as `append("output_shaft", kind="annular", depth="2 mm")`.
 
         Args:
-            member: "wave_generator", "flexspline", "output_shaft", "mesh" or "circular_spline"
+            member: a member of the drive, such as "flexspline"
             fields: the fields of the crack
 
         Raises:
-            InputError: if the drive would break a rule; the drive stays as it was
+            InputError: if the member can have no crack, or the drive would break a rule; the drive
+                stays as it was
         """
-        if member not in _MEMBERS:
-            raise InputError(f"{member} has no cracks; members with cracks are "
-                             f"{', '.join(_MEMBERS)}", path=member)
+        if member not in self._counts():
+            raise InputError(f"{member} can have no crack; name one of the members of this drive "
+                             f"that can: {', '.join(self._counts())}", path=member)
         self._drive.edit({f"{member}.crack[+]": fields})
-        count = len(_library.drive_fields(self._drive._handle)[member]["crack"])
-        return Crack(self._drive, f"{member}.crack[{count - 1}]")
+        return Crack(self._drive, f"{member}.crack[{self._counts()[member] - 1}]")
 
     def clear(self) -> None:
         """Removes all cracks."""

@@ -17,11 +17,11 @@ def panels_of(svg: str) -> list[Panel]:
     """The panels of a chart, from the numbers in its SVG.
 
     Raises:
-        ValueError: if the picture is no chart
+        ValueError: if the picture is not a chart
     """
     found = re.search(r'<metadata class="numbers">(.*?)</metadata>', svg, re.S)
     if not found:
-        raise ValueError("this picture carries no numbers; it is not a chart")
+        raise ValueError("this picture carries no numbers, so it is not a chart of strainwave")
     panels: list[Panel] = json.loads(html.unescape(found.group(1)))["panels"]
     return panels
 
@@ -99,13 +99,14 @@ def _bars(panel: Panel, ax: Any) -> None:
 
 def _contours(panel: Panel, ax: Any) -> None:
     import numpy as np
-    from matplotlib.colors import LinearSegmentedColormap
 
     x, y = _numbers(panel["x"]), _numbers(panel["y"])
     values = np.array(_numbers(panel["values"])).reshape(len(x), len(y)).T
-    colours = LinearSegmentedColormap.from_list("strainwave", panel["colours"])
-    lines = ax.contour(x, y, values, levels=10, cmap=colours)
-    ax.clabel(lines, fontsize="small")
+    if panel["levels"]:  # none if all values are the same
+        lines = ax.contour(x, y, values, levels=panel["levels"], colors=panel["colours"])
+        ax.clabel(lines, fontsize="small")
+    ax.set_xlim(min(x), max(x))
+    ax.set_ylim(min(y), max(y))
     ax.set_xscale(panel["x_scale"])
     ax.set_yscale(panel["y_scale"])
     ax.set_ylabel(panel["y_label"])

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
 import numpy as np
 
 from . import _library
-from .answers import Quantity
+from .parts import Quantity
 
 if TYPE_CHECKING:
     from .drive import Drive
@@ -25,7 +25,7 @@ Named = Union[str, "os.PathLike[str]", Quantity, "Drive"]
 #: fraction, 0 to 1.
 ShownProgress = Union[bool, _library.Progress, None]
 
-MAX_SHOWN = 40  # characters of a bar
+BAR_WIDTH = 40  # characters
 
 
 def spelled(value: Union[Quantity, float]) -> str:
@@ -46,8 +46,8 @@ def shown_progress(progress: ShownProgress) -> Optional[_library.Progress]:
 
 
 def _bar(fraction: float) -> None:
-    done = round(MAX_SHOWN * fraction)
-    sys.stderr.write(f"\r[{'#' * done}{'.' * (MAX_SHOWN - done)}] {100 * fraction:5.1f} %")
+    done = round(BAR_WIDTH * fraction)
+    sys.stderr.write(f"\r[{'#' * done}{'.' * (BAR_WIDTH - done)}] {100 * fraction:5.1f} %")
     if fraction >= 1:
         sys.stderr.write("\n")
     sys.stderr.flush()

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from ._commands import material_list, material_show, sif_eval, sif_list, sif_show
-from .answers import Quantity
+from .parts import Quantity
 from .errors import OptionError
 from .running import spelled
 

@@ -2,6 +2,7 @@
 """A drive: reading, changing, comparing, copying."""
 
 import copy
+import os
 import pickle
 import re
 import shutil
@@ -11,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 import strainwave as sw
-from support import EXAMPLES, main
+from strainwave.drive import _unit
+from support import EXAMPLES, ROOT, main
 
 
 def size25():
@@ -28,6 +30,22 @@ class Reading(unittest.TestCase):
         drive = sw.read(EXAMPLES / "tabulated_crack.toml")
         again = sw.parse(drive.text, "elsewhere.toml", drive.tables)
         self.assertEqual(again.stiffness().cracked, drive.stiffness().cracked)
+
+    def test_behaviour_a_text_finds_no_table_in_the_working_folder(self):
+        """A drive that was parsed reads no file, even if a file has its name."""
+        text = (EXAMPLES / "tabulated_crack.toml").read_text()
+        before = os.getcwd()
+        os.chdir(EXAMPLES)
+        try:
+            drive = sw.parse((EXAMPLES / "through_crack.toml").read_text(), "tabulated_crack.toml")
+            table = re.search(r'compliance_table = "([^"]+)"', text).group(1)
+            with self.assertRaises(sw.InputError):
+                drive["flexspline.crack[0].compliance_table"] = table
+            read = sw.read("through_crack.toml")
+            read["flexspline.crack[0].compliance_table"] = table
+            self.assertEqual(list(read.tables), [table])
+        finally:
+            os.chdir(before)
 
     def test_input_a_missing_table_is_named(self):
         text = (EXAMPLES / "tabulated_crack.toml").read_text()
@@ -107,6 +125,19 @@ class Changing(unittest.TestCase):
         for file in sorted(EXAMPLES.glob("*.toml")):
             for path in remaining(sw.read(file).fields(), ""):
                 self.assertRegex(path, r"^\.range\.(lower|upper)$|\.material$")
+
+    def test_identity_the_units_of_bare_numbers_are_those_of_the_reference(self):
+        """Every field of the reference of the input that has a unit, under each kind of its table."""
+        section, compared = "", 0
+        for line in (ROOT / "docs" / "guide" / "input_file.md").read_text().splitlines():
+            if line.startswith("## "):
+                named = re.match(r"## `\[+([\w.]+)\]+", line)
+                section = named.group(1) if named else ""
+            row = re.match(r"\| `(\w+)` \| `([^`]+)` \|", line)
+            if row and section:
+                self.assertEqual(_unit(f"{section}.{row.group(1)}"), row.group(2), f"{section}: {line}")
+                compared += 1
+        self.assertGreater(compared, 150)
 
     def test_behaviour_comments_stay(self):
         drive = sw.parse((EXAMPLES / "article.toml").read_text() + "\n# the last line\n")

@@ -6,6 +6,7 @@ import importlib.util
 import inspect
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -80,8 +81,8 @@ class Types(unittest.TestCase):
         self.assertEqual(found, want, said)
 
 
-def backend():
-    place = ROOT / "python" / "backend" / "strainwave_backend.py"
+def backend(root=ROOT):
+    place = root / "python" / "backend" / "strainwave_backend.py"
     made = importlib.util.spec_from_file_location("strainwave_backend", place)
     module = importlib.util.module_from_spec(made)
     made.loader.exec_module(module)
@@ -121,6 +122,26 @@ class Wheel(unittest.TestCase):
                                         f"{info}/licenses/LICENSE"}, set(names))
         self.assertEqual({line.split(",")[0] for line in record.splitlines()}, set(names))
         self.assertIn("Requires-Dist: numpy", metadata)
+        for extra, needed in (("frames", "pandas"), ("plots", "matplotlib")):
+            self.assertIn(f"Provides-Extra: {extra}\nRequires-Dist: {needed}; extra == '{extra}'", metadata)
+
+    def test_behaviour_an_editable_package_follows_its_tree(self):
+        """In a copy of the package, because the library is put beside its modules."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("python/strainwave", "python/backend"):
+                shutil.copytree(ROOT / name, Path(folder, name),
+                                ignore=shutil.ignore_patterns("__pycache__", "*.so.0"))
+            for name in ("CMakeLists.txt", "LICENSE", "docs/guide/python.md"):
+                Path(folder, name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / name, Path(folder, name))
+            wheel = backend(Path(folder)).build_editable(folder, {"library": str(_library.library_file())})
+            with zipfile.ZipFile(Path(folder, wheel)) as packed:
+                path = packed.read("strainwave.pth").decode().strip()
+            clean = {**os.environ, "PYTHONPATH": path}
+            del clean["STRAINWAVE_LIBRARY"]
+            said = python("import strainwave as sw; print(sw.__file__, sw.__version__)", env=clean)
+        self.assertEqual(said.stdout.split(), [str(Path(path, "strainwave", "__init__.py")), sw.__version__],
+                         said.stderr)
 
     def test_behaviour_installed_without_a_network(self):
         """In a fresh environment whose only other packages are those of the system."""

@@ -60,14 +60,20 @@ class Plots(unittest.TestCase):
         self.assertEqual([label.get_text() for label in ax.get_yticklabels()], panel["labels"])
         self.assertTrue(ax.yaxis_inverted())  # the first bar is the uppermost
 
-    def test_behaviour_contours(self):
+    def test_identity_contours(self):
+        from matplotlib.colors import to_hex
         answer = read("solid_shaft").sweep(vary=["output_shaft.crack[0].depth=1 mm..20 mm:5",
                                                  "output_shaft.length=100 mm..300 mm:4"])
         panel = plots.panels_of(answer.svg())[0]
         self.assertEqual(len(panel["values"]), 20)
         axes = answer.plot()
         first = axes[0] if isinstance(axes, list) else axes
-        self.assertGreater(len(first.collections), 0)
+        colours = [to_hex(colour).upper() for one in first.collections for colour in one.get_edgecolor()]
+        self.assertEqual(colours, panel["colours"])
+        self.assertEqual(len(panel["levels"]), len(colours))
+        self.assertGreater(len(colours), 4)
+        self.assertTrue(all(min(panel["values"]) < level < max(panel["values"])
+                            for level in panel["levels"]))
         self.assertEqual(first.get_ylim()[1], max(panel["y"]))
 
     def test_behaviour_given_axes(self):

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import strainwave as sw
-from strainwave import answers
+from strainwave import parts
 from support import EXAMPLES, main, missing
 
 
@@ -42,7 +42,7 @@ class Quantities(unittest.TestCase):
         self.assertNotEqual(two, "2 m")
 
     def test_behaviour_an_unusable_result_refuses_its_numbers(self):
-        number = answers.quantity({"value": 5.0, "unit": "m"}, "it did not converge")
+        number = parts.quantity({"value": 5.0, "unit": "m"}, "it did not converge")
         for use in (float, lambda q: q.value, lambda q: q + 1, lambda q: q < 3, np.asarray, abs):
             with self.assertRaisesRegex(sw.NotUsable, "it did not converge"):
                 use(number)
@@ -62,7 +62,10 @@ class Results(unittest.TestCase):
                          [note["code"] for note in document["notes"]])
         self.assertEqual(answer.equations, tuple(document["equations"]))
         self.assertEqual(answer.verdict.reason, document["verdict"]["reason"])
-        self.assertEqual(answer.accuracies[0].path, document["accuracies"][0]["path"])
+        for given, stated in zip(answer.accuracies, document["accuracies"]):
+            self.assertEqual((given.path, float(given.relative_uncertainty), given.source),
+                             (stated["path"], stated["relative_uncertainty"]["value"], stated["source"]))
+        self.assertEqual(len(answer.accuracies), len(document["accuracies"]))
         self.assertEqual(answer.provenance, document["provenance"])
 
     def test_behaviour_an_unusable_answer_shows_that_first(self):
@@ -85,7 +88,7 @@ class Results(unittest.TestCase):
         self.assertEqual([row.corrected for row in audit.rows],
                          [given.get("corrected") for given in stated])
         self.assertGreater(sum(row.corrected is not None for row in audit.rows), 10)
-        self.assertTrue(math.isnan(answers.plain_number(None, "")))
+        self.assertTrue(math.isnan(parts.plain_number(None, "")))
 
     def test_behaviour_results_are_frozen(self):
         answer = read("article").stiffness()
@@ -109,11 +112,11 @@ class Results(unittest.TestCase):
         self.assertEqual(len(points.torque), len(points.twist))
         self.assertEqual(answer.positive.unit_of("K1"), "N*m/rad")
         self.assertEqual(sw.audit().rows[0].unit_of("verdict"), "1")
-        ragged = answers.floats({"values": [[1.0, None], [3.0]]}, "")
+        ragged = parts.floats({"values": [[1.0, None], [3.0]]}, "")
         self.assertEqual([len(row) for row in ragged], [2, 1])
         self.assertTrue(math.isnan(ragged[0][1]))
-        self.assertEqual(answers.floats({"values": [[1.0, 2.0], [3.0, 4.0]]}, "").shape, (2, 2))
-        self.assertEqual(answers.floats({"values": []}, "").shape, (0,))
+        self.assertEqual(parts.floats({"values": [[1.0, 2.0], [3.0, 4.0]]}, "").shape, (2, 2))
+        self.assertEqual(parts.floats({"values": []}, "").shape, (0,))
 
     def test_behaviour_pickled_and_copied_results_make_their_documents(self):
         answer = read("article").stiffness()

@@ -577,6 +577,35 @@ std::string level_labels(const std::vector<ContourLevel>& levels, const Box& fra
 }
 
 /// Draws one panel of contour lines with its upper edge at `top`.
+/// Levels of equal value and their labels: the ticks of an axis are round numbers, and those inside
+/// are levels.
+Axis level_axis(const ValueRange& values) {
+  constexpr int kLevels = 10;
+  return {values, AxisScale::linear, 0.0, 1.0, {}, kLevels};
+}
+
+bool is_level(const Tick& tick, const ValueRange& values) {
+  return tick.value > values.lower && tick.value < values.upper;
+}
+
+std::string colour_of(const Tick& tick, const ValueRange& values) {
+  return level_colour((tick.value - values.lower) / (values.upper - values.lower));
+}
+
+/// The lines of a panel as its numbers state them.
+ContourLines lines_of(const ContourPanel& panel) {
+  ContourLines lines;
+  const ValueRange values = range_of(panel.values, AxisScale::linear);
+  if (values.empty() || values.lower == values.upper) return lines;
+  const Axis axis = level_axis(values);
+  for (const Tick& tick : axis.ticks())
+    if (is_level(tick, values)) {
+      lines.levels.push_back(tick.value);
+      lines.colours.push_back(colour_of(tick, values));
+    }
+  return lines;
+}
+
 std::string contour_panel_svg(const ContourPanel& panel, double top) {
   const double left = kLeft;
   const double right = kPlotWidth - kRight;
@@ -597,18 +626,15 @@ std::string contour_panel_svg(const ContourPanel& panel, double top) {
         values.empty() ? "no value" : fmt::format("{:.6g} everywhere", values.lower);
     return svg + words(right + 14, label_y, "tick", same);
   }
-  // The ticks of an axis are round numbers; those inside are levels.
-  constexpr int kLevels = 10;
-  const Axis levels(values, AxisScale::linear, 0.0, 1.0, {}, kLevels);
+  const Axis levels = level_axis(values);
   if (!levels.factor().empty()) {
     svg += words(right + 14, label_y, "tick", levels.factor());
     label_y += kLabelHeight;
   }
   std::vector<ContourLevel> drawn;
   for (auto tick = levels.ticks().rbegin(); tick != levels.ticks().rend(); ++tick) {
-    if (tick->value <= values.lower || tick->value >= values.upper) continue;
-    const std::string colour =
-        level_colour((tick->value - values.lower) / (values.upper - values.lower));
+    if (!is_level(*tick, values)) continue;
+    const std::string colour = colour_of(*tick, values);
     std::string path;
     ContourLevel& level = drawn.emplace_back(ContourLevel{.label = tick->label});
     for (const GridLine& one :
@@ -658,8 +684,10 @@ std::string tornado_svg(std::span<const TornadoPanel> panels) {
 }
 
 std::string contour_svg(std::span<const ContourPanel> panels) {
+  std::vector<ContourLines> lines;
+  for (const ContourPanel& panel : panels) lines.push_back(lines_of(panel));
   std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()), spoken(panels),
-                             chart_numbers(panels));
+                             chart_numbers(panels, lines));
   svg += "<style>.halo { paint-order: stroke; stroke: white; stroke-width: 4px }</style>\n";
   double top = 0.0;
   for (const ContourPanel& panel : panels) {

@@ -89,14 +89,16 @@ std::string chart_numbers(std::span<const TornadoPanel> panels) {
   }));
 }
 
-std::string chart_numbers(std::span<const ContourPanel> panels) {
-  return json_of_panels(json_list(panels, [](const ContourPanel& panel) {
+std::string chart_numbers(std::span<const ContourPanel> panels,
+                          std::span<const ContourLines> lines) {
+  std::size_t n = 0;
+  return json_of_panels(json_list(panels, [&](const ContourPanel& panel) {
+    const ContourLines& drawn = lines[n++];
     return begin_panel("contours", panel) + axes(panel) +
-           fmt::format(
-               R"(,"value_label":{},"colours":["{}","{}","{}"],"x":{},"y":{},"values":{}}})",
-               json_text(panel.value_label), level_colour(0.0), level_colour(0.5),
-               level_colour(1.0), json_numbers(panel.x), json_numbers(panel.y),
-               json_numbers(panel.values));
+           fmt::format(R"(,"value_label":{},"levels":{},"colours":{},"x":{},"y":{},"values":{}}})",
+                       json_text(panel.value_label), json_numbers(drawn.levels),
+                       json_list(drawn.colours, json_text), json_numbers(panel.x),
+                       json_numbers(panel.y), json_numbers(panel.values));
   }));
 }
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "strainwave/chart/chart.hpp"
 
@@ -15,6 +16,14 @@ namespace strainwave {
 
 [[nodiscard]] std::string chart_numbers(std::span<const PlotPanel> panels);
 [[nodiscard]] std::string chart_numbers(std::span<const TornadoPanel> panels);
-[[nodiscard]] std::string chart_numbers(std::span<const ContourPanel> panels);
+
+/// Lines of equal value in a panel.
+struct ContourLines {
+  std::vector<double> levels;        ///< ascending
+  std::vector<std::string> colours;  ///< of each level
+};
+/// @param lines  of each panel
+[[nodiscard]] std::string chart_numbers(std::span<const ContourPanel> panels,
+                                        std::span<const ContourLines> lines);
 
 }  // namespace strainwave

@@ -162,12 +162,13 @@ TEST(Chart, IdentityThePictureCarriesItsNumbers) {
                               .y_scale = AxisScale::logarithmic,
                               .x = {1, 2},
                               .y = {3, 4},
-                              .values = {5, 6, 7, 8}};
+                              .values = {5, 6, 7, 8.5}};
   EXPECT_EQ(numbers_in(contour_svg(std::span(&contours, 1))),
             R"({"panels":[{"kind":"contours","title":"c","subtitle":"","x_label":"x",)"
             R"("y_label":"y","x_scale":"linear","y_scale":"log","value_label":"v",)"
-            R"("colours":["#004C99","#6A3D7C","#B83A00"],"x":[1,2],"y":[3,4],)"
-            R"("values":[5,6,7,8]}]})");
+            R"("levels":[5.5,6,6.5,7,7.5,8],"colours":["#1E4891","#3D4388","#5B3F80","#753D6A",)"
+            R"("#8B3C47","#A23B23"],"x":[1,2],"y":[3,4],)"
+            R"("values":[5,6,7,8.5]}]})");
 }
 
 }  // namespace

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -140,7 +141,6 @@ class BandsPart(Part):
         "high": ("high", _to.quantity),
         "largest": ("largest", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -168,7 +168,6 @@ class Bands(Part):
         "draws": ("draws", _to.plain),
         "rejected": ("rejected", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -222,7 +221,7 @@ class AccuracyResult(Result):
     """the sums under the ranges and scatters of the file; None if absent"""
 
     command: ClassVar[str] = "accuracy"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "worst_case": ("worst_case", _to.quantity),
         "root_of_squares": ("root_of_squares", _to.quantity),
@@ -247,4 +246,3 @@ class AccuracyResult(Result):
         "cracks": ("cracks", Cracks._of),
         "bands": ("bands", Bands._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -27,12 +28,11 @@ class ReproducedBy(Part):
         "unit": ("unit", _to.plain),
         "value": ("value", _to.plain_number),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Rows(Part):
-    """Rows."""
+    """The field `rows`."""
 
     id: str
     """chapter and number"""
@@ -68,7 +68,6 @@ class Rows(Part):
         "sentence": ("sentence", _to.plain),
         "reproduced_by": ("reproduced_by", ReproducedBy._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -79,8 +78,7 @@ class AuditResult(Result):
     """the numbers and equations of the article"""
 
     command: ClassVar[str] = "audit"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "markdown",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "markdown")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "rows": ("rows", _to.many(Rows._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,60 +7,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Table(Part):
-    """The table of the computed curve and its error."""
-
-    most_torque: Quantity
-    """largest torque of the table, at the output [N*m]"""
-    torques: int
-    """points of the torque"""
-    cage_angles: int
-    """points of the angle of the cage"""
-    flexspline_angles: Optional[int]
-    """points of the angle of the flexspline against the wave; absent: no crack or deviation
-    moves with it; None if absent"""
-    spline_angles: Optional[int]
-    """points of the angle of the circular spline against the wave; absent: no crack or
-    deviation in it; None if absent"""
-    triples: int
-    """random angles of flexspline, spline and cage of the check"""
-    worst_difference: Quantity
-    """largest difference of the twist against the coupled drive at these angles [rad]"""
-    rms_difference: Quantity
-    """root mean square of this difference [rad]"""
-    cracks_twist: Optional[Quantity]
-    """root mean square of the twist that the cracks in the contacts add at these angles [rad];
-    None if absent"""
-    worst_share: Optional[Quantity]
-    """largest error of the twist that the cracks add, over the largest such twist; None if
-    absent"""
-    rms_share: Optional[Quantity]
-    """the same as root mean squares; None if absent"""
-    teeth_range: Optional[Quantity]
-    """kinematic error of the teeth from peak to valley over a turn of the output, sound, at the
-    rated torque, or at the largest torque of the table if this is smaller; absent: no tooth
-    deviates [rad]; None if absent"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "most_torque": ("most_torque", _to.quantity),
-        "torques": ("torques", _to.plain),
-        "cage_angles": ("cage_angles", _to.plain),
-        "flexspline_angles": ("flexspline_angles", _to.plain),
-        "spline_angles": ("spline_angles", _to.plain),
-        "triples": ("triples", _to.plain),
-        "worst_difference": ("worst_difference", _to.quantity),
-        "rms_difference": ("rms_difference", _to.quantity),
-        "cracks_twist": ("cracks_twist", _to.quantity),
-        "worst_share": ("worst_share", _to.quantity),
-        "rms_share": ("rms_share", _to.quantity),
-        "teeth_range": ("teeth_range", _to.quantity),
-    }
-    _units: ClassVar[dict[str, str]] = {}
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
+from .simulate import Table
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -86,12 +36,11 @@ class BackbonePart(Part):
         "torque": ("torque", _to.quantity),
         "excitation": ("excitation", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Backbone(Part):
-    """Backbone."""
+    """The field `backbone`."""
 
     amplitude: Quantity
     """half of the range of the twist [rad]"""
@@ -105,7 +54,6 @@ class Backbone(Part):
         "intact": ("intact", BackbonePart._of),
         "cracked": ("cracked", BackbonePart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -170,7 +118,7 @@ class Points(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Responses(Part):
-    """Responses."""
+    """The field `responses`."""
 
     drive: Literal["sound", "cracked"]
     """sound, or with its cracks"""
@@ -202,7 +150,6 @@ class Responses(Part):
         "jumps": ("jumps", Jumps._of),
         "points": ("points", Points._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -241,7 +188,7 @@ class BackboneResult(Result):
     """responses to each excitation"""
 
     command: ClassVar[str] = "backbone"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "load_torque": ("load_torque", _to.quantity),
         "input": ("input", _to.plain),
@@ -258,4 +205,3 @@ class BackboneResult(Result):
         "backbone": ("backbone", _to.many(Backbone._of)),
         "responses": ("responses", _to.many(Responses._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -235,7 +236,6 @@ class OtherRatios(Part):
         "transfer_errors": ("transfer_errors", TransferErrors._of),
         "predictions": ("predictions", Predictions._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -277,7 +277,6 @@ class FrictionFriction(Part):
         "warming": ("warming", _to.quantity),
         "load_breakaway": ("load_breakaway", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -342,7 +341,6 @@ class Friction(Part):
         "converged": ("converged", _to.plain),
         "values": ("values", Values._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -371,7 +369,7 @@ class CalibrateResult(Result):
     """friction of the input that is fitted to a maker's four values; None if absent"""
 
     command: ClassVar[str] = "calibrate"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "toml",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "toml")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "source": ("source", _to.plain),
         "converged": ("converged", _to.plain),
@@ -384,4 +382,3 @@ class CalibrateResult(Result):
         "other_ratios": ("other_ratios", OtherRatios._of),
         "friction": ("friction", Friction._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

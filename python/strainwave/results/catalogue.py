@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -130,10 +131,9 @@ class CatalogueResult(Result):
     """publications from which the rows were taken"""
 
     command: ClassVar[str] = "catalogue"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "stiffness": ("stiffness", Stiffness._of),
         "ratings": ("ratings", Ratings._of),
         "sources": ("sources", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Inputs(Part):
-    """Inputs."""
+    """The field `inputs`."""
 
     path: str
     """field of the input"""
@@ -27,12 +28,11 @@ class Inputs(Part):
         "first": ("first", _to.plain),
         "second": ("second", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class DiffPart(Part):
-    """DiffPart."""
+    """The field `stiffness`."""
 
     output: str
     """name of the output"""
@@ -58,7 +58,6 @@ class DiffPart(Part):
         "uncertainty": ("uncertainty", _to.plain_number),
         "standing": ("standing", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -89,7 +88,7 @@ class DiffResult(Result):
     """number of outputs that are the same"""
 
     command: ClassVar[str] = "diff"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "first": ("first", _to.plain),
         "second": ("second", _to.plain),
@@ -103,4 +102,3 @@ class DiffResult(Result):
         "only_second": ("only_second", _to.many(_to.plain)),
         "equal": ("equal", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -66,7 +67,6 @@ class DrivePart(Part):
         "largest_left_out": ("largest_left_out", _to.plain_number),
         "rows": ("rows", Rows._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -98,7 +98,7 @@ class Loads(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Places(Part):
-    """Places."""
+    """The field `places`."""
 
     place: Literal["flexspline", "outer_ring", "inner_ring", "circular_spline", "output_shaft"]
     """part of the drive"""
@@ -128,12 +128,11 @@ class Places(Part):
         "loads": ("loads", Loads._of),
         "between": ("between", DrivePart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Peaks(Part):
-    """Peaks."""
+    """The field `peaks`."""
 
     torque: Quantity
     """torque at the output [N*m]"""
@@ -150,7 +149,6 @@ class Peaks(Part):
         "per_repetition": ("per_repetition", _to.quantity),
         "waves": ("waves", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -193,7 +191,6 @@ class Drive(Part):
         "places": ("places", _to.many(Places._of)),
         "peaks": ("peaks", _to.many(Peaks._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -227,7 +224,6 @@ class History(Part):
         "largest": ("largest", _to.plain_number),
         "counted": ("counted", DrivePart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -240,9 +236,8 @@ class DutyResult(Result):
     """counted cycles of a history; None if absent"""
 
     command: ClassVar[str] = "duty"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "drive": ("drive", Drive._of),
         "history": ("history", History._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

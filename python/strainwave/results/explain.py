@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .. import answers as _to
-from ..answers import Converter, Part, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Part
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Meanings(Part):
-    """Meanings."""
+    """The field `meanings`."""
 
     kind: str
     """the kind of thing that the word names"""
@@ -30,7 +31,6 @@ class Meanings(Part):
         "text": ("text", _to.plain),
         "more": ("more", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -43,9 +43,8 @@ class ExplainResult(Result):
     """each thing of this name"""
 
     command: ClassVar[str] = "explain"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "word": ("word", _to.plain),
         "meanings": ("meanings", _to.many(Meanings._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}

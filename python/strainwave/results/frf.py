@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -63,7 +64,7 @@ class Extrema(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Curves(Part):
-    """Curves."""
+    """The field `curves`."""
 
     response: Literal["motor_angle", "load_angle", "error_given_torque", "error_given_speed", "load_torque", "load_torque_at_speed"]
     """from which excitation to which angle"""
@@ -121,7 +122,7 @@ class FrfResult(Result):
     """amplitude and phase of each response"""
 
     command: ClassVar[str] = "frf"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "resonance": ("resonance", _to.quantity),
         "antiresonance": ("antiresonance", _to.quantity),

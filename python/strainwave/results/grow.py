@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Events(Part):
-    """Events."""
+    """The field `events`."""
 
     event: Literal["arrested", "through_wall", "breaks", "assessment", "severed", "range", "wanted_size"]
     """what happens"""
@@ -33,7 +34,6 @@ class Events(Part):
         "size": ("size", _to.quantity),
         "half_length": ("half_length", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -81,7 +81,7 @@ class Series(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Cracks(Part):
-    """Cracks."""
+    """The field `cracks`."""
 
     path: str
     """the crack"""
@@ -119,7 +119,6 @@ class Cracks(Part):
         "events": ("events", _to.many(Events._of)),
         "series": ("series", Series._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -217,7 +216,7 @@ class GrowResult(Result):
     """largest relative change of time and sizes at the end if each step is halved"""
 
     command: ClassVar[str] = "grow"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "sentence": ("sentence", _to.plain),
         "end": ("end", _to.plain),
@@ -235,4 +234,3 @@ class GrowResult(Result):
         "tolerance": ("tolerance", _to.quantity),
         "step_error": ("step_error", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -30,12 +31,11 @@ class Average(Part):
         "input_speed": ("input_speed", _to.quantity),
         "duration": ("duration", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Rules(Part):
-    """Rules."""
+    """The field `rules`."""
 
     rule: Literal["average_torque", "repeated_peak", "momentary_peak", "momentary_peaks", "average_speed", "largest_speed", "ratcheting", "buckling"]
     """rule of the makers"""
@@ -58,7 +58,6 @@ class Rules(Part):
         "margin": ("margin", _to.quantity),
         "origin": ("origin", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -77,7 +76,6 @@ class Bearing(Part):
         "L50": ("L50", _to.quantity),
         "origin": ("origin", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -93,7 +91,6 @@ class Ratings(Part):
         "inner": ("inner", _to.quantity),
         "outer": ("outer", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -124,7 +121,6 @@ class BearingByForcesPart(Part):
         "largest_force": ("largest_force", _to.quantity),
         "ratings": ("ratings", Ratings._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -149,7 +145,6 @@ class BearingByForces(Part):
         "by_ratio": ("by_ratio", _to.quantity),
         "cage_phases": ("cage_phases", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -165,7 +160,6 @@ class OutputBearing(Part):
         "L10": ("L10", _to.quantity),
         "load": ("load", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -193,12 +187,11 @@ class Plane(Part):
         "shear_mean": ("shear_mean", _to.quantity),
         "utilisation": ("utilisation", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Miner(Part):
-    """Miner."""
+    """The field `miner`."""
 
     rule: Literal["original", "elementary", "haibach"]
     """line of the endurance below its knee"""
@@ -212,12 +205,11 @@ class Miner(Part):
         "damage_rate": ("damage_rate", _to.quantity),
         "life": ("life", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Fatigue(Part):
-    """Fatigue."""
+    """The field `fatigue`."""
 
     place: Literal["wall", "rim", "tooth_root"]
     """wall, rim at its bore, or tooth root"""
@@ -270,7 +262,6 @@ class Fatigue(Part):
         "handbook": ("handbook", _to.quantity),
         "miner": ("miner", _to.many(Miner._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -295,7 +286,6 @@ class Elastic(Part):
         "elastic_stress": ("elastic_stress", _to.quantity),
         "elastic_torque": ("elastic_torque", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -314,7 +304,6 @@ class Buckling(Part):
         "plastic_torque": ("plastic_torque", _to.quantity),
         "reserve": ("reserve", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -360,12 +349,11 @@ class Wear(Part):
         "coast_rate": ("coast_rate", _to.quantity),
         "states": ("states", States._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Parts(Part):
-    """Parts."""
+    """The field `parts`."""
 
     name: str
     """the part"""
@@ -385,7 +373,6 @@ class Parts(Part):
         "end": ("end", _to.quantity),
         "origin": ("origin", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -440,7 +427,7 @@ class LifeResult(Result):
     """share of the drives over time"""
 
     command: ClassVar[str] = "life"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "answer": ("answer", _to.plain),
         "hours": ("hours", _to.quantity),
@@ -456,4 +443,3 @@ class LifeResult(Result):
         "parts": ("parts", _to.many(Parts._of)),
         "survival": ("survival", Survival._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

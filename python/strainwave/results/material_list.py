@@ -7,38 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MaterialPart(Part):
     """Young's modulus."""
-
-    value: Quantity
-    """the number [Pa]"""
-    source: str
-    """key in [source]"""
-    confidence: Literal["measured", "handbook", "standard", "derived", "unverified"]
-    """how well the number is known"""
-    scatter: Optional[Quantity]
-    """one standard deviation over the value; None if absent"""
-    remark: str
-    """remark that contradicts or limits the number"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "value": ("value", _to.quantity),
-        "source": ("source", _to.plain),
-        "confidence": ("confidence", _to.plain),
-        "scatter": ("scatter", _to.quantity),
-        "remark": ("remark", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class MaterialListMaterialPart(Part):
-    """Poisson's ratio."""
 
     value: Quantity
     """the number"""
@@ -58,62 +34,11 @@ class MaterialListMaterialPart(Part):
         "scatter": ("scatter", _to.quantity),
         "remark": ("remark", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Density(Part):
-    """Density."""
-
-    value: Quantity
-    """the number [kg/m^3]"""
-    source: str
-    """key in [source]"""
-    confidence: Literal["measured", "handbook", "standard", "derived", "unverified"]
-    """how well the number is known"""
-    scatter: Optional[Quantity]
-    """one standard deviation over the value; None if absent"""
-    remark: str
-    """remark that contradicts or limits the number"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "value": ("value", _to.quantity),
-        "source": ("source", _to.plain),
-        "confidence": ("confidence", _to.plain),
-        "scatter": ("scatter", _to.quantity),
-        "remark": ("remark", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class FractureToughness(Part):
-    """Fracture toughness."""
-
-    value: Quantity
-    """the number [Pa*m^0.5]"""
-    source: str
-    """key in [source]"""
-    confidence: Literal["measured", "handbook", "standard", "derived", "unverified"]
-    """how well the number is known"""
-    scatter: Optional[Quantity]
-    """one standard deviation over the value; None if absent"""
-    remark: str
-    """remark that contradicts or limits the number"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "value": ("value", _to.quantity),
-        "source": ("source", _to.plain),
-        "confidence": ("confidence", _to.plain),
-        "scatter": ("scatter", _to.quantity),
-        "remark": ("remark", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FatigueLimit(Part):
-    """FatigueLimit."""
+    """The field `fatigue_limit`."""
 
     value: Quantity
     """the number [Pa]"""
@@ -142,12 +67,11 @@ class FatigueLimit(Part):
         "cycles": ("cycles", _to.quantity),
         "loading": ("loading", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Threshold(Part):
-    """Threshold."""
+    """The field `threshold`."""
 
     value: Quantity
     """the number [Pa*m^0.5]"""
@@ -180,7 +104,7 @@ class Threshold(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Material(Part):
-    """Material."""
+    """The field `material`."""
 
     name: str
     """name as an input file writes it"""
@@ -196,17 +120,17 @@ class Material(Part):
     """Young's modulus; None if absent"""
     shear_modulus: Optional[MaterialPart]
     """shear modulus; None if absent"""
-    poissons_ratio: Optional[MaterialListMaterialPart]
+    poissons_ratio: Optional[MaterialPart]
     """Poisson's ratio; None if absent"""
-    density: Optional[Density]
+    density: Optional[MaterialPart]
     """density; None if absent"""
     yield_strength: Optional[MaterialPart]
     """yield strength; None if absent"""
     ultimate_strength: Optional[MaterialPart]
     """tensile strength; None if absent"""
-    fracture_toughness: Optional[FractureToughness]
+    fracture_toughness: Optional[MaterialPart]
     """fracture toughness; None if absent"""
-    hardness: Optional[MaterialListMaterialPart]
+    hardness: Optional[MaterialPart]
     """hardness HRC; None if absent"""
     fatigue_limit: tuple[FatigueLimit, ...]
     """fatigue limit"""
@@ -223,17 +147,16 @@ class Material(Part):
         "remark": ("remark", _to.plain),
         "youngs_modulus": ("youngs_modulus", MaterialPart._of),
         "shear_modulus": ("shear_modulus", MaterialPart._of),
-        "poissons_ratio": ("poissons_ratio", MaterialListMaterialPart._of),
-        "density": ("density", Density._of),
+        "poissons_ratio": ("poissons_ratio", MaterialPart._of),
+        "density": ("density", MaterialPart._of),
         "yield_strength": ("yield_strength", MaterialPart._of),
         "ultimate_strength": ("ultimate_strength", MaterialPart._of),
-        "fracture_toughness": ("fracture_toughness", FractureToughness._of),
-        "hardness": ("hardness", MaterialListMaterialPart._of),
+        "fracture_toughness": ("fracture_toughness", MaterialPart._of),
+        "hardness": ("hardness", MaterialPart._of),
         "fatigue_limit": ("fatigue_limit", _to.many(FatigueLimit._of)),
         "threshold": ("threshold", _to.many(Threshold._of)),
         "growth": ("growth", _to.many(_to.plain)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -246,9 +169,8 @@ class MaterialListResult(Result):
     """publications that the records cite, by key"""
 
     command: ClassVar[str] = "material list"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "markdown",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "markdown")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "material": ("material", _to.many(Material._of)),
         "source": ("source", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -71,7 +72,6 @@ class ModesPart(Part):
         "shape": ("shape", Shape._of),
         "energy": ("energy", Energy._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -129,7 +129,7 @@ class CriticalSpeeds(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Modes(Part):
-    """Modes."""
+    """The field `modes`."""
 
     number: int
     """number of the mode, from 1"""
@@ -156,12 +156,11 @@ class Modes(Part):
         "cracks": ("cracks", Cracks._of),
         "critical_speeds": ("critical_speeds", CriticalSpeeds._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Conditions(Part):
-    """Conditions."""
+    """The field `conditions`."""
 
     motor: Literal["torque", "speed"]
     """what the motor gives"""
@@ -172,7 +171,6 @@ class Conditions(Part):
         "motor": ("motor", _to.plain),
         "modes": ("modes", _to.many(Modes._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -264,7 +262,6 @@ class OverGrowth(Part):
         "life": ("life", _to.quantity),
         "rows": ("rows", Rows._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -299,7 +296,7 @@ class ModesResult(Result):
     """the first mode while the cracks grow over the duty; None if absent"""
 
     command: ClassVar[str] = "modes"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "free_frequency": ("free_frequency", _to.quantity),
         "locked_frequency": ("locked_frequency", _to.quantity),
@@ -314,4 +311,3 @@ class ModesResult(Result):
         "over_torque": ("over_torque", OverTorque._of),
         "over_growth": ("over_growth", OverGrowth._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

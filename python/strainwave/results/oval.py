@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -73,7 +74,7 @@ class Stations(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Torques(Part):
-    """Torques."""
+    """The field `torques`."""
 
     torque: Quantity
     """torque at the output [N*m]"""
@@ -84,7 +85,6 @@ class Torques(Part):
         "torque": ("torque", _to.quantity),
         "stations": ("stations", Stations._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -106,7 +106,6 @@ class WaveGenerator(Part):
         "largest_pressure": ("largest_pressure", _to.quantity),
         "iterations": ("iterations", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -148,7 +147,7 @@ class OvalResult(Result):
     """of the wave generator on the bore"""
 
     command: ClassVar[str] = "oval"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "largest": ("largest", _to.quantity),
         "coning_angle": ("coning_angle", _to.quantity),
@@ -158,4 +157,3 @@ class OvalResult(Result):
         "wave_generator": ("wave_generator", WaveGenerator._of),
         "pressure": ("pressure", Pressure._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

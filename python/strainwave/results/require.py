@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Requirements(Part):
-    """Requirements."""
+    """The field `requirements`."""
 
     output: str
     """name of the output"""
@@ -39,7 +40,6 @@ class Requirements(Part):
         "high": ("high", _to.quantity),
         "outcome": ("outcome", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,11 +56,10 @@ class RequireResult(Result):
     """combined answer to all requirements"""
 
     command: ClassVar[str] = "require"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "method": ("method", _to.plain),
         "coverage": ("coverage", _to.quantity),
         "requirements": ("requirements", _to.many(Requirements._of)),
         "outcome": ("outcome", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .. import answers as _to
-from ..answers import Converter, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -19,8 +20,7 @@ class SchemaResult(Result):
     """the JSON Schema, as text"""
 
     command: ClassVar[str] = "schema"
-    documents: ClassVar[tuple[str, ...]] = ("json", "schema", "markdown",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "schema", "markdown")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "schema": ("schema", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Outputs(Part):
-    """Outputs."""
+    """The field `outputs`."""
 
     name: str
     """the output"""
@@ -30,7 +31,6 @@ class Outputs(Part):
         "length_residual": ("length_residual", _to.quantity),
         "force_residual": ("force_residual", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -70,7 +70,6 @@ class Inputs(Part):
         "value": ("value", _to.entries),
         "influence": ("influence", Influence._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -86,12 +85,11 @@ class NotDifferentiated(Part):
         "path": ("path", _to.entries),
         "reason": ("reason", _to.entries),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ScatterInputs(Part):
-    """ScatterInputs."""
+    """The field `inputs`."""
 
     path: str
     """path of the number"""
@@ -108,12 +106,11 @@ class ScatterInputs(Part):
         "distribution": ("distribution", _to.plain),
         "source": ("source", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ScatterOutputs(Part):
-    """ScatterOutputs."""
+    """The field `outputs`."""
 
     name: str
     """the output"""
@@ -190,7 +187,6 @@ class Scatter(Part):
         "unusable": ("unusable", _to.plain),
         "seed": ("seed", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -211,7 +207,7 @@ class SensitivityResult(Result):
     """combined uncertainty from the scatter of the inputs; None if absent"""
 
     command: ClassVar[str] = "sensitivity"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "outputs": ("outputs", _to.many(Outputs._of)),
         "inputs": ("inputs", Inputs._of),
@@ -220,4 +216,3 @@ class SensitivityResult(Result):
         "homogeneity_residual": ("homogeneity_residual", _to.quantity),
         "scatter": ("scatter", Scatter._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SifEvalPart(Part):
-    """SifEvalPart."""
+    """The field `fields`."""
 
     name: str
     """name of the field or load"""
@@ -30,7 +31,6 @@ class SifEvalPart(Part):
         "value": ("value", _to.plain_number),
         "given": ("given", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -49,7 +49,6 @@ class Material(Part):
         "poissons_ratio": ("poissons_ratio", _to.quantity),
         "fracture_toughness": ("fracture_toughness", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -83,7 +82,7 @@ class GeometryFactors(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SifEvalPart2(Part):
-    """SifEvalPart2."""
+    """The field `points`."""
 
     name: str
     """name of the point; empty for a point found by scanning the front"""
@@ -103,12 +102,11 @@ class SifEvalPart2(Part):
         "K_II": ("K_II", _to.quantity),
         "K_III": ("K_III", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class AddedCompliance(Part):
-    """AddedCompliance."""
+    """The field `added_compliance`."""
 
     load_i: str
     """whose displacement"""
@@ -125,12 +123,11 @@ class AddedCompliance(Part):
         "unit": ("unit", _to.plain),
         "value": ("value", _to.plain_number),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Validity(Part):
-    """Validity."""
+    """The field `validity`."""
 
     limit: str
     """the limit in words"""
@@ -141,7 +138,6 @@ class Validity(Part):
         "limit": ("limit", _to.plain),
         "inside": ("inside", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -204,7 +200,7 @@ class SifEvalResult(Result):
     """whether the crack keeps every limit of the range"""
 
     command: ClassVar[str] = "sif eval"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "name": ("name", _to.plain),
         "family": ("family", _to.plain),
@@ -233,4 +229,3 @@ class SifEvalResult(Result):
         "validity": ("validity", _to.many(Validity._of)),
         "in_range": ("in_range", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Fields(Part):
-    """Fields."""
+    """The field `fields`."""
 
     name: str
     """name of the field"""
@@ -33,12 +34,11 @@ class Fields(Part):
         "rule": ("rule", _to.plain),
         "example": ("example", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Loads(Part):
-    """Loads."""
+    """The field `loads`."""
 
     name: str
     """name of the load"""
@@ -52,12 +52,11 @@ class Loads(Part):
         "unit": ("unit", _to.plain),
         "meaning": ("meaning", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Points(Part):
-    """Points."""
+    """The field `points`."""
 
     name: str
     """name of the point"""
@@ -68,12 +67,11 @@ class Points(Part):
         "name": ("name", _to.plain),
         "front_parameter": ("front_parameter", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solutions(Part):
-    """Solutions."""
+    """The field `solutions`."""
 
     name: str
     """name on the command line"""
@@ -131,7 +129,6 @@ class Solutions(Part):
         "validity": ("validity", _to.many(_to.plain)),
         "rules": ("rules", _to.many(_to.plain)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -142,8 +139,7 @@ class SifListResult(Result):
     """description of each solution"""
 
     command: ClassVar[str] = "sif list"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "markdown",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "markdown")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "solutions": ("solutions", _to.many(Solutions._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}

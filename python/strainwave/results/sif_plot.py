@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .. import answers as _to
-from ..answers import Converter, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -19,8 +20,7 @@ class SifPlotResult(Result):
     """the picture"""
 
     command: ClassVar[str] = "sif plot"
-    documents: ClassVar[tuple[str, ...]] = ("json", "svg",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "svg")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "svg": ("svg_", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}

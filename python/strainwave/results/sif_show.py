@@ -7,68 +7,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, Part, Quantity, Result
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Fields(Part):
-    """Fields."""
-
-    name: str
-    """name of the field"""
-    unit: str
-    """SI unit"""
-    meaning: str
-    """meaning of the field"""
-    rule: str
-    """allowed values"""
-    example: str
-    """value used if the field is left out"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "name": ("name", _to.plain),
-        "unit": ("unit", _to.plain),
-        "meaning": ("meaning", _to.plain),
-        "rule": ("rule", _to.plain),
-        "example": ("example", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Loads(Part):
-    """Loads."""
-
-    name: str
-    """name of the load"""
-    unit: str
-    """its unit"""
-    meaning: str
-    """meaning and sign of the load, and the place where it acts"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "name": ("name", _to.plain),
-        "unit": ("unit", _to.plain),
-        "meaning": ("meaning", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Points(Part):
-    """Points."""
-
-    name: str
-    """name of the point"""
-    front_parameter: Quantity
-    """s, place along the front"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "name": ("name", _to.plain),
-        "front_parameter": ("front_parameter", _to.quantity),
-    }
-    _units: ClassVar[dict[str, str]] = {}
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Quantity
+from .sif_list import Fields, Loads, Points
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -113,7 +55,7 @@ class SifShowResult(Result):
     """rules between fields; input that breaks a rule is refused"""
 
     command: ClassVar[str] = "sif show"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "name": ("name", _to.plain),
         "family": ("family", _to.plain),
@@ -133,4 +75,3 @@ class SifShowResult(Result):
         "validity": ("validity", _to.many(_to.plain)),
         "rules": ("rules", _to.many(_to.plain)),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -60,7 +61,6 @@ class Table(Part):
         "rms_share": ("rms_share", _to.quantity),
         "teeth_range": ("teeth_range", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -93,7 +93,6 @@ class Contacts(Part):
         "load_coulomb": ("load_coulomb", _to.quantity),
         "worst_deviation": ("worst_deviation", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -151,7 +150,6 @@ class SimulatePart(Part):
         "time_reached": ("time_reached", _to.quantity),
         "beyond_table": ("beyond_table", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -217,7 +215,6 @@ class Growth(Part):
         "last_stiffness": ("last_stiffness", _to.quantity),
         "cracks": ("cracks", Cracks._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -293,7 +290,6 @@ class Orders(Part):
         "cracked_torque_floor": ("cracked_torque_floor", _to.quantity),
         "lines": ("lines", Lines._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -394,7 +390,7 @@ class SimulateResult(Result):
     """the motion over time; empty if the rows were recorded"""
 
     command: ClassVar[str] = "simulate"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "duration": ("duration", _to.quantity),
         "signed_ratio": ("signed_ratio", _to.quantity),
@@ -409,4 +405,3 @@ class SimulateResult(Result):
         "recorded_rows": ("recorded_rows", _to.quantity),
         "rows": ("rows", Rows._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import Converter, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -36,7 +37,6 @@ class Torques(Part):
         "lost_motion": ("lost_motion", _to.quantity),
         "by_convention": ("by_convention", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -67,7 +67,6 @@ class Intact(Part):
         "wind_up_at_T2": ("wind_up_at_T2", _to.quantity),
         "wind_up_at_T3": ("wind_up_at_T3", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -90,7 +89,6 @@ class Change(Part):
         "K3": ("K3", _to.quantity),
         "wind_up": ("wind_up", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -109,7 +107,6 @@ class OverTurnPart(Part):
         "K2": ("K2", _to.quantity),
         "K3": ("K3", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -125,7 +122,6 @@ class OverTurn(Part):
         "mean": ("mean", OverTurnPart._of),
         "softest": ("softest", OverTurnPart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -162,7 +158,6 @@ class CurvePart(Part):
         "change": ("change", Change._of),
         "over_turn": ("over_turn", OverTurn._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -184,7 +179,6 @@ class Curve(Part):
         "positive": ("positive", CurvePart._of),
         "negative": ("negative", CurvePart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -232,7 +226,6 @@ class Life(Part):
         "tooth_root_reserve": ("tooth_root_reserve", _to.quantity),
         "makers_reserve": ("makers_reserve", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -254,7 +247,6 @@ class Compliance(Part):
         "output_shaft": ("output_shaft", _to.quantity),
         "total": ("total", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -273,7 +265,6 @@ class StiffnessIntact(Part):
         "stiffness": ("stiffness", _to.quantity),
         "wind_up": ("wind_up", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -295,7 +286,6 @@ class CrackedPart(Part):
         "stiffness_change": ("stiffness_change", _to.quantity),
         "wind_up": ("wind_up", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -311,7 +301,6 @@ class Cracked(Part):
         "positive": ("positive", CrackedPart._of),
         "negative": ("negative", CrackedPart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -333,7 +322,6 @@ class AddedCompliancePart(Part):
         "axial_torsion": ("axial_torsion", _to.quantity),
         "torsion_torsion": ("torsion_torsion", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -349,7 +337,6 @@ class AddedCompliance(Part):
         "positive": ("positive", AddedCompliancePart._of),
         "negative": ("negative", AddedCompliancePart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -368,7 +355,6 @@ class StressIntensityPart(Part):
         "K_II": ("K_II", _to.quantity),
         "K_III": ("K_III", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -384,7 +370,6 @@ class StressIntensity(Part):
         "deepest": ("deepest", StressIntensityPart._of),
         "largest": ("largest", StressIntensityPart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -412,7 +397,6 @@ class AtWork(Part):
         "open_share": ("open_share", _to.quantity),
         "at_largest": ("at_largest", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -431,12 +415,11 @@ class StatesPart(Part):
         "none_up_to": ("none_up_to", _to.quantity),
         "text": ("text", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class States(Part):
-    """States."""
+    """The field `states`."""
 
     torque: Literal["positive", "negative"]
     """sense of the torque"""
@@ -489,12 +472,11 @@ class States(Part):
         "brittle_size": ("brittle_size", StatesPart._of),
         "critical_size": ("critical_size", StatesPart._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Notes(Part):
-    """Notes."""
+    """The field `notes`."""
 
     text: str
     """effect that the verdict leaves out"""
@@ -505,7 +487,6 @@ class Notes(Part):
         "text": ("text", _to.plain),
         "equation": ("equation", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -575,12 +556,11 @@ class Strength(Part):
         "notes": ("notes", _to.many(Notes._of)),
         "equations": ("equations", _to.many(_to.plain)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Cracks(Part):
-    """Cracks."""
+    """The field `cracks`."""
 
     path: str
     """field of the input"""
@@ -607,7 +587,6 @@ class Cracks(Part):
         "at_work": ("at_work", AtWork._of),
         "strength": ("strength", Strength._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -628,7 +607,7 @@ class StiffnessResult(Result):
     """outputs of each crack"""
 
     command: ClassVar[str] = "stiffness"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot", "fad",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot", "fad")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "method": ("method", _to.plain),
         "curve": ("curve", Curve._of),
@@ -637,4 +616,3 @@ class StiffnessResult(Result):
         "cracked": ("cracked", Cracked._of),
         "cracks": ("cracks", _to.many(Cracks._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,13 +7,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Columns(Part):
-    """Columns."""
+    """The field `columns`."""
 
     name: str
     """path of the field or the output"""
@@ -51,7 +52,6 @@ class Rows(Part):
         "usable": ("usable", _to.entries),
         "reason": ("reason", _to.entries),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -73,7 +73,6 @@ class NoteRows(Part):
         "first_row": ("first_row", _to.entries),
         "rows": ("rows", _to.entries),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -92,7 +91,7 @@ class SweepResult(Result):
     """fields of the cracks"""
 
     command: ClassVar[str] = "sweep"
-    documents: ClassVar[tuple[str, ...]] = ("json", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "method": ("method", _to.plain),
         "columns": ("columns", _to.many(Columns._of)),
@@ -100,4 +99,3 @@ class SweepResult(Result):
         "note_rows": ("note_rows", NoteRows._of),
         "crack_paths": ("crack_paths", _to.many(_to.plain)),
     }
-    _units: ClassVar[dict[str, str]] = {}

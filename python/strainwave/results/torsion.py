@@ -7,36 +7,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Torques(Part):
-    """The maker's torques."""
-
-    T1: Quantity
-    """torque up to which K1 holds [N*m]"""
-    T2: Quantity
-    """torque up to which K2 holds [N*m]"""
-    T3: Quantity
-    """torque up to which K3 is taken [N*m]"""
-    rated: Quantity
-    """T_N [N*m]"""
-    lost_motion: Quantity
-    """torque at which lost motion is measured [N*m]"""
-    by_convention: bool
-    """whether T1 and T2 were not given"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "T1": ("T1", _to.quantity),
-        "T2": ("T2", _to.quantity),
-        "T3": ("T3", _to.quantity),
-        "rated": ("rated", _to.quantity),
-        "lost_motion": ("lost_motion", _to.quantity),
-        "by_convention": ("by_convention", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
+from .stiffness import Torques
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -55,7 +29,6 @@ class AtLoad(Part):
         "positive": ("positive", _to.quantity),
         "negative": ("negative", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -83,7 +56,6 @@ class TorsionPart(Part):
         "phi2": ("phi2", _to.quantity),
         "phi3": ("phi3", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -102,7 +74,6 @@ class OverCagePart(Part):
         "K2": ("K2", _to.quantity),
         "K3": ("K3", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -208,7 +179,6 @@ class LossAtZero(Part):
         "outer_ring": ("outer_ring", _to.quantity),
         "output": ("output", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -233,7 +203,6 @@ class NoLoad(Part):
         "flanks": ("flanks", _to.quantity),
         "output": ("output", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -253,7 +222,6 @@ class Friction(Part):
         "no_load": ("no_load", NoLoad._of),
         "back_driving_torque": ("back_driving_torque", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -425,7 +393,6 @@ class TorsionPart2(Part):
         "series_compliance": ("series_compliance", _to.quantity),
         "points": ("points", Points._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -483,7 +450,6 @@ class BandsPart(Part):
         "median": ("median", _to.quantity),
         "high": ("high", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -511,7 +477,6 @@ class Bands(Part):
         "draws": ("draws", _to.plain),
         "rejected": ("rejected", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -530,7 +495,6 @@ class PositivePart(Part):
         "K2": ("K2", _to.quantity),
         "K3": ("K3", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -584,7 +548,6 @@ class ComparisonPart(Part):
         "ripple_order": ("ripple_order", _to.plain),
         "at_angle": ("at_angle", AtAngle._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -657,56 +620,11 @@ class Limits(Part):
         "diameter_of_ball": ("diameter_of_ball", _to.quantity),
         "eccentricity": ("eccentricity", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TolerancesPart(Part):
     """K1 over half of the twist between both senses of torque."""
-
-    nominal: Quantity
-    """without deviations [N*m/rad]"""
-    low: Quantity
-    """5 % of the drawn drives [N*m/rad]"""
-    median: Quantity
-    """50 % of the drawn drives [N*m/rad]"""
-    high: Quantity
-    """95 % of the drawn drives [N*m/rad]"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "nominal": ("nominal", _to.quantity),
-        "low": ("low", _to.quantity),
-        "median": ("median", _to.quantity),
-        "high": ("high", _to.quantity),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class LostMotion(Part):
-    """Lost motion."""
-
-    nominal: Quantity
-    """without deviations [rad]"""
-    low: Quantity
-    """5 % of the drawn drives [rad]"""
-    median: Quantity
-    """50 % of the drawn drives [rad]"""
-    high: Quantity
-    """95 % of the drawn drives [rad]"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "nominal": ("nominal", _to.quantity),
-        "low": ("low", _to.quantity),
-        "median": ("median", _to.quantity),
-        "high": ("high", _to.quantity),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Ripple(Part):
-    """Largest less least K1 over its mean, over a turn of the wave generator."""
 
     nominal: Quantity
     """without deviations"""
@@ -723,7 +641,6 @@ class Ripple(Part):
         "median": ("median", _to.quantity),
         "high": ("high", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -786,9 +703,9 @@ class Tolerances(Part):
     """K2, likewise"""
     K3: TolerancesPart
     """K3, likewise"""
-    lost_motion: LostMotion
+    lost_motion: TolerancesPart
     """lost motion"""
-    ripple: Ripple
+    ripple: TolerancesPart
     """largest less least K1 over its mean, over a turn of the wave generator"""
     contacts: Contacts
     """contacts at T1, T2 and T3"""
@@ -806,15 +723,14 @@ class Tolerances(Part):
         "K1": ("K1", TolerancesPart._of),
         "K2": ("K2", TolerancesPart._of),
         "K3": ("K3", TolerancesPart._of),
-        "lost_motion": ("lost_motion", LostMotion._of),
-        "ripple": ("ripple", Ripple._of),
+        "lost_motion": ("lost_motion", TolerancesPart._of),
+        "ripple": ("ripple", TolerancesPart._of),
         "contacts": ("contacts", Contacts._of),
         "positions": ("positions", _to.plain),
         "draws": ("draws", _to.plain),
         "failed": ("failed", _to.plain),
         "seed": ("seed", _to.plain),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -851,7 +767,7 @@ class TorsionResult(Result):
     """drives whose parts are drawn from their tolerances; None if absent"""
 
     command: ClassVar[str] = "torsion"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "torques": ("torques", Torques._of),
         "at_load": ("at_load", AtLoad._of),
@@ -868,4 +784,3 @@ class TorsionResult(Result):
         "comparison": ("comparison", Comparison._of),
         "tolerances": ("tolerances", Tolerances._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -73,7 +74,6 @@ class Drawn(Part):
         "median": ("median", _to.quantity),
         "high": ("high", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -127,7 +127,7 @@ class TransmissionResult(Result):
     """error over one turn of the wave against each part"""
 
     command: ClassVar[str] = "transmission"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "range": ("range", _to.quantity),
         "cracked_range": ("cracked_range", _to.quantity),
@@ -139,4 +139,3 @@ class TransmissionResult(Result):
         "adding_error": ("adding_error", _to.quantity),
         "rows": ("rows", Rows._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

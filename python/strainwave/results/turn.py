@@ -7,58 +7,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Optional
 
-from .. import answers as _to
-from ..answers import Converter, FloatArray, Part, Quantity, Result
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class WaveGenerator(Part):
-    """Contact of the wave generator with the bore."""
-
-    lobe_force: Quantity
-    """force of one lobe of the wave generator on the bore [N]"""
-    half_arc: Quantity
-    """half of the arc on which a lobe presses [rad]"""
-    largest_pressure: Quantity
-    """largest pressure on the bore, even over the band [Pa]"""
-    iterations: int
-    """iterations of the large rotations"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "lobe_force": ("lobe_force", _to.quantity),
-        "half_arc": ("half_arc", _to.quantity),
-        "largest_pressure": ("largest_pressure", _to.quantity),
-        "iterations": ("iterations", _to.plain),
-    }
-    _units: ClassVar[dict[str, str]] = {}
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class ModeI(Part):
-    """K_I over a turn."""
-
-    largest: Quantity
-    """largest K_I over a turn [Pa*m^0.5]"""
-    least: Quantity
-    """least K_I over a turn; 0 if the crack closes there [Pa*m^0.5]"""
-    range: Quantity
-    """Delta K of mode I [Pa*m^0.5]"""
-    ratio: Quantity
-    """R = least/largest; 0 if the station never opens"""
-    open_share: Quantity
-    """share of the turn during which the station is open"""
-    at_largest: Quantity
-    """angle from a lobe to the crack at the largest K_I [rad]"""
-
-    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "largest": ("largest", _to.quantity),
-        "least": ("least", _to.quantity),
-        "range": ("range", _to.quantity),
-        "ratio": ("ratio", _to.quantity),
-        "open_share": ("open_share", _to.quantity),
-        "at_largest": ("at_largest", _to.quantity),
-    }
-    _units: ClassVar[dict[str, str]] = {}
+from .. import parts as _to
+from ..answers import Result
+from ..parts import Converter, FloatArray, Part, Quantity
+from .oval import WaveGenerator
+from .stiffness import AtWork
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -90,14 +43,14 @@ class Factors(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stations(Part):
-    """Stations."""
+    """The field `stations`."""
 
     tip: str
     """upper: toward +z, at 90 degrees toward -theta; lower: the other tip"""
     station: Quantity
     """through crack: from -1 at the inner face of the wall to 1 at the outer face; surface
     crack: from 0 at the surface to 1 at the deepest point"""
-    mode_I: ModeI
+    mode_I: AtWork
     """K_I over a turn"""
     factors: Factors
     """K over one wave; the last angle is the first one again"""
@@ -105,15 +58,14 @@ class Stations(Part):
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "tip": ("tip", _to.plain),
         "station": ("station", _to.quantity),
-        "mode_I": ("mode_I", ModeI._of),
+        "mode_I": ("mode_I", AtWork._of),
         "factors": ("factors", Factors._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Torques(Part):
-    """Torques."""
+    """The field `torques`."""
 
     torque: Quantity
     """torque at the output [N*m]"""
@@ -124,12 +76,11 @@ class Torques(Part):
         "torque": ("torque", _to.quantity),
         "stations": ("stations", _to.many(Stations._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Sizes(Part):
-    """Sizes."""
+    """The field `sizes`."""
 
     depth: Optional[Quantity]
     """depth of a surface crack [m]; None if absent"""
@@ -143,7 +94,6 @@ class Sizes(Part):
         "half_length": ("half_length", _to.quantity),
         "torques": ("torques", _to.many(Torques._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -172,7 +122,7 @@ class TurnResult(Result):
     """the turn at each size of the crack"""
 
     command: ClassVar[str] = "turn"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "largest": ("largest", _to.quantity),
         "range": ("range", _to.quantity),
@@ -185,4 +135,3 @@ class TurnResult(Result):
         "largest_stress": ("largest_stress", _to.quantity),
         "sizes": ("sizes", _to.many(Sizes._of)),
     }
-    _units: ClassVar[dict[str, str]] = {}

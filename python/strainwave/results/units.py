@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -54,7 +55,6 @@ class Prefixes(Part):
         "prefix": ("prefix", _to.entries),
         "power": ("power", _to.entries),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -67,9 +67,8 @@ class UnitsResult(Result):
     """prefixes of the units that take one"""
 
     command: ClassVar[str] = "units"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "markdown",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "markdown")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "units": ("units", Units._of),
         "prefixes": ("prefixes", Prefixes._of),
     }
-    _units: ClassVar[dict[str, str]] = {}

@@ -7,8 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Optional
 
-from .. import answers as _to
-from ..answers import AnyArray, Converter, FloatArray, Part, Quantity, Result
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -37,7 +38,6 @@ class BandFit(Part):
         "draws": ("draws", _to.quantity),
         "discrepancy": ("discrepancy", _to.quantity),
     }
-    _units: ClassVar[dict[str, str]] = {}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -357,7 +357,7 @@ class ValidateResult(Result):
     """sets of factors fitted to all sizes at once"""
 
     command: ClassVar[str] = "validate"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "markdown", "plot",)
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "markdown", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "mode": ("mode", _to.plain),
         "factors": ("factors", _to.many(_to.plain)),
@@ -373,4 +373,3 @@ class ValidateResult(Result):
         "each_ratio": ("each_ratio", ValidatePart2._of),
         "sets_tried": ("sets_tried", SetsTried._of),
     }
-    _units: ClassVar[dict[str, str]] = {}
