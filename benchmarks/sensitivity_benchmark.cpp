@@ -2,10 +2,12 @@
 // Carlo study over threads.
 #include <benchmark/benchmark.h>
 
+#include "strainwave/core/counter_random.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/study/scatter.hpp"
 #include "strainwave/study/sensitivity.hpp"
+#include "strainwave/study/varied_series.hpp"
 
 namespace strainwave {
 namespace {
@@ -23,6 +25,46 @@ void series_compliance_of_three_cracks(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(series_compliance<double>(gear).positive);
 }
 BENCHMARK(series_compliance_of_three_cracks)->Unit(benchmark::kMicrosecond);
+
+/// One draw with three numbers, rules of the input included, by tables that are filled.
+void draw_of_three_cracks(benchmark::State& state) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
+  const std::vector<std::string> paths = {"output_shaft.crack[0].depth",
+                                          "flexspline.crack[0].half_length",
+                                          "wave_generator.radial_stiffness"};
+  const std::vector<double> centres = {1e-4, 1e-4, 1.2e8};
+  const auto fill = [&](std::size_t row, std::span<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = centres[i] * (1 + 0.05 * counter_normal(1, row, i));
+  };
+  VariedSeries varied(gear, paths, {"cracked.positive.stiffness"});
+  varied.prepare(1'000'000, fill);
+  VariedSeries::Evaluator evaluate(varied);
+  std::vector<double> values(paths.size());
+  double stiffness = 0.0;
+  for (std::size_t row = 0; row < 10'000; ++row) {
+    fill(row, values);
+    (void)evaluate(values, {&stiffness, 1});
+  }
+  std::size_t row = 0;
+  for (auto _ : state) {
+    fill(row++ % 10'000, values);
+    benchmark::DoNotOptimize(evaluate(values, {&stiffness, 1}));
+  }
+  (void)evaluate(centres, {&stiffness, 1});
+  state.counters["stiffness"] = stiffness;
+}
+BENCHMARK(draw_of_three_cracks)->Unit(benchmark::kMicrosecond);
+
+/// A million draws of eight numbers over 1 and 2 threads, wall clock.
+void scatter_of_a_million(benchmark::State& state) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article_scatter.toml");
+  const Sensitivity sensitivity = sensitivity_of(gear);
+  const ScatterOptions options{.samples = 1'000'000, .threads = static_cast<int>(state.range(0))};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(scatter_of(gear, sensitivity, options).outputs.size());
+}
+BENCHMARK(scatter_of_a_million)->Arg(1)->Arg(2)->Unit(benchmark::kSecond)->UseRealTime();
 
 /// 100 000 full evaluations over 1 and 2 threads, wall clock.  The goal is a factor of 1.9 on two
 /// cores.

@@ -53,9 +53,12 @@ function(strainwave_test folder)
     # Therefore ctest starts it for a few parts and not for each test.
     math(EXPR last "${ARG_PARTS} - 1")
     foreach(part RANGE ${last})
+      # Open MPI's programs share a folder of sessions, which two that start at once both want to make.
+      set(sessions "${CMAKE_BINARY_DIR}/mpi/${folder}.${part}")
+      file(MAKE_DIRECTORY "${sessions}")
       add_test(NAME ${folder}.${part} COMMAND ${target} --gtest_brief=1)
       set_tests_properties(${folder}.${part} PROPERTIES LABELS "${folder}" TIMEOUT 900
-        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_PARTS};GTEST_SHARD_INDEX=${part}")
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_PARTS};GTEST_SHARD_INDEX=${part};OMPI_MCA_orte_tmpdir_base=${sessions}")
     endforeach()
   else()
     gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60

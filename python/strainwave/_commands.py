@@ -663,14 +663,20 @@ class DriveCommands:
         answer: results.report.ReportResult = self._run("report", given, texts, progress)
         return answer
 
-    def sensitivity(self, *, scatter: Optional[bool] = None, samples: Optional[int] = None,
-                    seed: Optional[int] = None, threads: Optional[int] = None,
-                    texts: Optional[Mapping[str, str]] = None,
+    def sensitivity(self, *, scatter: Optional[bool] = None, sobol: Optional[bool] = None,
+                    of: Optional[Sequence[Named]] = None, points: Optional[int] = None,
+                    samples: Optional[int] = None, seed: Optional[int] = None,
+                    threads: Optional[int] = None, texts: Optional[Mapping[str, str]] = None,
                     progress: ShownProgress = None) -> results.sensitivity.SensitivityResult:
         """Find the inputs that determine stiffness and its loss.
 
         Args:
             scatter: also propagate the scatter that the file gives
+            sobol: also divide the variance of outputs among the inputs, by Sobol's indices
+            of: output of the Sobol study, such as curve.positive.K1; may be repeated; by default
+                stiffness and loss of the sum of the members
+            points: base points of the Sobol study, a multiple of 16; the drive is evaluated at each
+                of them for two more than the inputs
             samples: draws of the Monte Carlo study
             seed: seed of the draws
             threads: number of threads; 0 for all of the machine; the answer does not depend on it
@@ -679,8 +685,31 @@ class DriveCommands:
             progress: True for a line of progress, or a function that receives the completed
                 fraction
         """
-        given: dict[str, Any] = {"scatter": scatter, "samples": samples, "seed": seed, "threads": threads}
+        given: dict[str, Any] = {"scatter": scatter, "sobol": sobol, "of": of, "points": points,
+                                 "samples": samples, "seed": seed, "threads": threads}
         answer: results.sensitivity.SensitivityResult = self._run("sensitivity", given, texts, progress)
+        return answer
+
+    def reliability(self, *, require: Optional[Sequence[Named]] = None,
+                    draws: Optional[int] = None, seed: Optional[int] = None,
+                    threads: Optional[int] = None, texts: Optional[Mapping[str, str]] = None,
+                    progress: ShownProgress = None) -> results.reliability.ReliabilityResult:
+        """Find the probability that scatter breaks a requirement.
+
+        Args:
+            require: OUTPUT OP VALUE, where OP is one of >=, >, <=, < and VALUE has a unit; once or
+                more
+            draws: plain draws; by default 200000 for an output of the sum of the members and 2000
+                for any other
+            seed: seed of the draws
+            threads: number of threads; 0 for all of the machine; the answer does not depend on it
+            texts: texts that options name, by their names; an option may also be a pathlib.Path,
+                whose file is read
+            progress: True for a line of progress, or a function that receives the completed
+                fraction
+        """
+        given: dict[str, Any] = {"require": require, "draws": draws, "seed": seed, "threads": threads}
+        answer: results.reliability.ReliabilityResult = self._run("reliability", given, texts, progress)
         return answer
 
     def sweep(self, *, vary: Optional[Sequence[Named]] = None,

@@ -27,6 +27,20 @@ std::string rule_text(const Range& range, std::string_view unit) {
   return text.empty() ? "a finite number" : text;
 }
 
+std::string FieldPath::text() const {
+  std::string text = base_;
+  for (std::size_t n = 0; n < steps_; ++n) {
+    const Step& step = step_[n];
+    if (step.index != kNone) {
+      text += fmt::format("[{}]", step.index);
+    } else {
+      if (!text.empty()) text += '.';
+      text.append(step.name, step.size);
+    }
+  }
+  return text;
+}
+
 Range usual_range(const Field& field) {
   const auto closed = [](const Range& range) {
     return Range{

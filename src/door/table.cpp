@@ -19,6 +19,7 @@ Command material_show_command();
 Command modes_command();
 Command new_command();
 Command oval_command();
+Command reliability_command();
 Command report_command();
 Command require_command();
 Command sensitivity_command();
@@ -54,6 +55,7 @@ std::span<const Command> commands() {
       require_command(),
       report_command(),
       sensitivity_command(),
+      reliability_command(),
       sweep_command(),
       solve_command(),
       sif_list_command(),

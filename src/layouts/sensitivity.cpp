@@ -180,6 +180,36 @@ std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivit
   return tables;
 }
 
+std::vector<TitledTable> sobol_tables(const Sobol& sobol) {
+  // Adding 0 to a rounded share prevents "-0.0".
+  const auto tenths = [](double share) { return std::round(1000 * share) / 10 + 0.0; };
+  const auto share = [&](const SobolShare& of) {
+    return fmt::format("{:.1f} %", tenths(of.value));
+  };
+  const auto interval = [&](const SobolShare& of) {
+    return fmt::format("{:.1f} to {:.1f}", tenths(of.low), tenths(of.high));
+  };
+  std::vector<TitledTable> tables;
+  for (const SobolAnswer& answer : sobol.outputs) {
+    Table table{.head = {"", "alone", "95 % interval", "total", "95 % interval"}};
+    for (const SobolInput& input : answer.inputs)
+      table.rows.push_back(cells(input.path, share(input.first), interval(input.first),
+                                 share(input.total), interval(input.total)));
+    if (answer.inputs.empty())
+      table.rows.push_back({"the output does not vary"});
+    else
+      table.rows.push_back(
+          cells("sum of the single inputs", share(answer.first_sum), interval(answer.first_sum)));
+    tables.push_back(
+        {fmt::format("Shares in the variance of {}: mean {}, standard deviation {} (UQ-2, UQ-3)",
+                     output_words(answer.name),
+                     shown_quantity(answer.mean, answer.unit, 5, answer.name),
+                     shown_quantity(answer.deviation, answer.unit, 3, answer.name)),
+         std::move(table)});
+  }
+  return tables;
+}
+
 std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear) {
   const Sensitivity& sensitivity = report.sensitivity;
   std::string text = name_of(gear) +
@@ -206,6 +236,10 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
             fmt::format("  {} of {} draws evaluated, {} refused, {} not usable; seed {}\n",
                         scatter->evaluated, scatter->samples, scatter->refused, scatter->unusable,
                         scatter->seed);
+  if (const auto& sobol = report.sobol)
+    text += text_tables(sobol_tables(*sobol)) +
+            fmt::format("  {} drives evaluated at {} points, {} points left out; seed {}\n",
+                        sobol->evaluations, sobol->points, sobol->left_out, sobol->seed);
   return text + "\nNotes\n" + notes_text(evidence_of(report).notes);
 }
 

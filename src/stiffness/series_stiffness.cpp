@@ -2,6 +2,8 @@
 #include "strainwave/stiffness/series_stiffness.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <variant>
 
 #include "series_model.hpp"
@@ -10,29 +12,73 @@
 namespace strainwave {
 namespace {
 
-/// Compliance of the cracks of one member under each sense of torque.
+/// The engine of the added compliance, as the source of every crack.
 template <class Real>
+struct ByEngine {
+  const SeriesModel<Real>& model;
+  const QuadratureOptions& options;
+  bool converged = true;
+
+  /// Calls add(compliance at the output under positive torque, the same under negative torque).
+  template <class Solution, class Add>
+  void operator()(std::size_t, const CrackNumbers<Solution>& numbers, const Add& add) {
+    const auto added = closed_form(LoadedCrack<Solution>(numbers), options);
+    converged = converged && added.positive.converged && added.negative.converged;
+    add(model.at_output(added.positive.matrix), model.at_output(added.negative.matrix));
+  }
+};
+
+/// Tables of similar cracks, and the engine for what they do not contain.
+struct ByTables {
+  ByEngine<double> engine;
+  CrackTables::Reader& tables;
+
+  template <class Solution, class Add>
+  void operator()(std::size_t index, const CrackNumbers<Solution>& numbers, const Add& add) {
+    const std::optional<double> positive = tables(index, numbers, numbers.faces.positive);
+    const std::optional<double> negative = positive && numbers.faces.differ()
+                                               ? tables(index, numbers, numbers.faces.negative)
+                                               : positive;
+    if (!positive || !negative) {
+      engine(index, numbers, add);
+      return;
+    }
+    const auto at_output = [&](double added) {
+      using Matrix = SymmetricMatrix<Solution::kLoads>;
+      return engine.model.at_output(Matrix(added));
+    };
+    add(at_output(*positive), at_output(*negative));
+  }
+};
+
+/// Compliance of the cracks of one member under each sense of torque.
+template <class Real, class Source>
 class CrackSum {
  public:
-  CrackSum(const SeriesModel<Real>& model, const QuadratureOptions& options)
-      : model_(model), options_(options) {}
+  CrackSum(const SeriesModel<Real>& model, Source& source, std::size_t& index)
+      : model_(model), source_(source), index_(index) {}
 
   template <class Crack, class Solution>
-  void operator()(const Crack&, const LoadedCrack<Solution>& crack) {
+  void operator()(const Crack&, const CrackNumbers<Solution>& crack) {
+    const std::size_t index = index_++;
     if (crack.table) {
       add(crack.table->positive.value, crack.table->negative.value);
       return;
     }
-    const auto added = closed_form(crack, options_);
-    usable = usable && crack.in_range && added.positive.converged && added.negative.converged;
-    add(model_.at_output(added.positive.matrix), model_.at_output(added.negative.matrix));
+    usable = usable && crack.in_range;
+    source_(index, crack, [this](const Real& under_positive, const Real& under_negative) {
+      add(under_positive, under_negative);
+    });
   }
   void operator()(const DiaphragmGroove& groove, const LoadedGroove&) {
+    ++index_;
     const Real added = model_.groove(groove);
     add(added, added);
   }
   template <class Crack>
-  void operator()(const Crack&, const ActsInCoupledDrive&) {}
+  void operator()(const Crack&, const ActsInCoupledDrive&) {
+    ++index_;
+  }
 
   Real positive{};
   Real negative{};
@@ -45,31 +91,23 @@ class CrackSum {
   }
 
   const SeriesModel<Real>& model_;
-  const QuadratureOptions& options_;
+  Source& source_;
+  std::size_t& index_;
 };
 
-template <class Real, class Cracks>
-CrackSum<Real> sum_of(const Cracks& cracks, const SeriesModel<Real>& model,
-                      const QuadratureOptions& options) {
-  CrackSum<Real> sum(model, options);
-  for (const auto& any : cracks)
-    std::visit(
-        [&](const auto& crack) {
-          model.loads().load(crack, [&](const auto& loaded) { sum(crack, loaded); });
-        },
-        any);
-  return sum;
-}
-
-}  // namespace
-
-template <class Real>
-SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& lift,
-                                         const StiffnessOptions& options) {
-  const SeriesModel<Real> model(gear, lift);
+template <class Real, class Source>
+SeriesCompliance<Real> sum_of_members(const GearSet& gear, const SeriesModel<Real>& model,
+                                      Source& source) {
   SeriesCompliance<Real> total;
-  const auto add = [&](const Real& intact, const auto& cracks) -> CrackSum<Real> {
-    const auto sum = sum_of(cracks, model, options.quadrature);
+  std::size_t index = 0;
+  const auto add = [&](const Real& intact, const auto& cracks) {
+    CrackSum<Real, Source> sum(model, source, index);
+    for (const auto& any : cracks)
+      std::visit(
+          [&](const auto& crack) {
+            model.loads().describe(crack, [&](const auto& numbers) { sum(crack, numbers); });
+          },
+          any);
     total.intact += intact;
     total.positive += intact + sum.positive;
     total.negative += intact + sum.negative;
@@ -90,6 +128,27 @@ SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& 
     total.output_shaft = model.sound_shaft();
     add_in_line(total.output_shaft, gear.output_shaft->crack);
   }
+  return total;
+}
+
+}  // namespace
+
+template <class Real>
+SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& lift,
+                                         const StiffnessOptions& options) {
+  const SeriesModel<Real> model(gear, lift);
+  ByEngine<Real> engine{model, options.quadrature};
+  SeriesCompliance<Real> total = sum_of_members(gear, model, engine);
+  total.usable = total.usable && engine.converged;
+  return total;
+}
+
+SeriesCompliance<double> series_compliance(const GearSet& gear, CrackTables::Reader& tables) {
+  const SeriesModel<double> model(gear);
+  const QuadratureOptions options;
+  ByTables source{{model, options}, tables};
+  SeriesCompliance<double> total = sum_of_members(gear, model, source);
+  total.usable = total.usable && source.engine.converged;
   return total;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "drawn_drive.hpp"
+#include "scatter_law.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
@@ -259,7 +260,7 @@ std::vector<DrawnInput> drawn_inputs(const GearSet& gear) {
 double drawn_value(const DrawnInput& input, double centre, std::size_t draw, std::size_t index) {
   if (input.scatter == nullptr)
     return input.lower + (input.upper - input.lower) * counter_uniform(kAccuracySeed, draw, index);
-  return scattered(*input.scatter, centre, counter_normal(kAccuracySeed, draw, index));
+  return ScatterLaw(*input.scatter, centre).at(counter_normal(kAccuracySeed, draw, index));
 }
 
 /// The largest speed of the manoeuvres, 0 without one.

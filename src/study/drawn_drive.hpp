@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,15 +14,15 @@ namespace strainwave {
 /// checking them is slow.
 class DrawnDrive {
  public:
-  /// @param inputs  ranges or scatters of the gear, each with the path of a number
+  /// @param inputs  paths of numbers, or ranges or scatters, each with the path of a number
   template <class Inputs>
   DrawnDrive(const GearSet& gear, const Inputs& inputs) : gear_(gear), numbers_(inputs.size()) {
     gear_.range.clear();
     gear_.scatter.clear();
     for_each_number(gear_, [&](const FieldPath& path, const Field&, double& number) {
-      const std::string& text = path.text();
+      const std::string text = path.text();
       for (std::size_t i = 0; i < inputs.size(); ++i)
-        if (inputs[i].path == text) numbers_[i] = &number;
+        if (path_of(inputs[i]) == text) numbers_[i] = &number;
     });
   }
   DrawnDrive(const DrawnDrive&) = delete;  // it holds pointers into itself
@@ -34,18 +33,14 @@ class DrawnDrive {
   [[nodiscard]] double& number(std::size_t input) { return *numbers_[input]; }
 
  private:
+  static const std::string& path_of(const std::string& path) { return path; }
+  template <class Input>
+  static const std::string& path_of(const Input& input) {
+    return input.path;
+  }
+
   GearSet gear_;
   std::vector<double*> numbers_;
 };
-
-/// A drawn value of a number that scatters (SN-8).
-/// @param centre  the value in the file
-/// @param normal  drawn from the standard normal distribution
-[[nodiscard]] inline double scattered(const InputScatter& scatter, double centre, double normal) {
-  const double s = scatter.relative_standard_deviation;
-  return scatter.distribution == ScatterDistribution::lognormal
-             ? centre * std::exp(std::sqrt(std::log1p(s * s)) * normal)
-             : centre * (1 + s * normal);
-}
 
 }  // namespace strainwave

@@ -17,23 +17,29 @@ namespace {
 
 constexpr std::string_view kOption = "requirements";
 
-Requirement parse_requirement(const StiffnessResult& result, std::string_view text) {
+}  // namespace
+
+Requirement parse_requirement(const StiffnessResult& result, std::string_view text,
+                              std::string_view option) {
   const std::size_t at = text.find_first_of("<>");
   if (at == std::string_view::npos)
     throw InputError(
-        kOption, fmt::format("{} is neither a requirement nor an existing file; write OUTPUT OP "
-                             "VALUE with OP one of >=, >, <=, <, such as curve.positive.K2 >= "
-                             "4e4 N*m/rad",
-                             shown(text)));
+        option, fmt::format("{} is {}; write OUTPUT OP VALUE with OP one of >=, >, <=, <, such as "
+                            "curve.positive.K2 >= 4e4 N*m/rad",
+                            shown(text),
+                            option == kOption ? "neither a requirement nor an existing file"
+                                              : "not a requirement"));
   const std::size_t length = text.substr(at + 1).starts_with('=') ? 2 : 1;
   const std::string_view output = without_blanks(text.substr(0, at));
   const std::optional<Quantity> present = output_named(result, output);
-  if (!present) refuse_output(result, output, kOption);
+  if (!present) refuse_output(result, output, option);
   return {.output = std::string(output),
           .comparison = enum_value<Comparison>(text.substr(at, length)).value(),
           .bound = parse_quantity(output, without_blanks(text.substr(at + length)), present->unit),
           .unit = present->unit};
 }
+
+namespace {
 
 bool keeps(Comparison comparison, double value, double bound) {
   switch (comparison) {
@@ -211,7 +217,7 @@ RequirementReport require_outputs(const StiffnessResult& result,
                            .notes = {},
                            .unusable_because = result.unusable_because};
   for (const std::string& text : texts) {
-    Requirement requirement = parse_requirement(result, text);
+    Requirement requirement = parse_requirement(result, text, kOption);
     const Quantity value = *output_named(result, requirement.output);
     const std::optional<SumOutput> sum = sum_output(result, requirement.output);
     report.answers.push_back(answer_of(std::move(requirement), value, sum, coverage));

@@ -6,72 +6,42 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <span>
 
-#include "drawn_drive.hpp"
+#include "drawn_outputs.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
-#include "strainwave/stiffness/series_stiffness.hpp"
 
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kOutputs = 5;
-using Values = std::array<double, kOutputs>;
-
-/// Names of the outputs, in the order of Sensitivity.
-constexpr std::array<std::string_view, kOutputs> kNames = {
-    "intact.stiffness", "cracked.positive.stiffness", "cracked.negative.stiffness",
-    "cracked.positive.stiffness_loss", "cracked.negative.stiffness_loss"};
-
-enum class Fate : unsigned char { evaluated, refused, unusable };
+using Values = std::array<double, kScatterOutputs>;
 
 struct Draw {
   Values value{};
   Fate fate = Fate::evaluated;
 };
 
-/// Draws values of the scattering numbers and evaluates the drive; each thread has its own.
-class Evaluator {
- public:
-  Evaluator(const GearSet& gear, std::uint64_t seed)
-      : scatter_(gear.scatter), drawn_(gear, gear.scatter), seed_(seed) {
-    for (std::size_t i = 0; i < scatter_.size(); ++i) centres_.push_back(drawn_.number(i));
-  }
-
-  Draw operator()(std::uint64_t n) {
-    for (std::size_t i = 0; i < scatter_.size(); ++i)
-      drawn_.number(i) = scattered(scatter_[i], centres_[i], counter_normal(seed_, n, i));
-    try {
-      check(drawn_.gear());
-      const auto series = series_compliance<double>(drawn_.gear());
-      if (!series.usable) return {.fate = Fate::unusable};
-      return {.value = {series.intact_stiffness(), series.positive_stiffness(),
-                        series.negative_stiffness(), series.positive_loss(),
-                        series.negative_loss()}};
-    } catch (const InputError&) {
-      return {.fate = Fate::refused};
-    }
-  }
-
- private:
-  const std::vector<InputScatter>& scatter_;
-  DrawnDrive drawn_;
-  std::uint64_t seed_;
-  std::vector<double> centres_;  ///< values in the file
-};
-
 /// All draws, stored by their index.
 std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options,
                            const Progress& progress) {
   std::vector<Draw> draws(static_cast<std::size_t>(options.samples));
+  std::vector<std::string> names;
+  for (const SeriesOutput& output : series_outputs().first(kScatterOutputs))
+    names.emplace_back(output.name);
+  DrawnOutputs outputs(gear, names, "scatter");
+  const auto fill = [seed = options.seed](std::size_t draw, std::span<double> z) {
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = counter_normal(seed, draw, i);
+  };
+  outputs.prepare(draws.size(), fill);
   for_each_index(draws.size(), {.block = 256, .threads = options.threads}, progress, [&] {
-    return [&draws, evaluate = std::make_unique<Evaluator>(gear, options.seed)](std::size_t i) {
-      draws[i] = (*evaluate)(i);
+    return [&draws, &fill, z = std::vector<double>(outputs.inputs()),
+            evaluate = std::make_unique<DrawnOutputs::Evaluator>(outputs)](std::size_t n) mutable {
+      fill(n, z);
+      draws[n].fate = (*evaluate)(z, draws[n].value);
     };
   });
   return draws;
@@ -142,10 +112,7 @@ void note_nonlinear(Scatter& scatter, const ScatterOutput& output) {
 Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                    const ScatterOptions& options, const Progress& progress) {
   check(gear);
-  if (gear.scatter.empty())
-    throw InputError(
-        "scatter",
-        "must be given; add at least one [[scatter]] with path and relative_standard_deviation");
+  require_scatter(gear);
   require(options.samples >= 2 && options.samples <= kMaxSamples, "--samples", options.samples, "1",
           fmt::format(">= 2 and <= {}", kMaxSamples));
   require(options.threads >= 0, "--threads", options.threads, "1", ">= 0");
@@ -169,8 +136,9 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   bool coupled = false;
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     const SensitivityOutput& of = sensitivity.outputs[y];
-    const auto* const name = std::ranges::find(kNames, of.name);
-    if (name == kNames.end()) {  // an output of the coupled drive, which the draws do not solve
+    const auto names = series_outputs().first(kScatterOutputs);
+    const auto name = std::ranges::find(names, of.name, &SeriesOutput::name);
+    if (name == names.end()) {  // an output of the coupled drive, which the draws do not solve
       coupled = true;
       continue;
     }
@@ -180,7 +148,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                          .share = {},
                          .model_uncertainty = of.value.relative_uncertainty};
     fill_first_order(output, sensitivity, y, gear.scatter);
-    const auto index = static_cast<std::size_t>(name - kNames.begin());
+    const auto index = static_cast<std::size_t>(name - names.begin());
     std::vector<double> values;
     for (const Draw& draw : draws)
       if (draw.fate == Fate::evaluated) values.push_back(draw.value[index]);
@@ -221,6 +189,9 @@ ResultEvidence evidence_of(const SensitivityReport& report) {
   if (report.scatter)
     evidence.notes.insert(evidence.notes.end(), report.scatter->notes.begin(),
                           report.scatter->notes.end());
+  if (report.sobol)
+    evidence.notes.insert(evidence.notes.end(), report.sobol->notes.begin(),
+                          report.sobol->notes.end());
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

@@ -377,7 +377,9 @@ TEST_F(Files, BehaviourAConverterIsCalledWithoutAShell) {
 const std::array kLong = {
     "sweep " + word(kDrive) +
         " --vary 'load.torque=1 N*m..9 N*m:300' --vary 'load.axial_force=0 N..9 N:300'",
-    "sensitivity " + word(kTables + "/article_scatter.toml") + " --scatter --samples 1000000",
+    "sensitivity " + word(kTables + "/article_scatter.toml") + " --scatter --samples 10000000",
+    "reliability " + word(kTables + "/article_scatter.toml") +
+        " --require 'intact.stiffness > 1 N*m/rad' --draws 10000000",
     "torsion " + word(kTables + "/cracked_size25.toml") + " --compare",
     std::string("validate --mode leave-one-size-out --all-sets"),
     "calibrate " + word(kTables + "/catalogue_size25.toml") + " --catalogue",

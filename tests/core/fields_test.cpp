@@ -176,7 +176,7 @@ TEST(EnumNames, InputUnknownNamesGiveNothing) {
 }
 
 TEST(FieldPath, BehaviourPathsAreSpelledAsInMessages) {
-  const FieldPath root;
+  const FieldPath root = FieldPath();
   EXPECT_EQ(root.text(), "");
   EXPECT_EQ((root / "drive").text(), "drive");
   EXPECT_EQ((root / "drive" / "ratio").text(), "drive.ratio");

@@ -211,8 +211,9 @@ TEST_P(Stops, IdentityALongCommandStopsWhenAsked) {
   const auto& [command, options] = GetParam();
   int calls = 0;
   const Progress progress([&](double) { return ++calls < 2; });
-  const auto drive =
-      test::example_drives().at(command == "sensitivity" ? "article_scatter" : "catalogue_size25");
+  const auto drive = test::example_drives().at(command == "sensitivity" || command == "reliability"
+                                                   ? "article_scatter"
+                                                   : "catalogue_size25");
   EXPECT_THROW((void)test::run_command(command, drive, options, {}, progress), Stopped);
   EXPECT_EQ(calls, 2) << "it goes on after it was asked to stop";
 }
@@ -221,6 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
     OfEachCommand, Stops,
     testing::Values(std::pair("torsion", R"({"draws": 5})"), std::pair("report", "{}"),
                     std::pair("sensitivity", R"({"scatter": true, "samples": 100000})"),
+                    std::pair("reliability", R"({"require": ["intact.stiffness > 1 N*m/rad"]})"),
                     std::pair("sweep", R"({"vary": ["load.torque=1 N*m..20 N*m:30"]})"),
                     std::pair("solve", R"({"vary": "load.torque=1 N*m..20 N*m",
                                            "target": "intact.stiffness=2e4 N*m/rad"})"),

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,8 +12,11 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
+
+#include "strainwave/core/error.hpp"
 
 /// Every struct of the input, of a result and of the options of a command describes its fields
 /// once, by a static member `describe`.  Visitors of that description are the file reader, the
@@ -145,24 +151,65 @@ void for_each_alternative(F&& f) {
 
 /// Path of a field inside its file, such as `output_shaft.crack[0].depth`; walks extend it on their
 /// way down.
+///
+/// The text is built only where it is needed, because a drive without faults is checked a million
+/// times in a study.  A name that extends a path must outlive the path.
 class FieldPath {
  public:
   FieldPath() = default;
-  explicit FieldPath(std::string text) : text_(std::move(text)) {}
+  explicit FieldPath(std::string text) : base_(std::move(text)) {}
+  // Only the steps in use are copied.
+  FieldPath(const FieldPath& other) : base_(other.base_), steps_(other.steps_) {
+    std::copy_n(other.step_.begin(), steps_, step_.begin());
+  }
+  FieldPath& operator=(const FieldPath& other) {
+    base_ = other.base_;
+    steps_ = other.steps_;
+    std::copy_n(other.step_.begin(), steps_, step_.begin());
+    return *this;
+  }
+  ~FieldPath() = default;
 
   [[nodiscard]] FieldPath operator/(std::string_view name) const {
-    std::string text = text_;
-    if (!text.empty()) text += '.';
-    return FieldPath(text.append(name));
+    return extended({.name = name.data(), .size = name.size(), .index = kNone});
   }
   [[nodiscard]] FieldPath operator[](std::size_t index) const {
-    return FieldPath(text_ + '[' + std::to_string(index) + ']');
+    return extended({.name = nullptr, .size = 0, .index = index});
   }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] std::string text() const;
 
  private:
-  std::string text_;
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kMaxSteps = 8;
+  struct Step {
+    const char* name;
+    std::size_t size;   ///< of the name
+    std::size_t index;  ///< kNone: the step goes to a name
+  };
+
+  [[nodiscard]] FieldPath extended(const Step& step) const {
+    FieldPath path = steps_ == kMaxSteps ? FieldPath(text()) : *this;
+    path.step_[path.steps_++] = step;
+    return path;
+  }
+
+  std::string base_;
+  std::array<Step, kMaxSteps>
+      step_;  // NOLINT(cppcoreguidelines-pro-type-member-init): first steps_
+  std::size_t steps_ = 0;
 };
+
+/// As `require` of a text, for a path whose text is built only after a fault.
+inline void require(bool ok, const FieldPath& field, double value, std::string_view unit,
+                    std::string_view rule) {
+  if (!ok) throw InputError(field.text(), value, unit, rule);
+}
+/// The same for a rule whose text is built only after a fault.
+template <std::invocable Rule>
+void require(bool ok, const FieldPath& field, double value, std::string_view unit,
+             const Rule& rule) {
+  if (!ok) throw InputError(field.text(), value, unit, rule());
+}
 
 /// Replaces a FieldPath at no cost where its text is not needed.
 struct NoPath {

@@ -26,19 +26,31 @@
 /// @file
 /// Cracks of a drive with their solutions and loads, in the scalar `Real`: double, or DualReal for
 /// the derivatives of everything.  Only this header assigns a solution to a kind of crack.  A kind
-/// without an overload of `CrackLoads::loaded` does not compile.
+/// without an overload of `CrackLoads::numbers` does not compile.
 
 namespace strainwave {
 
-/// A crack with the solution of its stress intensity.
+/// The numbers that define a solution: its `Parameters`, or the whole of a plain struct.
+template <class Solution>
+struct ParametersOf {
+  using type = Solution;
+};
+template <class Solution>
+requires requires { typename Solution::Parameters; }
+struct ParametersOf<Solution> {
+  using type = typename Solution::Parameters;
+};
+
+/// A crack with the numbers of its solution.
 ///
 /// The loads of the solution are [axial force, torque] of a tube or shaft, or [lobe force] of a
 /// ring of the wave generator.
 template <SweptCrack Solution>
-struct LoadedCrack {
+struct CrackNumbers {
   using Real = ScalarOf<Solution>;
 
-  Solution solution;              ///< solution at the size in the file, with open faces
+  /// numbers of the solution at the size in the file, with open faces
+  typename ParametersOf<Solution>::type parameters;
   BasicCrackModuli<Real> moduli;  ///< E' and mu [Pa]
   sif::Constraint constraint = sif::Constraint::plane_strain;
   BothSenses faces;
@@ -46,6 +58,15 @@ struct LoadedCrack {
   /// Compliance by finite elements that replaces the closed form if the crack names a table
   /// (FE-41).
   std::optional<TabulatedCompliance<Real>> table = {};
+};
+
+/// A crack with the solution of its stress intensity.
+template <SweptCrack Solution>
+struct LoadedCrack : CrackNumbers<Solution> {
+  explicit LoadedCrack(const CrackNumbers<Solution>& numbers)
+      : CrackNumbers<Solution>(numbers), solution(numbers.parameters) {}
+
+  Solution solution;  ///< solution at the size in the file, with open faces
 
   /// The solution for a given state of the faces.
   [[nodiscard]] Solution with_faces(Faces state) const {
@@ -70,35 +91,46 @@ class CrackLoads {
   using Elastic = BasicElasticConstants<Real>;
   using Moduli = BasicCrackModuli<Real>;
   template <class Solution>
-  using Loaded = LoadedCrack<Solution>;
+  using Numbers = CrackNumbers<Solution>;
 
   /// @param gear  has passed `check`; must outlive this object
   /// @param lift  reads the numbers of the drive
   explicit CrackLoads(const GearSet& gear, const Lift<Real>& lift = Lift<Real>())
       : gear_(gear), lift_(lift) {}
 
+  /// Calls f(numbers of the crack) for one crack of any kind.
+  template <class Crack, class F>
+  void describe(const Crack& crack, const F& f) const {
+    f(numbers(crack));
+  }
+  template <class F>
+  void describe(const AnnularCrack& crack, const F& f) const {
+    if (gear_.output_shaft->solid())
+      f(numbers_in_solid_shaft(crack));
+    else
+      f(numbers_in_hollow_shaft(crack));
+  }
+  template <class F>
+  void describe(const ShaftSurfaceCrack& crack, const F& f) const {
+    if (gear_.output_shaft->solid())
+      f(numbers_in_solid_shaft(crack));
+    else
+      f(numbers_in_hollow_shaft(crack));
+  }
+
   /// Calls f(loaded crack) for one crack of any kind.
   template <class Crack, class F>
   void load(const Crack& crack, const F& f) const {
-    f(loaded(crack));
+    describe(crack, [&](const auto& numbers) { f(with_solution(numbers)); });
   }
-  template <class F>
-  void load(const AnnularCrack& crack, const F& f) const {
-    if (gear_.output_shaft->solid())
-      f(loaded_in_solid_shaft(crack));
-    else
-      f(loaded_in_hollow_shaft(crack));
-  }
-  template <class F>
-  void load(const ShaftSurfaceCrack& crack, const F& f) const {
-    if (gear_.output_shaft->solid())
-      f(loaded_in_solid_shaft(crack));
-    else
-      f(loaded_in_hollow_shaft(crack));
+  /// A crack of a kind with one solution.
+  template <class Crack>
+  [[nodiscard]] auto loaded(const Crack& crack) const {
+    return with_solution(numbers(crack));
   }
 
   template <ContactCrack Crack>
-  [[nodiscard]] static ActsInCoupledDrive loaded(const Crack&) {
+  [[nodiscard]] static ActsInCoupledDrive numbers(const Crack&) {
     return {};
   }
 
@@ -148,32 +180,32 @@ class CrackLoads {
     return lift_(*crack.stress) / lobe_force();
   }
 
-  [[nodiscard]] Loaded<sif::SurfaceCrack<1, Real>> loaded(const RaceSurfaceCrack& crack) const {
+  [[nodiscard]] Numbers<sif::SurfaceCrack<1, Real>> numbers(const RaceSurfaceCrack& crack) const {
     const Elastic steel = ring_steel();
     const Real stress = unit_stress(crack);
     const WaveGenerator& wg = *gear_.wave_generator;
     const double& thickness = *wg.inner_ring_thickness;
     std::optional<Real> half_width;
     if (wg.inner_ring_width) half_width = lift_(*wg.inner_ring_width) / 2;
-    return {.solution = sif::SurfaceCrack<1, Real>({.depth = lift_(crack.depth),
-                                                    .aspect_ratio = lift_(crack.aspect_ratio),
-                                                    .thickness = lift_(thickness),
-                                                    .half_width = half_width,
-                                                    .poissons_ratio = steel.nu,
-                                                    .normal_stress = {stress},
-                                                    .loading = race_loading(crack)}),
+    return {.parameters = {.depth = lift_(crack.depth),
+                           .aspect_ratio = lift_(crack.aspect_ratio),
+                           .thickness = lift_(thickness),
+                           .half_width = half_width,
+                           .poissons_ratio = steel.nu,
+                           .normal_stress = {stress},
+                           .loading = race_loading(crack)},
             .moduli = plane_strain(steel),
             .faces = race_faces(stress),
             .in_range = not_too_deep(crack.depth, thickness)};
   }
-  [[nodiscard]] Loaded<sif::BasicEdgeCrack<Real>> loaded(const RaceEdgeCrack& crack) const {
+  [[nodiscard]] Numbers<sif::BasicEdgeCrack<Real>> numbers(const RaceEdgeCrack& crack) const {
     const WaveGenerator& wg = *gear_.wave_generator;
     const Real stress = unit_stress(crack);
-    return {.solution = {.depth = lift_(crack.depth),
-                         .thickness = lift_(*wg.inner_ring_thickness),
-                         .width = lift_(*wg.inner_ring_width),
-                         .unit_stress = stress,
-                         .loading = race_loading(crack)},
+    return {.parameters = {.depth = lift_(crack.depth),
+                           .thickness = lift_(*wg.inner_ring_thickness),
+                           .width = lift_(*wg.inner_ring_width),
+                           .unit_stress = stress,
+                           .loading = race_loading(crack)},
             .moduli = plane_strain(ring_steel()),
             .faces = race_faces(stress),
             .in_range = not_too_deep(crack.depth, *wg.inner_ring_thickness)};
@@ -216,63 +248,62 @@ class CrackLoads {
     return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
   }
 
-  [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
+  [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> numbers(
       const WallThroughCrack& crack) const {
     const Elastic steel = flexspline_steel();
     const Wall<Real> wall = wall_of(crack.section);
-    Loaded<sif::BasicThroughCrackInTube<Real>> result{
-        .solution = {.half_length = lift_(crack.half_length),
-                     .mean_radius = wall.mean_radius,
-                     .wall_thickness = wall.thickness,
-                     .angle = lift_(crack.angle),
-                     .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
-                     .poissons_ratio = steel.nu,
-                     .shell_correction = crack.shell_correction,
-                     .thin_sheet = false},
+    Numbers<sif::BasicThroughCrackInTube<Real>> result{
+        .parameters = {.half_length = lift_(crack.half_length),
+                       .mean_radius = wall.mean_radius,
+                       .wall_thickness = wall.thickness,
+                       .angle = lift_(crack.angle),
+                       .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
+                       .poissons_ratio = steel.nu,
+                       .shell_correction = crack.shell_correction,
+                       .thin_sheet = false},
         .moduli = plane_stress(steel),
         .constraint = sif::Constraint::plane_stress,
         .faces = faces_of(crack),
         .table = table_of(crack)};
-    const auto& tube = result.solution;
+    const auto& tube = result.parameters;
     result.in_range = std::sqrt(value_of(tube.shell_parameter_squared(tube.half_length))) <=
                       tube.kMaxShellParameter;
     return result;
   }
-  [[nodiscard]] Loaded<sif::SurfaceCrack<2, Real>> loaded(const WallSurfaceCrack& crack) const {
+  [[nodiscard]] Numbers<sif::SurfaceCrack<2, Real>> numbers(const WallSurfaceCrack& crack) const {
     const Elastic steel = flexspline_steel();
     const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
     const Real thickness = wall_of(crack.section).thickness;
-    return {.solution = sif::SurfaceCrack<2, Real>(
-                {.depth = lift_(crack.depth),
-                 .aspect_ratio = lift_(crack.depth) / lift_(crack.half_length),
-                 .thickness = thickness,
-                 .poissons_ratio = steel.nu,
-                 .normal_stress = stress.normal,
-                 .shear_stress = stress.shear}),
+    return {.parameters = {.depth = lift_(crack.depth),
+                           .aspect_ratio = lift_(crack.depth) / lift_(crack.half_length),
+                           .thickness = thickness,
+                           .poissons_ratio = steel.nu,
+                           .normal_stress = stress.normal,
+                           .shear_stress = stress.shear},
             .moduli = plane_strain(steel),
             .faces = faces_of(crack),
             .in_range = not_too_deep(crack.depth, value_of(thickness))};
   }
   /// An arc crack of the diaphragm slides under torque, so it is a through crack of a flat plate in
   /// pure mode II.
-  [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
+  [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> numbers(
       const DiaphragmArcCrack& crack) const {
     const Elastic steel = flexspline_steel();
     const Real r = arc_radius(crack);
     // The shear T/(2 pi r^2 h) along the arc equals that along the generator of a tube with the
     // radius of the arc.
-    return {
-        .solution = {.half_length = lift_(crack.half_length),
-                     .mean_radius = r,
-                     .wall_thickness = diaphragm_thickness(lift_, *gear_.flexspline->diaphragm, r),
-                     .angle = Real(0.0),
-                     .poissons_ratio = steel.nu,
-                     .shell_correction = false},
-        .moduli = plane_stress(steel),
-        .constraint = sif::Constraint::plane_stress,
-        .faces = {}};
+    return {.parameters = {.half_length = lift_(crack.half_length),
+                           .mean_radius = r,
+                           .wall_thickness =
+                               diaphragm_thickness(lift_, *gear_.flexspline->diaphragm, r),
+                           .angle = Real(0.0),
+                           .poissons_ratio = steel.nu,
+                           .shell_correction = false},
+            .moduli = plane_stress(steel),
+            .constraint = sif::Constraint::plane_stress,
+            .faces = {}};
   }
-  [[nodiscard]] static LoadedGroove loaded(const DiaphragmGroove&) { return {}; }
+  [[nodiscard]] static LoadedGroove numbers(const DiaphragmGroove&) { return {}; }
 
   [[nodiscard]] Real arc_radius(const DiaphragmArcCrack& crack) const {
     return crack.radius ? Real(lift_(*crack.radius))
@@ -291,55 +322,63 @@ class CrackLoads {
     return crack.depth / (shaft.outer_diameter / 2 - shaft.inner_diameter / 2);
   }
 
-  [[nodiscard]] Loaded<sif::BasicAnnularCrackSolid<Real>> loaded_in_solid_shaft(
+  [[nodiscard]] Numbers<sif::BasicAnnularCrackSolid<Real>> numbers_in_solid_shaft(
       const AnnularCrack& crack) const {
-    return {.solution = {.depth = lift_(crack.depth),
-                         .diameter = lift_(gear_.output_shaft->outer_diameter),
-                         .polynomials = crack.solution == AnnularSolution::tada
-                                            ? sif::AnnularPolynomials::tada
-                                            : sif::AnnularPolynomials::improved},
+    return {.parameters = {.depth = lift_(crack.depth),
+                           .diameter = lift_(gear_.output_shaft->outer_diameter),
+                           .polynomials = crack.solution == AnnularSolution::tada
+                                              ? sif::AnnularPolynomials::tada
+                                              : sif::AnnularPolynomials::improved},
             .moduli = plane_strain(shaft_steel()),
             .faces = shaft_faces(),
             .table = table_of(crack)};
   }
-  [[nodiscard]] Loaded<sif::BasicAnnularCrackHollow<Real>> loaded_in_hollow_shaft(
+  [[nodiscard]] Numbers<sif::BasicAnnularCrackHollow<Real>> numbers_in_hollow_shaft(
       const AnnularCrack& crack) const {
     using Hollow = sif::BasicAnnularCrackHollow<Real>;
-    return {.solution = Hollow({.depth = lift_(crack.depth),
-                                .outer_radius = lift_(gear_.output_shaft->outer_diameter) / 2,
-                                .inner_radius = lift_(gear_.output_shaft->inner_diameter) / 2}),
+    return {.parameters = {.depth = lift_(crack.depth),
+                           .outer_radius = lift_(gear_.output_shaft->outer_diameter) / 2,
+                           .inner_radius = lift_(gear_.output_shaft->inner_diameter) / 2},
             .moduli = plane_strain(shaft_steel()),
             .faces = shaft_faces(),
             .in_range = !clearly_less(Hollow::kMaxDepthRatio, depth_ratio(crack)),
             .table = table_of(crack)};
   }
 
-  [[nodiscard]] Loaded<sif::BasicShaftSurfaceSolid<Real>> loaded_in_solid_shaft(
+  [[nodiscard]] Numbers<sif::BasicShaftSurfaceSolid<Real>> numbers_in_solid_shaft(
       const ShaftSurfaceCrack& crack) const {
-    using Solid = sif::BasicShaftSurfaceSolid<Real>;
-    return {.solution = Solid({.depth = lift_(crack.depth),
-                               .half_length = lift_(crack.half_length),
-                               .diameter = lift_(gear_.output_shaft->outer_diameter)}),
+    return {.parameters = {.depth = lift_(crack.depth),
+                           .half_length = lift_(crack.half_length),
+                           .diameter = lift_(gear_.output_shaft->outer_diameter)},
             .moduli = plane_strain(shaft_steel()),
             .faces = shaft_faces()};
   }
-  [[nodiscard]] Loaded<sif::BasicShaftSurfaceHollow<Real>> loaded_in_hollow_shaft(
+  [[nodiscard]] Numbers<sif::BasicShaftSurfaceHollow<Real>> numbers_in_hollow_shaft(
       const ShaftSurfaceCrack& crack) const {
-    using Hollow = sif::BasicShaftSurfaceHollow<Real>;
     const OutputShaft& shaft = *gear_.output_shaft;
     const Elastic steel = shaft_steel();
     return {
-        .solution = Hollow({.depth = lift_(crack.depth),
-                            .half_length = lift_(crack.half_length),
-                            .outer_radius = lift_(shaft.outer_diameter) / 2,
-                            .inner_radius = lift_(shaft.inner_diameter) / 2,
-                            .poissons_ratio = steel.nu}),
+        .parameters = {.depth = lift_(crack.depth),
+                       .half_length = lift_(crack.half_length),
+                       .outer_radius = lift_(shaft.outer_diameter) / 2,
+                       .inner_radius = lift_(shaft.inner_diameter) / 2,
+                       .poissons_ratio = steel.nu},
         .moduli = plane_strain(steel),
         .faces = shaft_faces(),
         .in_range = not_too_deep(crack.depth, (shaft.outer_diameter - shaft.inner_diameter) / 2)};
   }
 
  private:
+  template <class Solution>
+  [[nodiscard]] static LoadedCrack<Solution> with_solution(const Numbers<Solution>& numbers) {
+    return LoadedCrack<Solution>(numbers);
+  }
+  /// For what has no solution: a groove, or a crack that acts in the coupled drive.
+  template <class Other>
+  [[nodiscard]] static Other with_solution(const Other& other) {
+    return other;
+  }
+
   [[nodiscard]] Elastic steel(std::string_view material, std::string_view field) const {
     return elastic_constants(lift_, material_of(gear_, material, field));
   }

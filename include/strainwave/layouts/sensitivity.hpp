@@ -17,6 +17,9 @@ namespace strainwave {
 [[nodiscard]] std::vector<TitledTable> scatter_tables(const Scatter& scatter,
                                                       const Sensitivity& sensitivity);
 
+/// One table for each output of the Sobol study, the largest total share first.
+[[nodiscard]] std::vector<TitledTable> sobol_tables(const Sobol& sobol);
+
 /// Tables at most 100 columns wide: elasticities, the largest first.  With scatter, tables of the
 /// combined uncertainty and the share of each input follow.
 [[nodiscard]] std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear);

@@ -89,6 +89,13 @@ struct RequirementReport {
 /// The notes and the outcome of a report.
 [[nodiscard]] ResultEvidence evidence_of(const RequirementReport& report);
 
+/// Reads a requirement, "OUTPUT OP VALUE".
+/// @param result  has the output
+/// @param option  that gives the text, for messages
+/// @throws InputError  if the text cannot be read, or does not name an output of the result
+[[nodiscard]] Requirement parse_requirement(const StiffnessResult& result, std::string_view text,
+                                            std::string_view option);
+
 /// Judges requirements on the outputs of a result.
 ///
 /// A requirement is met if the whole uncertainty interval of the output keeps the bound.  It is not

@@ -9,6 +9,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sensitivity.hpp"
+#include "strainwave/study/sobol_report.hpp"
 
 /// @file
 /// Effect of the scatter of the inputs on stiffness and stiffness loss, by first order and by Monte
@@ -16,8 +17,8 @@
 
 namespace strainwave {
 
-/// Largest number of draws in one study; it gives 80 MB of results.
-inline constexpr int kMaxSamples = 2'000'000;
+/// Largest number of draws in one study; their values, which exact quantiles need, take 480 MB.
+inline constexpr int kMaxSamples = 10'000'000;
 
 struct ScatterOptions {
   int samples = 100'000;   ///< draws; 2 to kMaxSamples
@@ -97,6 +98,7 @@ struct Scatter {
 struct SensitivityReport {
   Sensitivity sensitivity;
   std::optional<Scatter> scatter;
+  std::optional<Sobol> sobol = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -106,10 +108,12 @@ struct SensitivityReport {
     });
     field({"scatter", "", "combined uncertainty from the scatter of the inputs"},
           &SensitivityReport::scatter);
+    field({"sobol", "", "shares of the scattering inputs in the variance of outputs"},
+          &SensitivityReport::sobol);
   }
 };
 
-/// The notes of both studies.
+/// The notes of all studies.
 [[nodiscard]] ResultEvidence evidence_of(const SensitivityReport& report);
 
 /// Propagates the scatter of the inputs that the file gives.

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         modes as modes,
         new as new,
         oval as oval,
+        reliability as reliability,
         report as report,
         require as require,
         schema as schema,

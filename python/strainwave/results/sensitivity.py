@@ -95,8 +95,9 @@ class ScatterInputs(Part):
     """path of the number"""
     relative_standard_deviation: Quantity
     """s, standard deviation over the value in the file"""
-    distribution: Literal["lognormal", "normal"]
-    """distribution about the value in the file, which is its median or its mean"""
+    distribution: Literal["lognormal", "normal", "uniform", "weibull"]
+    """distribution about the value in the file, which is the median of lognormal and the mean
+    of normal, uniform and weibull"""
     source: str
     """one line"""
 
@@ -190,6 +191,99 @@ class Scatter(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class InputsPart(Part):
+    """Share by the input alone."""
+
+    value: Quantity
+    """the share"""
+    low: Quantity
+    """lower end of its 95 % interval"""
+    high: Quantity
+    """upper end of its 95 % interval"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "value": ("value", _to.quantity),
+        "low": ("low", _to.quantity),
+        "high": ("high", _to.quantity),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class OutputsInputs(Part):
+    """The field `inputs`."""
+
+    path: str
+    """field of the input"""
+    first: InputsPart
+    """share by the input alone"""
+    total: InputsPart
+    """share by the input alone and together with others"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "path": ("path", _to.plain),
+        "first": ("first", InputsPart._of),
+        "total": ("total", InputsPart._of),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SobolOutputs(Part):
+    """The field `outputs`."""
+
+    name: str
+    """the output"""
+    unit: str
+    """SI unit of the output"""
+    value: float
+    """value at the inputs of the file"""
+    mean: float
+    """mean over the points"""
+    deviation: float
+    """standard deviation over the points"""
+    inputs: tuple[OutputsInputs, ...]
+    """shares of the inputs, the largest total share first"""
+    first_sum: InputsPart
+    """sum of the shares by single inputs"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "name": ("name", _to.plain),
+        "unit": ("unit", _to.plain),
+        "value": ("value", _to.plain_number),
+        "mean": ("mean", _to.plain_number),
+        "deviation": ("deviation", _to.plain_number),
+        "inputs": ("inputs", _to.many(OutputsInputs._of)),
+        "first_sum": ("first_sum", InputsPart._of),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Sobol(Part):
+    """Shares of the scattering inputs in the variance of outputs."""
+
+    outputs: tuple[SobolOutputs, ...]
+    """shares for each output"""
+    points: int
+    """base points"""
+    replicates: int
+    """independent scramblings of the points"""
+    evaluations: int
+    """evaluated drives"""
+    left_out: int
+    """base points without a usable drive"""
+    seed: int
+    """seed of the scramblings"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "outputs": ("outputs", _to.many(SobolOutputs._of)),
+        "points": ("points", _to.plain),
+        "replicates": ("replicates", _to.plain),
+        "evaluations": ("evaluations", _to.plain),
+        "left_out": ("left_out", _to.plain),
+        "seed": ("seed", _to.plain),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class SensitivityResult(Result):
     """What `sensitivity` answers."""
 
@@ -205,6 +299,8 @@ class SensitivityResult(Result):
     """largest residual of the dimensions"""
     scatter: Optional[Scatter]
     """combined uncertainty from the scatter of the inputs; None if absent"""
+    sobol: Optional[Sobol]
+    """shares of the scattering inputs in the variance of outputs; None if absent"""
 
     command: ClassVar[str] = "sensitivity"
     documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
@@ -215,4 +311,5 @@ class SensitivityResult(Result):
         "not_differentiated": ("not_differentiated", NotDifferentiated._of),
         "homogeneity_residual": ("homogeneity_residual", _to.quantity),
         "scatter": ("scatter", Scatter._of),
+        "sobol": ("sobol", Sobol._of),
     }

@@ -16,6 +16,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/input/cam_curve.hpp"
+#include "strainwave/model/input/check_rules.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/turn_table.hpp"
 
@@ -25,13 +26,13 @@ namespace strainwave {
 namespace {
 
 void check_tube(const FieldPath& path, const TubeSection& tube) {
-  require(tube.wall_thickness < tube.outer_diameter / 2, (path / "wall_thickness").text(),
+  require(tube.wall_thickness < tube.outer_diameter / 2, path / "wall_thickness",
           tube.wall_thickness, "m", "wall_thickness < outer_diameter/2");
 }
 
 void check_temperatures(const FieldPath& path, const std::optional<std::array<double, 2>>& range) {
   if (range)
-    require((*range)[0] <= (*range)[1], path.text(), (*range)[1], "K",
+    require((*range)[0] <= (*range)[1], path, (*range)[1], "K",
             "not below the first one of the pair");
 }
 
@@ -61,19 +62,18 @@ void check_material(const FieldPath& path, const Material& material) {
   if (const auto& bounds = material.growth_bounds) {
     check_temperatures(path / "growth_bounds" / "temperature", bounds->temperature);
     if (const auto& R = bounds->stress_ratio)
-      require((*R)[0] <= (*R)[1], (path / "growth_bounds.stress_ratio").text(), (*R)[1], "1",
+      require((*R)[0] <= (*R)[1], path / "growth_bounds.stress_ratio", (*R)[1], "1",
               "not below the first one of the pair");
     if (bounds->from && bounds->to)
-      require(*bounds->from < *bounds->to, (path / "growth_bounds.to").text(), *bounds->to,
-              "Pa*m^0.5", "to > from");
+      require(*bounds->from < *bounds->to, path / "growth_bounds.to", *bounds->to, "Pa*m^0.5",
+              "to > from");
   }
   if (material.fatigue && material.fatigue->slope && !material.fatigue->cycles)
     throw InputError((path / "fatigue.cycles").text(),
                      "must be given beside slope: the line goes through the knee");
   if (material.yield_strength && material.ultimate_strength)
-    require(*material.ultimate_strength >= *material.yield_strength,
-            (path / "ultimate_strength").text(), *material.ultimate_strength, "Pa",
-            "ultimate_strength >= yield_strength");
+    require(*material.ultimate_strength >= *material.yield_strength, path / "ultimate_strength",
+            *material.ultimate_strength, "Pa", "ultimate_strength >= yield_strength");
 }
 
 template <class Moving>
@@ -94,7 +94,7 @@ void check_duty(const Duty& duty) {
   for (std::size_t i = 0; i < duty.peak.size(); ++i) {
     const FieldPath peak = (at / "peak")[i];
     check_speed(peak, duty.peak[i]);
-    require(duty.peak[i].interval >= duty.peak[i].duration, (peak / "interval").text(),
+    require(duty.peak[i].interval >= duty.peak[i].duration, peak / "interval",
             duty.peak[i].interval, "s", "not shorter than the peak's duration");
   }
   const bool moves =
@@ -182,7 +182,7 @@ void check_manoeuvres(const GearSet& gear) {
   for (std::size_t i = 0; i < gear.manoeuvre.size(); ++i) {
     const Manoeuvre& piece = gear.manoeuvre[i];
     const FieldPath at = pieces[i];
-    require(time + piece.duration > time, (at / "duration").text(), piece.duration, "s",
+    require(time + piece.duration > time, at / "duration", piece.duration, "s",
             "long enough to move the time of the pieces before");
     time += piece.duration;
     if (piece.input_speed.has_value() == piece.input_torque.has_value())
@@ -216,7 +216,7 @@ void need(bool given, std::string_view field, const FieldPath& at, std::string_v
 }
 
 void check_depth(const FieldPath& at, double depth, double thickness, std::string_view rule) {
-  require(clearly_less(depth, thickness), (at / "depth").text(), depth, "m", rule);
+  require(clearly_less(depth, thickness), at / "depth", depth, "m", rule);
 }
 
 void check_waves_that_bend(const GearSet& gear) {
@@ -323,9 +323,9 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmArcCra
   const Diaphragm& diaphragm = diaphragm_for(at, gear);
   const double radius = crack.radius.value_or(diaphragm.inner_diameter / 2);
   require(radius >= diaphragm.inner_diameter / 2 && radius < diaphragm.outer_diameter / 2,
-          (at / "radius").text(), radius, "m", "on the diaphragm");
-  require(crack.half_length < std::numbers::pi * radius, (at / "half_length").text(),
-          crack.half_length, "m", "2 half_length < circumference at its radius");
+          at / "radius", radius, "m", "on the diaphragm");
+  require(crack.half_length < std::numbers::pi * radius, at / "half_length", crack.half_length, "m",
+          "2 half_length < circumference at its radius");
 }
 
 void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove& groove) {
@@ -334,7 +334,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove
   const double outer = groove.radius + groove.width / 2;
   require(!clearly_less(inner, diaphragm.inner_diameter / 2) &&
               !clearly_less(diaphragm.outer_diameter / 2, outer),
-          (at / "radius").text(), groove.radius, "m", "radius +- width/2 on the diaphragm");
+          at / "radius", groove.radius, "m", "radius +- width/2 on the diaphragm");
   const auto thick_enough = [&](double r) {
     check_depth(at, groove.depth, diaphragm_thickness(diaphragm, r),
                 "depth < thickness of the diaphragm");
@@ -367,17 +367,19 @@ double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& c
     throw InputError((at / "section").text(), "is read only where crack_free = \"sections\"");
   }
   const double reach = crack.half_length * std::cos(crack.angle);
-  require(2 * reach < length, (at / "half_length").text(), crack.half_length, "m",
+  require(2 * reach < length, at / "half_length", crack.half_length, "m",
           "2 half_length cos(angle) < length of the tube");
   if (crack.distance)
-    require(*crack.distance > reach && *crack.distance < length - reach, (at / "distance").text(),
-            *crack.distance, "m",
-            fmt::format("half_length cos(angle) < distance < length of the tube - half_length "
-                        "cos(angle), that is, between {:.4g} mm and {:.4g} mm",
-                        reach / units::mm, (length - reach) / units::mm));
+    require(*crack.distance > reach && *crack.distance < length - reach, at / "distance",
+            *crack.distance, "m", [&] {
+              return fmt::format(
+                  "half_length cos(angle) < distance < length of the tube - half_length "
+                  "cos(angle), that is, between {:.4g} mm and {:.4g} mm",
+                  reach / units::mm, (length - reach) / units::mm);
+            });
   require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
               std::numbers::pi * (diameter - wall),
-          (at / "half_length").text(), crack.half_length, "m",
+          at / "half_length", crack.half_length, "m",
           "2 half_length |sin(angle)| < circumference of the tube");
   return wall;
 }
@@ -388,7 +390,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const WallThroughCrac
 
 void check_crack(const FieldPath& at, const GearSet& gear, const WallSurfaceCrack& crack) {
   check_depth(at, crack.depth, check_wall_crack(at, gear, crack), "depth < wall_thickness");
-  require(crack.depth <= crack.half_length, (at / "half_length").text(), crack.half_length, "m",
+  require(crack.depth <= crack.half_length, at / "half_length", crack.half_length, "m",
           "half_length >= depth");
 }
 
@@ -409,11 +411,10 @@ void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& c
 void check_crack(const FieldPath& at, const GearSet& gear, const ShaftSurfaceCrack& crack) {
   const OutputShaft& shaft = *gear.output_shaft;
   check_depth_in_shaft(at, shaft, crack.depth);
-  require(crack.depth <= crack.half_length, (at / "half_length").text(), crack.half_length, "m",
+  require(crack.depth <= crack.half_length, at / "half_length", crack.half_length, "m",
           "half_length >= depth");
-  require(2 * crack.half_length < std::numbers::pi * shaft.outer_diameter,
-          (at / "half_length").text(), crack.half_length, "m",
-          "2 half_length < circumference of the shaft");
+  require(2 * crack.half_length < std::numbers::pi * shaft.outer_diameter, at / "half_length",
+          crack.half_length, "m", "2 half_length < circumference of the shaft");
 }
 
 /// Checks that cracks of one ring do not soften the same length (TC-22).
@@ -581,21 +582,24 @@ void check_balls(const FieldPath& path, const Bearing& bearing) {
   const double pitch_radius = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 4;
   const double half_angle = std::asin(std::min(1.0, bearing.ball_diameter / (2 * pitch_radius)));
   const double room = std::numbers::pi / half_angle;
-  require(!clearly_less(room, count), (path / "ball_count").text(), count, "1",
-          fmt::format(
-              "<= {:.0f}: more balls of {:.4g} mm overlap on their pitch circle of {:.4g} mm",
-              std::floor(room), bearing.ball_diameter / units::mm, 2 * pitch_radius / units::mm));
-  require(!clearly_less(count, bearing.loaded_balls), (path / "loaded_balls").text(),
-          bearing.loaded_balls, "1", fmt::format("<= ball_count, {}", count));
+  require(!clearly_less(room, count), path / "ball_count", count, "1", [&] {
+    return fmt::format(
+        "<= {:.0f}: more balls of {:.4g} mm overlap on their pitch circle of {:.4g} mm",
+        std::floor(room), bearing.ball_diameter / units::mm, 2 * pitch_radius / units::mm);
+  });
+  require(!clearly_less(count, bearing.loaded_balls), path / "loaded_balls", bearing.loaded_balls,
+          "1", [&] { return fmt::format("<= ball_count, {}", count); });
 }
 
 /// Checks that a ring of the bearing is at least as wide as the groove of a ball, which is half of
 /// the ball's diameter.
 void check_groove(const FieldPath& path, double width, const Bearing& bearing) {
-  require(!clearly_less(width, bearing.ball_diameter / 2), path.text(), width, "m",
-          fmt::format(">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a "
-                      "groove of the ring",
-                      bearing.ball_diameter / 2 / units::mm));
+  require(!clearly_less(width, bearing.ball_diameter / 2), path, width, "m", [&] {
+    return fmt::format(
+        ">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a "
+        "groove of the ring",
+        bearing.ball_diameter / 2 / units::mm);
+  });
 }
 
 /// A cam has the numbers of its own profile and no others.
@@ -625,7 +629,7 @@ void check_cam(const GearSet& gear, const Cam& cam, const FieldPath& path) {
 void check_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   const FieldPath path("wave_generator");
-  (void)material_of(gear, wg.material, (path / "material").text());
+  (void)material_of(gear, wg.material, path / "material");
   const int sources = int{wg.radial_stiffness.has_value()} + int{wg.displacements.has_value()} +
                       int{wg.bearing.has_value()};
   if (sources == 0)
@@ -638,39 +642,41 @@ void check_wave_generator(const GearSet& gear) {
         "displacements, bearing");
   if (wg.displacements) {
     const LobeDisplacements& d = *wg.displacements;
-    require(d.bearing + d.cam + d.shaft > 0, (path / "displacements" / "bearing").text(), d.bearing,
-            "m", "bearing + cam + shaft > 0");
+    require(d.bearing + d.cam + d.shaft > 0, path / "displacements" / "bearing", d.bearing, "m",
+            "bearing + cam + shaft > 0");
   }
   if (wg.contact_semi_axes) {
-    const auto& [a, b] = *wg.contact_semi_axes;
-    require(b <= a, (path / "contact_semi_axes")[1].text(), b, "m",
-            "second semi-axis <= first semi-axis");
+    const double a = (*wg.contact_semi_axes)[0];
+    const double b = (*wg.contact_semi_axes)[1];
+    require(b <= a, (path / "contact_semi_axes")[1], b, "m", "second semi-axis <= first semi-axis");
     if (wg.inner_ring_width)
-      require(!clearly_less(*wg.inner_ring_width, 2 * b), (path / "inner_ring_width").text(),
-              *wg.inner_ring_width, "m",
-              fmt::format(">= 2 contact_semi_axes[1], {:.4g} mm: the contact lies on the ring",
-                          2 * b / units::mm));
+      require(!clearly_less(*wg.inner_ring_width, 2 * b), path / "inner_ring_width",
+              *wg.inner_ring_width, "m", [&] {
+                return fmt::format(
+                    ">= 2 contact_semi_axes[1], {:.4g} mm: the contact lies on the ring",
+                    2 * b / units::mm);
+              });
   }
   if (wg.inner_ring_thickness && wg.inner_ring_mean_radius)
-    require(*wg.inner_ring_thickness < *wg.inner_ring_mean_radius,
-            (path / "inner_ring_thickness").text(), *wg.inner_ring_thickness, "m",
-            "inner_ring_thickness < inner_ring_mean_radius");
+    require(*wg.inner_ring_thickness < *wg.inner_ring_mean_radius, path / "inner_ring_thickness",
+            *wg.inner_ring_thickness, "m", "inner_ring_thickness < inner_ring_mean_radius");
   if (wg.cam) check_cam(gear, *wg.cam, path / "cam");
   if (wg.cam_perimeter_excess) {
     const double most = 0.005 * std::numbers::pi * gear.drive.pitch_diameter;
-    require(std::abs(*wg.cam_perimeter_excess) < most, (path / "cam_perimeter_excess").text(),
-            *wg.cam_perimeter_excess, "m",
-            fmt::format("less than 0.5 % of the pitch circle, {:.4g} mm, in magnitude",
-                        most / units::mm));
+    require(std::abs(*wg.cam_perimeter_excess) < most, path / "cam_perimeter_excess",
+            *wg.cam_perimeter_excess, "m", [&] {
+              return fmt::format("less than 0.5 % of the pitch circle, {:.4g} mm, in magnitude",
+                                 most / units::mm);
+            });
   }
   if (wg.bearing) {
     const FieldPath bearing = path / "bearing";
     require(wg.bearing->outer_raceway_diameter > wg.bearing->inner_raceway_diameter,
-            (bearing / "outer_raceway_diameter").text(), wg.bearing->outer_raceway_diameter, "m",
+            bearing / "outer_raceway_diameter", wg.bearing->outer_raceway_diameter, "m",
             "outer_raceway_diameter > inner_raceway_diameter");
     const double gap =
         (wg.bearing->outer_raceway_diameter - wg.bearing->inner_raceway_diameter) / 2;
-    require(!clearly_less(gap, wg.bearing->ball_diameter), (bearing / "ball_diameter").text(),
+    require(!clearly_less(gap, wg.bearing->ball_diameter), bearing / "ball_diameter",
             wg.bearing->ball_diameter, "m",
             "ball_diameter <= (outer_raceway_diameter - inner_raceway_diameter)/2");
     if (wg.contact_semi_axes)
@@ -679,13 +685,13 @@ void check_wave_generator(const GearSet& gear) {
           "is a second source of the contact, which follows from bearing; remove one of them");
     if (wg.bearing->ball_count)
       require(*wg.bearing->ball_count >= 3 && *wg.bearing->ball_count <= 200,
-              (bearing / "ball_count").text(), *wg.bearing->ball_count, "1", ">= 3 and <= 200");
+              bearing / "ball_count", *wg.bearing->ball_count, "1", ">= 3 and <= 200");
     check_balls(bearing, *wg.bearing);
     if (wg.inner_ring_width)
       check_groove(path / "inner_ring_width", *wg.inner_ring_width, *wg.bearing);
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
-      require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
+      require(ring.thickness < ring.mean_radius, bearing / "outer_ring" / "thickness",
               ring.thickness, "m", "thickness < mean_radius");
       check_groove(bearing / "outer_ring" / "width", ring.width, *wg.bearing);
       check_waves_that_bend(gear);
@@ -698,11 +704,11 @@ void check_wave_generator(const GearSet& gear) {
 }
 
 void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
-  require(diaphragm.inner_diameter < diaphragm.outer_diameter, (path / "inner_diameter").text(),
+  require(diaphragm.inner_diameter < diaphragm.outer_diameter, path / "inner_diameter",
           diaphragm.inner_diameter, "m", "inner_diameter < outer_diameter");
   double last = 0.0;
   for (std::size_t i = 0; i < diaphragm.profile.size(); ++i) {
-    const std::string at = ((path / "profile")[i] / "radius").text();
+    const FieldPath at = (path / "profile")[i] / "radius";
     const double r = diaphragm.profile[i].radius;
     require(r > last, at, r, "m", "radius > that of the station before");
     require(r >= diaphragm.inner_diameter / 2 && clearly_less(r, diaphragm.outer_diameter / 2), at,
@@ -769,20 +775,24 @@ void check_side_of_diaphragm(const FieldPath& path, const Flexspline& fs) {
 void check_joints(const FieldPath& path, const Flexspline& fs) {
   const double barrel = fs.barrel->outer_diameter;
   if (fs.rim)
-    require(can_join(barrel, fs.rim->outer_diameter), (path / "barrel" / "outer_diameter").text(),
-            barrel, "m",
-            fmt::format("within {:.4g} % of rim.outer_diameter, {:.4g} mm, because the barrel "
-                        "joins the rim",
-                        100 * kJoined, fs.rim->outer_diameter / units::mm));
+    require(can_join(barrel, fs.rim->outer_diameter), path / "barrel" / "outer_diameter", barrel,
+            "m", [&] {
+              return fmt::format(
+                  "within {:.4g} % of rim.outer_diameter, {:.4g} mm, because the barrel "
+                  "joins the rim",
+                  100 * kJoined, fs.rim->outer_diameter / units::mm);
+            });
   if (!fs.diaphragm) return;
   check_side_of_diaphragm(path, fs);
   const bool hat = fs.shape == FlexsplineShape::hat;
   const double edge = hat ? fs.diaphragm->inner_diameter : fs.diaphragm->outer_diameter;
-  require(can_join(edge, barrel),
-          (path / "diaphragm" / (hat ? "inner_diameter" : "outer_diameter")).text(), edge, "m",
-          fmt::format("within {:.4g} % of barrel.outer_diameter, {:.4g} mm, because the "
-                      "diaphragm joins the barrel",
-                      100 * kJoined, barrel / units::mm));
+  require(can_join(edge, barrel), path / "diaphragm" / (hat ? "inner_diameter" : "outer_diameter"),
+          edge, "m", [&] {
+            return fmt::format(
+                "within {:.4g} % of barrel.outer_diameter, {:.4g} mm, because the "
+                "diaphragm joins the barrel",
+                100 * kJoined, barrel / units::mm);
+          });
 }
 
 /// No tooth is taller than this many modules [-].
@@ -796,18 +806,19 @@ void check_rim_at_teeth(const FieldPath& path, const GearSet& gear, const TubeSe
   const double module = drive.pitch_diameter / (drive.wave_number * drive.ratio);
   const double least = drive.pitch_diameter - 2 * kMostRootDistance * module;
   const double most = drive.pitch_diameter + 2 * kMostRootShift * module;
-  require(least < rim.outer_diameter && rim.outer_diameter < most, (path / "outer_diameter").text(),
-          rim.outer_diameter, "m",
-          fmt::format("between {:.4g} and {:.4g} mm: the rim ends at the tooth roots",
-                      least / units::mm, most / units::mm));
+  require(least < rim.outer_diameter && rim.outer_diameter < most, path / "outer_diameter",
+          rim.outer_diameter, "m", [&] {
+            return fmt::format("between {:.4g} and {:.4g} mm: the rim ends at the tooth roots",
+                               least / units::mm, most / units::mm);
+          });
 }
 
 void check_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   const FieldPath path("flexspline");
-  (void)material_of(gear, fs.material, (path / "material").text());
+  (void)material_of(gear, fs.material, path / "material");
   if (fs.wall_thickness)
-    require(*fs.wall_thickness < gear.drive.pitch_diameter / 2, (path / "wall_thickness").text(),
+    require(*fs.wall_thickness < gear.drive.pitch_diameter / 2, path / "wall_thickness",
             *fs.wall_thickness, "m", "wall_thickness < drive.pitch_diameter/2");
   if (fs.rim) check_tube(path / "rim", *fs.rim);
   if (fs.barrel) check_tube(path / "barrel", *fs.barrel);
@@ -818,8 +829,8 @@ void check_flexspline(const GearSet& gear) {
       throw InputError((path / "barrel").text(),
                        "must be given where crack_free = \"sections\" (smooth tube)");
     if (fs.length)
-      require(!clearly_less(*fs.length, fs.tube_length()), (path / "length").text(), *fs.length,
-              "m", "length >= barrel.length + rim.length");
+      require(!clearly_less(*fs.length, fs.tube_length()), path / "length", *fs.length, "m",
+              "length >= barrel.length + rim.length");
     if (fs.shape_factor)
       throw InputError((path / "shape_factor").text(),
                        "is read only where crack_free = \"factor\"");
@@ -862,10 +873,10 @@ void check_flexspline(const GearSet& gear) {
 void check_circular_spline(const GearSet& gear) {
   const CircularSpline& ring = *gear.circular_spline;
   const FieldPath path("circular_spline");
-  (void)material_of(gear, ring.material, (path / "material").text());
-  require(ring.inner_diameter < ring.outer_diameter, (path / "inner_diameter").text(),
-          ring.inner_diameter, "m", "inner_diameter < outer_diameter");
-  require(ring.inner_diameter > gear.drive.pitch_diameter, (path / "inner_diameter").text(),
+  (void)material_of(gear, ring.material, path / "material");
+  require(ring.inner_diameter < ring.outer_diameter, path / "inner_diameter", ring.inner_diameter,
+          "m", "inner_diameter < outer_diameter");
+  require(ring.inner_diameter > gear.drive.pitch_diameter, path / "inner_diameter",
           ring.inner_diameter, "m", "inner_diameter > drive.pitch_diameter");
   check_cracks(gear, path, ring.crack);
   check_hinges<CircularSplineRingCrack>(path / "crack", ring.crack,
@@ -900,10 +911,10 @@ void check_range(const GearSet& gear, const FieldPath& path, const InputRange& r
   const NumberAt number = number_named(gear, path, range.path);
   const double lower = parse_quantity((path / "lower").text(), range.lower, number.field.unit);
   const double upper = parse_quantity((path / "upper").text(), range.upper, number.field.unit);
-  require(lower < upper, (path / "upper").text(), upper, number.field.unit, "upper > lower");
+  require(lower < upper, path / "upper", upper, number.field.unit, "upper > lower");
   for (const auto& [field, value] : {std::pair{"lower", lower}, {"upper", upper}})
-    require(number.field.range.contains(value), (path / field).text(), value, number.field.unit,
-            rule_text(number.field.range, number.field.unit));
+    require(number.field.range.contains(value), path / field, value, number.field.unit,
+            [&] { return rule_text(number.field.range, number.field.unit); });
   if (number.value < lower || number.value > upper)
     throw InputError(
         (path / "path").text(),
@@ -936,8 +947,8 @@ void check_scatter(const GearSet& gear, std::size_t which) {
 void check_output_shaft(const GearSet& gear) {
   const OutputShaft& shaft = *gear.output_shaft;
   const FieldPath path("output_shaft");
-  (void)material_of(gear, shaft.material, (path / "material").text());
-  require(shaft.inner_diameter < shaft.outer_diameter, (path / "inner_diameter").text(),
+  (void)material_of(gear, shaft.material, path / "material");
+  require(shaft.inner_diameter < shaft.outer_diameter, path / "inner_diameter",
           shaft.inner_diameter, "m", "inner_diameter < outer_diameter");
   check_cracks(gear, path, shaft.crack);
 }
@@ -953,14 +964,14 @@ bool too_long(const Field& field, double value) {
 void check_ranges(const GearSet& gear) {
   bool all_inside = true;
   for_each_number<NoPath>(gear, [&](NoPath, const Field& field, const double& value) {
-    all_inside = all_inside && field.range.contains(value) && !too_long(field, value);
+    all_inside = all_inside && in_range(field, value);
   });
   if (all_inside) return;
   // Build paths only after a fault, because a drive without faults is checked without them.
   for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
-    require(field.range.contains(value), path.text(), value, field.unit,
+    require(field.range.contains(value), path, value, field.unit,
             std::isfinite(value) ? rule_text(field.range, field.unit) : "a finite number");
-    require(!too_long(field, value), path.text(), value, field.unit, "at most 1000 km");
+    require(!too_long(field, value), path, value, field.unit, "at most 1000 km");
   });
 }
 
@@ -970,16 +981,22 @@ void check_displacement(const Transmission& drive) {
   constexpr double kLeast = 0.3;
   constexpr double kMost = 2;
   const double nominal = drive.pitch_diameter / (2 * drive.ratio);
-  require(!clearly_less(drive.radial_displacement, kLeast * nominal) &&
-              !clearly_less(kMost * nominal, drive.radial_displacement),
-          "drive.radial_displacement", drive.radial_displacement, "m",
-          fmt::format(
-              "between {:.4g} and {:.4g} times pitch_diameter/(2 ratio), {:.4g} mm; otherwise the "
-              "teeth cannot engage and disengage",
-              kLeast, kMost, nominal / units::mm));
+  require(
+      !clearly_less(drive.radial_displacement, kLeast * nominal) &&
+          !clearly_less(kMost * nominal, drive.radial_displacement),
+      FieldPath("drive") / "radial_displacement", drive.radial_displacement, "m", [&] {
+        return fmt::format(
+            "between {:.4g} and {:.4g} times pitch_diameter/(2 ratio), {:.4g} mm; otherwise the "
+            "teeth cannot engage and disengage",
+            kLeast, kMost, nominal / units::mm);
+      });
 }
 
 }  // namespace
+
+bool in_range(const Field& field, double value) {
+  return field.range.contains(value) && !too_long(field, value);
+}
 
 void check(const GearSet& gear) {
   if (gear.format != kDriveFormat)
@@ -988,12 +1005,16 @@ void check(const GearSet& gear) {
   if (std::ranges::any_of(gear.name, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
     throw InputError("name", "must be one line, without control characters");
   check_ranges(gear);
+  check_rules(gear);
+}
+
+void check_rules(const GearSet& gear) {
   for (const auto& [name, material] : gear.material)
     check_material(FieldPath("material") / name, material);
   require(gear.drive.wave_number >= 1 && gear.drive.wave_number <= 8, "drive.wave_number",
           gear.drive.wave_number, "1", ">= 1 and <= 8");
   require(gear.drive.radial_displacement < gear.drive.pitch_diameter / 2,
-          "drive.radial_displacement", gear.drive.radial_displacement, "m",
+          FieldPath("drive") / "radial_displacement", gear.drive.radial_displacement, "m",
           "radial_displacement < pitch_diameter/2");
   check_displacement(gear.drive);
   require(gear.load.torque != 0, "load.torque", gear.load.torque, "N*m", "torque != 0");

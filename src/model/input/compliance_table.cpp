@@ -132,7 +132,7 @@ ComplianceTable completed(ComplianceTable table) {
 }
 
 void check_compliance_tables(const GearSet& gear) {
-  for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
+  for_each_tabulated_kind(gear, [&](const CrackPath& path, const auto& crack) {
     if (crack.compliance_table) check_one(gear, path, crack);
   });
 }

@@ -48,13 +48,27 @@ double diaphragm_thickness(const Diaphragm& diaphragm, double radius) {
   return diaphragm_thickness(Lift<double>(), diaphragm, radius);
 }
 
-const Material& material_of(const GearSet& gear, std::string_view name, std::string_view field) {
+namespace {
+
+template <class MakeField>
+const Material& material_for(const GearSet& gear, std::string_view name, const MakeField& field) {
   const auto found = gear.material.find(std::string(name));
   if (found != gear.material.end()) return found->second;
   std::vector<std::string> known;
   for (const auto& [known_name, material] : gear.material) known.push_back(known_name);
-  throw InputError(field, fmt::format("\"{}\" is not one of the materials given ({})", shown(name),
-                                      shown(fmt::format("{}", fmt::join(known, ", ")))));
+  throw InputError(field(),
+                   fmt::format("\"{}\" is not one of the materials given ({})", shown(name),
+                               shown(fmt::format("{}", fmt::join(known, ", ")))));
+}
+
+}  // namespace
+
+const Material& material_of(const GearSet& gear, std::string_view name, std::string_view field) {
+  return material_for(gear, name, [&] { return std::string(field); });
+}
+
+const Material& material_of(const GearSet& gear, std::string_view name, const FieldPath& field) {
+  return material_for(gear, name, [&] { return field.text(); });
 }
 
 KinematicError kinematic_error_of(const GearSet& gear) {

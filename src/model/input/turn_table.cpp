@@ -201,7 +201,7 @@ TurnRange turn_range(const TurnTable& table, double size, double aspect_ratio, d
 }
 
 void check_turn_tables(const GearSet& gear) {
-  for_each_crack_with_turn(gear, [&](const std::string& path, const auto& crack) {
+  for_each_crack_with_turn(gear, [&](const CrackPath& path, const auto& crack) {
     if (crack.turn_table) check_turn(gear, path, crack);
   });
 }

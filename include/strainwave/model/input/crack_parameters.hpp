@@ -57,7 +57,7 @@ template <class Real>
 /// Calls `f(path, crack)` for each crack that can have a table.
 template <class F>
 void for_each_tabulated_kind(const GearSet& gear, const F& f) {
-  for_each_crack(gear, [&](const std::string& path, const auto& crack) {
+  for_each_crack(gear, [&](const CrackPath& path, const auto& crack) {
     if constexpr (requires { crack.compliance_table; }) f(path, crack);
   });
 }

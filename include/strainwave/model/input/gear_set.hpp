@@ -261,13 +261,22 @@ void for_each_cracked_member(Gear& gear, const F& f) {
   if (gear.output_shaft) f("output_shaft", *gear.output_shaft);
 }
 
-/// Calls f(path, crack) for each crack of a member, such as "flexspline.crack[0]".
+/// Path of a crack, such as "flexspline.crack[0]"; its text is built where it is needed.
+struct CrackPath {
+  std::string_view member;
+  std::size_t index = 0;
+
+  // Implicit, so that a walk may take the text.
+  operator std::string() const {  // NOLINT(google-explicit-constructor)
+    return std::string(member) + ".crack[" + std::to_string(index) + "]";
+  }
+};
+
+/// Calls f(path, crack) for each crack of a member.
 template <class Cracks, class F>
 void for_each_crack(std::string_view member, Cracks& cracks, const F& f) {
   for (std::size_t i = 0; i < cracks.size(); ++i)
-    std::visit(
-        [&](auto& crack) { f(std::string(member) + ".crack[" + std::to_string(i) + "]", crack); },
-        cracks[i]);
+    std::visit([&](auto& crack) { f(CrackPath{member, i}, crack); }, cracks[i]);
 }
 
 /// Calls f(path, crack) for each crack of a drive, in the order of their numbers.
@@ -293,6 +302,8 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 /// @throws InputError  if no material has that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           std::string_view field);
+[[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
+                                          const FieldPath& field);
 
 /// The kinematic error of a drive: the orders of the file, and the lines of its table (MO-56).
 [[nodiscard]] KinematicError kinematic_error_of(const GearSet& gear);

@@ -13,14 +13,17 @@ namespace strainwave {
 enum class ScatterDistribution {
   lognormal,  ///< the file's value is the median; the sign cannot change
   normal,     ///< the file's value is the mean
+  uniform,    ///< the file's value is the mean, in the middle of the two ends
+  weibull,    ///< the file's value is the mean; the smallest value is 0
 };
 template <>
 struct EnumNames<ScatterDistribution> {
-  static constexpr std::array<std::string_view, 2> names = {"lognormal", "normal"};
+  static constexpr std::array<std::string_view, 4> names = {"lognormal", "normal", "uniform",
+                                                            "weibull"};
 };
 
 /// A number of the file that scatters independently of the others.  `strainwave sensitivity
-/// --scatter` and `strainwave accuracy` read it.
+/// --scatter` and `--sobol`, `strainwave reliability` and `strainwave accuracy` read it.
 struct InputScatter {
   /// path of the number, such as "flexspline.wall_thickness"
   std::string path;
@@ -43,7 +46,8 @@ struct InputScatter {
           &InputScatter::relative_standard_deviation);
     field(Field{.name = "distribution",
                 .unit = "",
-                .doc = "distribution about the value in the file, which is its median or its mean",
+                .doc = "distribution about the value in the file, which is the median of lognormal "
+                       "and the mean of normal, uniform and weibull",
                 .example = R"("lognormal")",
                 .fallback = R"("lognormal")"},
           &InputScatter::distribution);

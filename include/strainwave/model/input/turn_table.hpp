@@ -105,7 +105,7 @@ void check_turn_tables(const GearSet& gear);
 /// Calls `f(path, crack)` for each crack that can have a table of K over a turn.
 template <class Gear, class F>
 void for_each_crack_with_turn(Gear& gear, const F& f) {
-  for_each_crack(gear, [&](const std::string& path, auto& crack) {
+  for_each_crack(gear, [&](const CrackPath& path, auto& crack) {
     if constexpr (requires { crack.turn_table; }) f(path, crack);
   });
 }

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
+
+namespace strainwave {
+
+/// An output of the sum of the members, computed without a report.
+struct SeriesOutput {
+  std::string_view name;  ///< as in a result, or "..._loss", the change with the other sign
+  std::string_view unit;
+  double (*of)(const SeriesCompliance<double>&, const Load&);
+};
+
+/// All outputs of that kind.  The first five are those of the scatter study.
+[[nodiscard]] std::span<const SeriesOutput> series_outputs();
+inline constexpr std::size_t kScatterOutputs = 5;
+
+/// Why a varied drive has no outputs, if it has none.
+enum class Fate : unsigned char {
+  evaluated,
+  refused,   ///< it breaks a rule of the input
+  unusable,  ///< it is outside the validity of the model
+};
+
+/// Outputs of the sum of the members for many drives that differ in some numbers: what all threads
+/// share.
+///
+/// The same numbers as those of `evaluate`: to the last bit without tables (`prepare`), and within
+/// 1e-10 with them (ST-21, ST-22).
+class VariedSeries {
+ public:
+  /// Fills the values of a row, one for each path.
+  using Fill = std::function<void(std::size_t row, std::span<double> values)>;
+
+  /// @param gear     has passed `check`; must outlive this object
+  /// @param paths    of numbers of the drive
+  /// @param outputs  names that `covers` accepts
+  VariedSeries(const GearSet& gear, const std::vector<std::string>& paths,
+               const std::vector<std::string>& outputs);
+  ~VariedSeries();
+  VariedSeries(VariedSeries&&) noexcept;
+
+  /// Whether all outputs are those of the sum of the members.
+  [[nodiscard]] static bool covers(std::span<const std::string> outputs);
+
+  /// Prepares tables of the cracks, where they save time for this number of rows.
+  void prepare(std::size_t rows, const Fill& fill);
+
+  /// Evaluates drives for one thread.
+  class Evaluator {
+   public:
+    explicit Evaluator(const VariedSeries& of);
+    ~Evaluator();
+    Evaluator(Evaluator&&) noexcept;
+
+    /// Fills the outputs of the drive with these values.
+    Fate operator()(std::span<const double> values, std::span<double> outputs);
+
+   private:
+    friend class VariedSeries;
+    struct State;
+    std::unique_ptr<State> state_;
+  };
+
+ private:
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace strainwave

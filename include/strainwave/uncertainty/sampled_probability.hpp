@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "strainwave/core/progress.hpp"
+#include "strainwave/uncertainty/design_point.hpp"
+
+namespace strainwave {
+
+/// A probability of failure from draws.
+struct SampledProbability {
+  std::size_t draws = 0;
+  std::size_t failures = 0;
+  std::size_t without_value = 0;  ///< draws at which the output has no value
+  double probability = 0.0;       ///< [-]; draws without a value do not count as failures
+  double standard_error = 0.0;    ///< of the probability [-]
+  /// Limits that contain the probability with 95 % confidence [-].  The upper one counts all draws
+  /// without a value as failures.
+  double low = 0.0;
+  double high = 1.0;
+  /// The failure nearest to the origin; empty without a failure.
+  std::vector<double> nearest_failure = {};
+};
+
+struct SamplingOptions {
+  std::size_t draws = 200'000;
+  std::uint64_t seed = 1;
+  int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
+};
+
+/// Plain Monte Carlo.
+///
+/// Implements theory manual eq. (UQ-6).  The limits are those of Clopper and Pearson, which contain
+/// the probability at least as often as they say, also without a failure among the draws.
+///
+/// @param make    makes the margin of one thread
+/// @param inputs  number of standard normal inputs
+[[nodiscard]] SampledProbability plain_sampling(const std::function<LimitState()>& make,
+                                                std::size_t inputs,
+                                                const SamplingOptions& options = {},
+                                                const Progress& progress = {});
+
+/// Importance sampling: the draws scatter about a design point and count by their weight.
+///
+/// Implements theory manual eq. (UQ-7).  It is exact on average if all failures can be drawn, and
+/// efficient if they lie about the design point.
+///
+/// @param centre  z*, the design point
+[[nodiscard]] SampledProbability importance_sampling(const std::function<LimitState()>& make,
+                                                     const std::vector<double>& centre,
+                                                     const SamplingOptions& options = {},
+                                                     const Progress& progress = {});
+
+}  // namespace strainwave

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "strainwave/core/progress.hpp"
+
+namespace strainwave {
+
+/// A number estimated from independent replicates, with its 95 % confidence interval.
+struct Estimate {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Shares of one input in the variance of one output.
+struct SobolIndices {
+  Estimate first;  ///< by the input alone [-]
+  Estimate total;  ///< by the input alone and together with others [-]
+};
+
+/// Variance of one output and its shares.
+struct SobolOutput {
+  double mean = 0.0;
+  double variance = 0.0;
+  std::vector<SobolIndices> input;  ///< shape (n inputs); empty if the variance is 0
+  Estimate first_sum;               ///< sum of the first-order shares [-]; 1 without interactions
+};
+
+struct SobolOptions {
+  int points = 4096;    ///< base points in all replicates
+  int replicates = 16;  ///< independent scramblings; they divide `points`
+  std::uint64_t seed = 1;
+  int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
+};
+
+struct SobolStudy {
+  std::vector<SobolOutput> output;
+  std::size_t evaluations = 0;
+  std::size_t left_out = 0;  ///< base points at which the function had no value somewhere
+};
+
+/// Fills the outputs at standard normal inputs; false: no value there.
+using NormalFunction = std::function<bool(std::span<const double> z, std::span<double> outputs)>;
+
+/// First-order and total shares of independent inputs in the variance of outputs.
+///
+/// Implements theory manual eqs. (UQ-2), (UQ-3): the estimators of Saltelli and Jansen over
+/// scrambled Sobol points.  The interval is that of Student's distribution over the replicates.
+///
+/// @param make     makes the function of one thread
+/// @param inputs   number of inputs, 1 to SobolPoints::kMaxDimensions/2
+/// @param outputs  number of outputs
+/// @throws SolverError  if a replicate has fewer than two points with values
+/// @throws Stopped      if `progress` requests a stop
+[[nodiscard]] SobolStudy sobol_indices(const std::function<NormalFunction()>& make,
+                                       std::size_t inputs, std::size_t outputs,
+                                       const SobolOptions& options = {},
+                                       const Progress& progress = {});
+
+}  // namespace strainwave

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawn_outputs.hpp"
+
+#include <algorithm>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/study/outputs.hpp"
+
+namespace strainwave {
+
+void require_scatter(const GearSet& gear) {
+  if (gear.scatter.empty())
+    throw InputError(
+        "scatter",
+        "must be given; add at least one [[scatter]] with path and relative_standard_deviation");
+}
+
+DrawnOutputs::DrawnOutputs(const GearSet& gear, const std::vector<std::string>& names,
+                           std::string_view option)
+    : gear_(gear),
+      names_(names),
+      options_{.coupled_drive = std::ranges::any_of(names, is_of_coupled_drive),
+               .over_turn = std::ranges::any_of(names, is_over_turn),
+               .life = std::ranges::any_of(names, is_of_life)} {
+  std::vector<std::string> paths;
+  std::vector<double> at_file;
+  for (const InputScatter& scatter : gear.scatter) {
+    paths.push_back(scatter.path);
+    at_file.push_back(number_at(gear, scatter.path).value);
+    laws_.emplace_back(scatter, at_file.back());
+  }
+  if (VariedSeries::covers(names)) {
+    series_.emplace(gear, paths, names);
+    std::vector<double> values(names.size());
+    (void)VariedSeries::Evaluator (*series_)(at_file, values);
+    for (std::size_t y = 0; y < names.size(); ++y)
+      at_file_.push_back(
+          {values[y], std::ranges::find(series_outputs(), names[y], &SeriesOutput::name)->unit});
+    return;
+  }
+  const StiffnessResult result = evaluate(gear, Method::corrected, options_);
+  for (const std::string& name : names) {
+    const std::optional<Quantity> value = output_named(result, name);
+    if (!value) refuse_output(result, name, option);
+    at_file_.push_back(*value);
+  }
+}
+
+void DrawnOutputs::to_values(std::span<const double> z, std::span<double> values) const {
+  for (std::size_t i = 0; i < z.size(); ++i) values[i] = laws_[i].at(z[i]);
+}
+
+void DrawnOutputs::prepare(std::size_t rows,
+                           const std::function<void(std::size_t row, std::span<double> z)>& fill) {
+  if (!series_) return;
+  std::vector<double> z(inputs());
+  series_->prepare(rows, [&](std::size_t row, std::span<double> values) {
+    fill(row, z);
+    to_values(z, values);
+  });
+}
+
+DrawnOutputs::Evaluator::Evaluator(const DrawnOutputs& of) : of_(of), values_(of.inputs()) {
+  if (of.series_)
+    series_.emplace(*of.series_);
+  else
+    drawn_ = std::make_unique<DrawnDrive>(of.gear_, of.gear_.scatter);
+}
+
+Fate DrawnOutputs::Evaluator::operator()(std::span<const double> z, std::span<double> outputs) {
+  of_.to_values(z, values_);
+  return series_ ? (*series_)(values_, outputs) : evaluated(outputs);
+}
+
+Fate DrawnOutputs::Evaluator::evaluated(std::span<double> outputs) {
+  for (std::size_t i = 0; i < values_.size(); ++i) drawn_->number(i) = values_[i];
+  try {
+    const StiffnessResult result = evaluate(drawn_->gear(), Method::corrected, of_.options_);
+    for (std::size_t y = 0; y < outputs.size(); ++y) {
+      const std::optional<Quantity> value = output_named(result, of_.names_[y]);
+      if (!value) return Fate::unusable;
+      outputs[y] = value->value;
+    }
+    return result.usable() ? Fate::evaluated : Fate::unusable;
+  } catch (const InputError&) {
+    return Fate::refused;
+  } catch (const SolverError&) {
+    return Fate::unusable;
+  }
+}
+
+}  // namespace strainwave

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawn_drive.hpp"
+#include "scatter_law.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/varied_series.hpp"
+
+namespace strainwave {
+
+/// @throws InputError  if the drive gives no scatter
+void require_scatter(const GearSet& gear);
+
+/// Named outputs of a drive whose numbers scatter: what all threads share.
+class DrawnOutputs {
+ public:
+  /// @param names   of outputs; those of the sum of the members take microseconds, others the time
+  ///                of `evaluate`
+  /// @param option  that names the outputs, for messages
+  /// @throws InputError  if an output does not exist
+  DrawnOutputs(const GearSet& gear, const std::vector<std::string>& names, std::string_view option);
+
+  /// Prepares tables of the cracks for many drives.
+  /// @param rows  number of drives
+  /// @param fill  (row, z): standard normal inputs of a row
+  void prepare(std::size_t rows,
+               const std::function<void(std::size_t row, std::span<double> z)>& fill);
+
+  [[nodiscard]] std::size_t inputs() const { return laws_.size(); }
+  /// The outputs at the values of the file.
+  [[nodiscard]] const std::vector<Quantity>& at_file() const { return at_file_; }
+  /// Whether all outputs are those of the sum of the members, and so take microseconds.
+  [[nodiscard]] bool of_sum() const { return series_.has_value(); }
+  /// Values of the inputs at standard normal inputs.
+  void to_values(std::span<const double> z, std::span<double> values) const;
+
+  /// Evaluates drives for one thread.
+  class Evaluator;
+
+ private:
+  const GearSet& gear_;
+  std::vector<ScatterLaw> laws_;
+  std::optional<VariedSeries> series_;  ///< absent if an output is not of the sum
+  std::vector<std::string> names_;
+  EvaluationOptions options_;
+  std::vector<Quantity> at_file_;
+};
+
+class DrawnOutputs::Evaluator {
+ public:
+  explicit Evaluator(const DrawnOutputs& of);
+
+  /// Fills the outputs at standard normal inputs.
+  Fate operator()(std::span<const double> z, std::span<double> outputs);
+
+ private:
+  [[nodiscard]] Fate evaluated(std::span<double> outputs);
+
+  const DrawnOutputs& of_;
+  std::vector<double> values_;
+  std::optional<VariedSeries::Evaluator> series_;
+  std::unique_ptr<DrawnDrive> drawn_;  ///< null if the outputs are of the sum
+};
+
+}  // namespace strainwave

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/reliability_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "drawn_outputs.hpp"
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/study/outputs.hpp"
+#include "strainwave/uncertainty/design_point.hpp"
+#include "strainwave/uncertainty/sampled_probability.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::string_view kRequireOption = "require";
+constexpr int kDraws = 200'000;
+constexpr int kSlowDraws = 2'000;  // of the coupled drive, some milliseconds each
+
+/// The margin of a requirement over the standard normal inputs of one thread.
+class Margin {
+ public:
+  Margin(const DrawnOutputs& outputs, const Requirement& requirement)
+      : evaluate_(std::make_shared<DrawnOutputs::Evaluator>(outputs)),
+        sign_(requirement.comparison == Comparison::at_least ||
+                      requirement.comparison == Comparison::more_than
+                  ? 1.0
+                  : -1.0),
+        bound_(requirement.bound),
+        scale_(std::max({std::abs(requirement.bound), std::abs(outputs.at_file()[0].value),
+                         std::numeric_limits<double>::min()})) {}
+
+  std::optional<double> operator()(std::span<const double> z) const {
+    double output = 0.0;
+    if ((*evaluate_)(z, {&output, 1}) != Fate::evaluated || !std::isfinite(output))
+      return std::nullopt;
+    return sign_ * (output - bound_) / scale_;
+  }
+
+ private:
+  std::shared_ptr<DrawnOutputs::Evaluator> evaluate_;
+  double sign_;
+  double bound_;
+  double scale_;
+};
+
+DrawnReliability drawn(const SampledProbability& sampled) {
+  return {.draws = static_cast<int>(sampled.draws),
+          .failures = static_cast<int>(sampled.failures),
+          .without_value = static_cast<int>(sampled.without_value),
+          .probability = sampled.probability,
+          .standard_error = sampled.standard_error,
+          .low = sampled.low,
+          .high = sampled.high};
+}
+
+FirstOrderReliability first_order(const GearSet& gear, const DrawnOutputs& outputs,
+                                  const DesignPoint& point) {
+  FirstOrderReliability result{.converged = point.converged,
+                               .reliability_index = point.reliability_index,
+                               .probability = point.converged ? point.probability() : 0.0,
+                               .iterations = point.iterations,
+                               .reason = point.reason,
+                               .inputs = {}};
+  if (!point.converged) return result;
+  std::vector<double> values(point.place.size());
+  outputs.to_values(point.place, values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const NumberAt number = number_at(gear, gear.scatter[i].path);
+    result.inputs.push_back({.path = number.path,
+                             .unit = number.field.unit,
+                             .value = number.value,
+                             .at_design = values[i],
+                             .deviations = point.place[i],
+                             .importance = point.normal[i] * point.normal[i]});
+  }
+  std::ranges::stable_sort(result.inputs, std::ranges::greater{}, &DesignPointInput::importance);
+  return result;
+}
+
+/// Chooses the road to trust, (UQ-6), (UQ-7).
+void judge(RequirementReliability& answer) {
+  constexpr int kEnough = 100;          // failures for a relative standard error of 10 %
+  constexpr double kPrecise = 0.2;      // largest relative standard error of importance sampling
+  constexpr double kContradicts = 4.0;  // standard errors
+  const DrawnReliability& plain = answer.monte_carlo;
+  answer.low = plain.low;
+  answer.high = plain.high;
+  const auto& about = answer.importance_sampling;
+  const bool precise =
+      about && about->probability > 0 && about->standard_error <= kPrecise * about->probability;
+  if (plain.failures >= kEnough) {
+    answer.trusted = ReliabilityRoad::monte_carlo;
+    answer.probability = plain.probability;
+    return;
+  }
+  if (!precise) return;
+  const double error = std::hypot(about->standard_error,
+                                  std::sqrt(about->probability / static_cast<double>(plain.draws)));
+  if (std::abs(about->probability - plain.probability) > kContradicts * error) return;
+  answer.trusted = ReliabilityRoad::importance_sampling;
+  answer.probability = about->probability;
+  answer.low = about->low;
+  answer.high = about->high;
+}
+
+std::string asked(const Requirement& requirement) {
+  return fmt::format("{} {} {}", requirement.output, enum_name(requirement.comparison),
+                     shown_quantity(requirement.bound, requirement.unit, 9, requirement.output));
+}
+
+void add_notes(std::vector<Note>& notes, const RequirementReliability& answer) {
+  const std::string name = asked(answer.requirement);
+  const DrawnReliability& plain = answer.monte_carlo;
+  const auto& about = answer.importance_sampling;
+  if (answer.trusted == ReliabilityRoad::none) {
+    const bool other = about && plain.low > about->high;
+    notes.push_back(
+        {.code = "reliability.cannot_tell",
+         .text = fmt::format(
+             "{}: the probability is between {:.3g} and {:.3g}; {}", name, answer.low, answer.high,
+             other ? "there are failures away from the design point, which draws about it miss"
+             : answer.first_order.converged ? "draws about the design point are not precise enough"
+                                            : answer.first_order.reason),
+         .path = "scatter",
+         .equation = "UQ-6",
+         .severity = Severity::cannot_tell,
+         .next_step = "Take more draws with --draws."});
+  } else if (answer.first_order.converged && answer.probability) {
+    const double difference = answer.first_order.probability / *answer.probability - 1;
+    const double error = (answer.high - answer.low) / *answer.probability;
+    if (std::abs(difference) > std::max(0.2, error))
+      notes.push_back(
+          {.code = "reliability.curved",
+           .text = fmt::format("{}: the first-order probability {:.3g} differs by {:+.0f} % from "
+                               "that of the draws, because the limit is curved or failures lie "
+                               "elsewhere too; use the probability of the draws",
+                               name, answer.first_order.probability, 100 * difference),
+           .path = "scatter",
+           .equation = "UQ-4",
+           .severity = Severity::information});
+  }
+  if (plain.without_value > 0)
+    notes.push_back(
+        {.code = "reliability.no_value",
+         .text = fmt::format("{}: {} of {} draws break a rule of the input, such as a crack deeper "
+                             "than its wall, or are outside the validity of the model; the upper "
+                             "end of the interval counts them as failures",
+                             name, plain.without_value, plain.draws),
+         .path = "scatter",
+         .equation = "UQ-6",
+         .severity = Severity::care,
+         .next_step = "Use the upper end, or let the inputs scatter less."});
+}
+
+RequirementReliability reliability_of_one(const GearSet& gear, const Requirement& requirement,
+                                          const ReliabilitySettings& settings,
+                                          const Progress& progress) {
+  RequirementReliability answer{.requirement = requirement};
+  DrawnOutputs outputs(gear, {requirement.output}, kRequireOption);
+  answer.value = outputs.at_file()[0];
+  const std::size_t inputs = outputs.inputs();
+  const auto make = [&]() -> LimitState { return Margin(outputs, requirement); };
+  const DesignPoint from_file = find_design_point(make(), std::vector<double>(inputs, 0.0));
+  // Tables answer the many draws below; the search above needs the engine's derivatives.
+  const bool fast = outputs.of_sum();
+  const auto draws = static_cast<std::size_t>(settings.draws.value_or(fast ? kDraws : kSlowDraws));
+  outputs.prepare(draws, [&](std::size_t row, std::span<double> z) {
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = counter_normal(settings.seed, row, i);
+  });
+  const SamplingOptions sampling{
+      .draws = draws, .seed = settings.seed, .threads = settings.threads};
+  const SampledProbability plain = plain_sampling(make, inputs, sampling, progress.part(0.0, 0.6));
+  DesignPoint point = from_file;
+  if (!plain.nearest_failure.empty() && plain.probability < 0.5) {
+    // A failure among the draws may lead to a nearer or the only design point.
+    DesignPoint from_draw = find_design_point(make(), plain.nearest_failure);
+    if (from_draw.converged && (!point.converged || std::abs(from_draw.reliability_index) <
+                                                        std::abs(point.reliability_index) - 1e-6))
+      point = std::move(from_draw);
+  }
+  answer.first_order = first_order(gear, outputs, point);
+  answer.monte_carlo = drawn(plain);
+  if (point.converged) {
+    CurvedLimit curved = curved_limit(make(), point);
+    answer.second_order = {.probability = curved.probability,
+                           .curvatures = std::move(curved.curvatures),
+                           .reason = std::move(curved.reason)};
+    SamplingOptions about = sampling;
+    about.draws = std::max<std::size_t>(draws / 4, 2);
+    about.seed = splitmix64(settings.seed, 1);
+    answer.importance_sampling =
+        drawn(importance_sampling(make, point.place, about, progress.part(0.6, 1.0)));
+  }
+  judge(answer);
+  return answer;
+}
+
+}  // namespace
+
+ResultEvidence evidence_of(const ReliabilityReport& report) {
+  ResultEvidence evidence;
+  evidence.notes = report.notes;
+  for (const char* const tag : {"UQ-4", "UQ-5", "UQ-6", "UQ-7"})
+    evidence.equations.emplace_back(tag);
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
+}
+
+std::vector<Requirement> requirements_on(const GearSet& gear,
+                                         const std::vector<std::string>& texts) {
+  if (texts.empty())
+    throw InputError(kRequireOption,
+                     "must be given, such as 'cracked.positive.stiffness >= 4e5 N*m/rad'");
+  const bool over_turn = std::ranges::any_of(texts, [](const std::string& text) {
+    return is_over_turn(text.substr(0, text.find_first_of("<> ")));
+  });
+  const StiffnessResult at_file = evaluate(gear, Method::corrected, {.over_turn = over_turn});
+  std::vector<Requirement> requirements;
+  for (const std::string& text : texts)
+    requirements.push_back(parse_requirement(at_file, text, kRequireOption));
+  return requirements;
+}
+
+ReliabilityReport reliability_of(const GearSet& gear, const std::vector<Requirement>& requirements,
+                                 const ReliabilitySettings& settings, const Progress& progress) {
+  check(gear);
+  require_scatter(gear);
+  if (settings.draws)
+    require(*settings.draws >= 2 && *settings.draws <= kMaxReliabilityDraws, "--draws",
+            *settings.draws, "1", fmt::format(">= 2 and <= {}", kMaxReliabilityDraws));
+  require(settings.threads >= 0, "--threads", settings.threads, "1", ">= 0");
+  ReliabilityReport report{.answers = {}, .seed = settings.seed, .notes = {}};
+  const auto count = static_cast<double>(requirements.size());
+  for (std::size_t n = 0; n < requirements.size(); ++n) {
+    const auto before = static_cast<double>(n);
+    report.answers.push_back(reliability_of_one(
+        gear, requirements[n], settings, progress.part(before / count, (before + 1) / count)));
+    add_notes(report.notes, report.answers.back());
+  }
+  report.notes.push_back(
+      {.code = "reliability.independent",
+       .text = "the inputs are drawn independently of each other, and the probabilities do not "
+               "contain the uncertainty of the model's form, which strainwave require takes into "
+               "account",
+       .path = "scatter",
+       .equation = "UQ-4",
+       .severity = Severity::information});
+  return report;
+}
+
+}  // namespace strainwave

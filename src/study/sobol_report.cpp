@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/sobol_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "drawn_outputs.hpp"
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/uncertainty/sobol_indices.hpp"
+
+namespace strainwave {
+namespace {
+
+SobolShare share_of(const Estimate& estimate) {
+  return {estimate.value, estimate.low, estimate.high};
+}
+
+/// Outputs of the sum that exist for this drive.
+std::vector<std::string> usual_outputs(const GearSet& gear) {
+  std::vector<std::string> names;
+  const auto series = series_compliance<double>(gear);
+  for (const SeriesOutput& output : series_outputs().first(kScatterOutputs))
+    if (output.of(series, gear.load) != 0) names.emplace_back(output.name);
+  return names;
+}
+
+}  // namespace
+
+void check_settings(const GearSet& gear, const SobolSettings& settings) {
+  require(settings.points >= 2 * kSobolReplicates && settings.points <= kMaxSobolPoints &&
+              settings.points % kSobolReplicates == 0,
+          "points", settings.points, "1",
+          fmt::format("a multiple of {} from {} to {}", kSobolReplicates, 2 * kSobolReplicates,
+                      kMaxSobolPoints));
+  require(settings.threads >= 0, "threads", settings.threads, "1", ">= 0");
+  (void)DrawnOutputs(gear, settings.outputs, "of");
+}
+
+Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progress& progress) {
+  check(gear);
+  require_scatter(gear);
+  check_settings(gear, settings);
+  const std::vector<std::string> names =
+      settings.outputs.empty() ? usual_outputs(gear) : settings.outputs;
+  DrawnOutputs outputs(gear, names, "of");
+  const std::size_t inputs = outputs.inputs();
+  // Random inputs tell what varies as well as the points do, which are chosen later.
+  outputs.prepare(static_cast<std::size_t>(settings.points) * (inputs + 2),
+                  [&](std::size_t row, std::span<double> z) {
+                    for (std::size_t i = 0; i < z.size(); ++i)
+                      z[i] = counter_normal(settings.seed, row, i);
+                  });
+  const SobolStudy study = sobol_indices(
+      [&]() -> NormalFunction {
+        return [evaluate = std::make_shared<DrawnOutputs::Evaluator>(outputs)](
+                   std::span<const double> z, std::span<double> values) {
+          return (*evaluate)(z, values) == Fate::evaluated;
+        };
+      },
+      inputs, names.size(),
+      {.points = settings.points,
+       .replicates = kSobolReplicates,
+       .seed = settings.seed,
+       .threads = settings.threads},
+      progress);
+  Sobol result{.points = settings.points,
+               .replicates = kSobolReplicates,
+               .evaluations = static_cast<int>(study.evaluations),
+               .left_out = static_cast<int>(study.left_out),
+               .seed = settings.seed};
+  for (std::size_t y = 0; y < names.size(); ++y) {
+    const SobolOutput& of = study.output[y];
+    const Quantity& at_file = outputs.at_file()[y];
+    SobolAnswer answer{.name = names[y],
+                       .unit = at_file.unit,
+                       .value = at_file.value,
+                       .mean = of.mean,
+                       .deviation = std::sqrt(of.variance),
+                       .inputs = {},
+                       .first_sum = share_of(of.first_sum)};
+    for (std::size_t i = 0; i < of.input.size(); ++i)
+      answer.inputs.push_back(
+          {gear.scatter[i].path, share_of(of.input[i].first), share_of(of.input[i].total)});
+    std::ranges::stable_sort(answer.inputs, std::ranges::greater{},
+                             [](const SobolInput& input) { return input.total.value; });
+    result.outputs.push_back(std::move(answer));
+  }
+  if (study.left_out > 0)
+    result.notes.push_back(
+        {"sobol.left_out",
+         fmt::format("{} of {} points lead to a drive that breaks a rule of the input, or that is "
+                     "outside the validity of the model; the shares are those of the other points, "
+                     "over which the inputs are no longer independent",
+                     study.left_out, settings.points),
+         "scatter", "UQ-2", Severity::care, "Let the inputs scatter less."});
+  result.notes.push_back({"sobol.independent",
+                          "the shares hold for inputs that scatter independently", "scatter",
+                          "UQ-2", Severity::information});
+  return result;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/uncertainty/sampled_probability.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/core/parallel.hpp"
+
+namespace strainwave {
+namespace {
+
+enum class Draw : unsigned char { met, failed, without_value };
+
+constexpr double kNormal95 = 1.959963984540054;
+
+/// Draws standard normal inputs about a centre, in the order of their numbers.
+class Drawing {
+ public:
+  Drawing(const std::vector<double>& centre, std::uint64_t seed)
+      : centre_(centre), seed_(seed), z_(centre.size()) {}
+
+  const std::vector<double>& operator()(std::size_t n) {
+    for (std::size_t i = 0; i < z_.size(); ++i) z_[i] = centre_[i] + counter_normal(seed_, n, i);
+    return z_;
+  }
+
+ private:
+  const std::vector<double>& centre_;
+  std::uint64_t seed_;
+  std::vector<double> z_;
+};
+
+std::vector<Draw> draws_of(const std::function<LimitState()>& make,
+                           const std::vector<double>& centre, const SamplingOptions& options,
+                           const Progress& progress) {
+  std::vector<Draw> draws(options.draws);
+  for_each_index(draws.size(), {.block = 256, .threads = options.threads}, progress, [&] {
+    return
+        [&draws, margin = make(), drawing = Drawing(centre, options.seed)](std::size_t n) mutable {
+          const std::optional<double> g = margin(drawing(n));
+          draws[n] = !g ? Draw::without_value : *g < 0 ? Draw::failed : Draw::met;
+        };
+  });
+  return draws;
+}
+
+double square_of(const std::vector<double>& z) {
+  double sum = 0.0;
+  for (const double zi : z) sum += zi * zi;
+  return sum;
+}
+
+}  // namespace
+
+SampledProbability plain_sampling(const std::function<LimitState()>& make, std::size_t inputs,
+                                  const SamplingOptions& options, const Progress& progress) {
+  const std::vector<double> origin(inputs, 0.0);
+  const std::vector<Draw> draws = draws_of(make, origin, options, progress);
+  SampledProbability result{.draws = draws.size()};
+  Drawing drawing(origin, options.seed);
+  double nearest = HUGE_VAL;
+  for (std::size_t n = 0; n < draws.size(); ++n) {
+    if (draws[n] == Draw::without_value) ++result.without_value;
+    if (draws[n] != Draw::failed) continue;
+    ++result.failures;
+    const std::vector<double>& z = drawing(n);
+    if (square_of(z) < nearest) {
+      nearest = square_of(z);
+      result.nearest_failure = z;
+    }
+  }
+  const auto count = static_cast<double>(draws.size());
+  const auto failures = static_cast<double>(result.failures);
+  result.probability = failures / count;
+  result.standard_error = std::sqrt(result.probability * (1 - result.probability) / count);
+  using Binomial = boost::math::binomial;
+  constexpr double kOneSide = 0.025;
+  result.low = Binomial::find_lower_bound_on_p(count, failures, kOneSide);  // (UQ-6)
+  const double most = failures + static_cast<double>(result.without_value);
+  result.high = most < count ? Binomial::find_upper_bound_on_p(count, most, kOneSide) : 1.0;
+  return result;
+}
+
+SampledProbability importance_sampling(const std::function<LimitState()>& make,
+                                       const std::vector<double>& centre,
+                                       const SamplingOptions& options, const Progress& progress) {
+  const std::vector<Draw> draws = draws_of(make, centre, options, progress);
+  SampledProbability result{.draws = draws.size()};
+  Drawing drawing(centre, options.seed);
+  double sum = 0.0;
+  double squares = 0.0;
+  double left_out = 0.0;
+  const double beta_squared = square_of(centre);
+  for (std::size_t n = 0; n < draws.size(); ++n) {
+    if (draws[n] == Draw::met) continue;
+    const std::vector<double>& z = drawing(n);
+    double along = 0.0;
+    for (std::size_t i = 0; i < z.size(); ++i) along += z[i] * centre[i];
+    const double weight = std::exp(beta_squared / 2 - along);  // (UQ-7)
+    if (draws[n] == Draw::without_value) {
+      ++result.without_value;
+      left_out += weight;
+      continue;
+    }
+    ++result.failures;
+    sum += weight;
+    squares += weight * weight;
+  }
+  const auto count = static_cast<double>(draws.size());
+  result.probability = sum / count;
+  result.standard_error =
+      std::sqrt(std::max(0.0, squares / count - result.probability * result.probability) / count);
+  result.low = std::max(0.0, result.probability - kNormal95 * result.standard_error);
+  result.high =
+      std::min(1.0, result.probability + kNormal95 * result.standard_error + left_out / count);
+  return result;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0 Sobol's indices and reliability of a drive whose inputs
+// scatter, and the fast evaluation on which both rest.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/outputs.hpp"
+#include "strainwave/study/reliability_report.hpp"
+#include "strainwave/study/scatter.hpp"
+#include "strainwave/study/sobol_report.hpp"
+#include "strainwave/study/varied_series.hpp"
+#include "strainwave/uncertainty/normal.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+#include "support/random_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+GearSet uncertain_example() {
+  return read_gear_set_file(STRAINWAVE_EXAMPLES "/article_scatter.toml");
+}
+
+/// A drive that is a sound shaft alone, whose stiffness is G times a constant.
+GearSet shaft_alone(ScatterDistribution distribution, double deviation) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator.reset();
+  gear.flexspline.reset();
+  gear.output_shaft->crack.clear();
+  gear.scatter = {{.path = "material.steel.shear_modulus",
+                   .relative_standard_deviation = deviation,
+                   .distribution = distribution,
+                   .source = {}}};
+  return gear;
+}
+
+double stiffness_of(const GearSet& gear) {
+  return evaluate(gear, Method::corrected).intact.stiffness.value;
+}
+
+// --- Fast evaluation
+// ------------------------------------------------------------------------------
+
+// Kind: cross-check.  Source: `evaluate`.  Without tables the same bits, with tables 1e-10; the
+// same rows are refused.
+TEST(VariedSeries, CrosscheckWithEvaluate) {
+  const GearSet gear = uncertain_example();
+  const std::vector<std::string> paths = {
+      "output_shaft.crack[0].depth", "flexspline.crack[0].half_length",
+      "wave_generator.radial_stiffness", "material.steel.youngs_modulus"};
+  std::vector<std::string> names;
+  for (const SeriesOutput& output : series_outputs())
+    if (!output.name.ends_with("_loss")) names.emplace_back(output.name);
+  const auto fill = [](std::size_t row, std::span<double> values) {
+    test::Dice dice(row);
+    values[0] = dice.uniform(-0.2e-3, 14e-3);  // from refused to refused, and beyond the table
+    values[1] = dice.log_uniform(1e-4, 2e-2);
+    values[2] = dice.uniform(0.8e8, 1.6e8);
+    values[3] = dice.uniform(200e9, 220e9);
+  };
+  VariedSeries varied(gear, paths, names);
+  VariedSeries::Evaluator by_engine(varied);
+  varied.prepare(1'000'000'000, fill);
+  VariedSeries::Evaluator by_tables(varied);
+  std::array<int, 3> fates{};
+  for (std::size_t row = 0; row < 400; ++row) {
+    std::vector<double> values(paths.size());
+    fill(row, values);
+    GearSet one = gear;
+    one.scatter.clear();
+    for (std::size_t i = 0; i < paths.size(); ++i) set_number(one, paths[i], values[i]);
+    Fate expected = Fate::evaluated;
+    std::vector<double> exact(names.size());
+    try {
+      const StiffnessResult result =
+          evaluate(one, Method::corrected, {.coupled_drive = false, .life = false});
+      if (!result.usable()) expected = Fate::unusable;
+      for (std::size_t y = 0; y < names.size(); ++y)
+        exact[y] = output_named(result, names[y])->value;
+    } catch (const InputError&) {
+      expected = Fate::refused;
+    }
+    ++fates[static_cast<std::size_t>(expected)];
+    std::vector<double> fast(names.size());
+    std::vector<double> same(names.size());
+    EXPECT_EQ(by_tables(values, fast), expected) << row;
+    EXPECT_EQ(by_engine(values, same), expected) << row;
+    if (expected == Fate::refused) continue;
+    EXPECT_EQ(same, exact) << row;
+    for (std::size_t y = 0; y < names.size(); ++y) test::expect_relative(fast[y], exact[y], 1e-10);
+  }
+  for (const int count : fates) EXPECT_GT(count, 10);
+}
+
+TEST(VariedSeries, BehaviourCoversOutputsOfTheSumOnly) {
+  const auto covers = [](const std::string& name) {
+    return VariedSeries::covers(std::vector{std::string("intact.stiffness"), name});
+  };
+  EXPECT_TRUE(covers("cracked.negative.wind_up"));
+  EXPECT_FALSE(covers("curve.positive.K1"));
+  EXPECT_FALSE(covers("intact.stifness"));
+}
+
+// --- Distributions
+// --------------------------------------------------------------------------------
+
+// Kind: reference.  Mean and deviation of the drawn stiffness, which is proportional to the input.
+// Tolerance: four standard errors of 65536 points.
+TEST(ScatterLaw, ReferenceMeanAndDeviationOfEachDistribution) {
+  for (const double s : {0.02, 0.3}) {
+    for (const auto distribution : {ScatterDistribution::lognormal, ScatterDistribution::normal,
+                                    ScatterDistribution::uniform, ScatterDistribution::weibull}) {
+      const GearSet gear = shaft_alone(distribution, s);
+      const Sobol sobol = sobol_of(gear, {.points = 1 << 16, .outputs = {"intact.stiffness"}});
+      const SobolAnswer& answer = sobol.outputs[0];
+      const bool lognormal = distribution == ScatterDistribution::lognormal;
+      const double mean = lognormal ? std::sqrt(1 + s * s) : 1.0;  // the file has the median
+      // Normal deviates below -3.3 of s = 0.3 would make a negative modulus.
+      const double tolerance = distribution == ScatterDistribution::normal && s > 0.2 ? 0.02 : 5e-3;
+      test::expect_relative(answer.mean, mean * answer.value, tolerance * s);
+      test::expect_relative(answer.deviation, mean * s * answer.value, tolerance);
+      EXPECT_NEAR(answer.inputs[0].first.value, 1, 0.01);
+      EXPECT_NEAR(answer.inputs[0].total.value, 1, 0.01);
+    }
+  }
+}
+
+// --- Sobol's indices
+// ------------------------------------------------------------------------------
+
+// Kind: cross-check.  Source: the first-order shares (SN-7), which agree where inputs scatter by a
+// per cent.  Tolerance: 3 % of the variance.
+TEST(Sobol, CrosscheckWithFirstOrderShares) {
+  GearSet gear = uncertain_example();
+  for (InputScatter& scatter : gear.scatter) scatter.relative_standard_deviation = 0.01;
+  const Sensitivity sensitivity = sensitivity_of(gear);
+  const Scatter scatter = scatter_of(gear, sensitivity, {.samples = 1000});
+  const Sobol sobol = sobol_of(gear, {.seed = 7});
+  EXPECT_EQ(sobol.evaluations, 4096 * (static_cast<int>(gear.scatter.size()) + 2));
+  EXPECT_EQ(sobol.left_out, 0);
+  ASSERT_EQ(sobol.outputs.size(), 5U);
+  for (const SobolAnswer& answer : sobol.outputs) {
+    const auto of = std::ranges::find(scatter.outputs, answer.name, &ScatterOutput::name);
+    ASSERT_NE(of, scatter.outputs.end());
+    EXPECT_EQ(answer.value, of->value);
+    EXPECT_EQ(answer.unit, of->unit);
+    EXPECT_NEAR(answer.first_sum.value, 1, 0.03);
+    double last = 2.0;
+    for (const SobolInput& input : answer.inputs) {
+      const auto at = std::ranges::find(gear.scatter, input.path, &InputScatter::path);
+      const double share = of->share[static_cast<std::size_t>(at - gear.scatter.begin())];
+      EXPECT_NEAR(input.first.value, share, 0.03) << input.path;
+      EXPECT_NEAR(input.total.value, share, 0.03) << input.path;
+      EXPECT_LE(input.total.value, last);
+      last = input.total.value;
+    }
+  }
+}
+
+TEST(Sobol, BehaviourOutputsOfTheCoupledDrive) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  gear.scatter = {{.path = "mesh.flank_angle", .relative_standard_deviation = 0.02, .source = {}},
+                  {.path = "load.axial_force", .relative_standard_deviation = 0.02, .source = {}}};
+  gear.load.axial_force = 1.0;
+  const Sobol sobol = sobol_of(gear, {.points = 32, .outputs = {"curve.positive.K1"}});
+  EXPECT_EQ(sobol.outputs[0].inputs[0].path, "mesh.flank_angle");
+  EXPECT_GT(sobol.outputs[0].inputs[0].total.value, 0.9);
+  EXPECT_LT(sobol.outputs[0].inputs[1].total.value, 1e-6);
+}
+
+TEST(Sobol, BehaviourDrivesThatBreakARuleAreLeftOut) {
+  GearSet gear = uncertain_example();
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 11e-3;  // of a wall of 12.5 mm
+  const Sobol sobol = sobol_of(gear);
+  EXPECT_GT(sobol.left_out, 100);
+  EXPECT_EQ(test::count_notes(sobol.notes, "sobol.left_out"), 1);
+  EXPECT_EQ(test::count_notes(sobol.notes, "sobol.independent"), 1);
+}
+
+TEST(Sobol, InputRefusals) {
+  const GearSet gear = uncertain_example();
+  const auto refusal = [&](const SobolSettings& settings) {
+    return test::broken_rule([&] { return sobol_of(gear, settings); });
+  };
+  EXPECT_EQ(refusal({.points = 100}), "points = 100 violates: a multiple of 16 from 32 to 262144");
+  EXPECT_EQ(refusal({.points = 16}), "points = 16 violates: a multiple of 16 from 32 to 262144");
+  EXPECT_EQ(refusal({.threads = -1}), "threads = -1 violates: >= 0");
+  EXPECT_NE(refusal({.outputs = {"intact.stifness"}}).find("did you mean intact.stiffness?"),
+            std::string::npos);
+  EXPECT_NE(test::broken_rule([] {
+              return sobol_of(test::article_gear());
+            }).find("scatter: must be given"),
+            std::string::npos);
+}
+
+// --- Reliability
+// ----------------------------------------------------------------------------------
+
+ReliabilityReport reliability(const GearSet& gear, const std::string& text,
+                              const ReliabilitySettings& settings = {}) {
+  return reliability_of(gear, requirements_on(gear, {text}), settings);
+}
+
+// Kind: reference.  K is proportional to a lognormal G, so P(K < b) = Phi(ln(b/K)/sigma).
+TEST(Reliability, ReferenceOfALognormalStiffness) {
+  const double s = 0.05;
+  const double sigma = std::sqrt(std::log1p(s * s));
+  const GearSet gear = shaft_alone(ScatterDistribution::lognormal, s);
+  const double K = stiffness_of(gear);
+  for (const double beta : {1.0, 3.0, 4.5}) {
+    const double bound = K * std::exp(-beta * sigma);
+    const ReliabilityReport report =
+        reliability(gear, fmt::format("intact.stiffness >= {:.17g} N*m/rad", bound));
+    const RequirementReliability& answer = report.answers[0];
+    const double exact = normal_probability(-beta);
+    EXPECT_NEAR(answer.first_order.reliability_index, beta, 1e-6);
+    test::expect_relative(answer.first_order.probability, exact, 1e-5);
+    ASSERT_TRUE(answer.second_order && answer.second_order->probability);
+    test::expect_relative(*answer.second_order->probability, exact, 1e-5);
+    ASSERT_TRUE(answer.importance_sampling);
+    EXPECT_NEAR(answer.importance_sampling->probability, exact,
+                4 * answer.importance_sampling->standard_error);
+    EXPECT_LE(answer.monte_carlo.low, exact);
+    EXPECT_GE(answer.monte_carlo.high, exact);
+    EXPECT_EQ(answer.trusted,
+              beta < 3.1 ? ReliabilityRoad::monte_carlo : ReliabilityRoad::importance_sampling);
+    ASSERT_TRUE(answer.probability);
+    test::expect_relative(*answer.probability, exact, 0.2);
+    const DesignPointInput& input = answer.first_order.inputs[0];
+    EXPECT_EQ(input.path, "material.steel.shear_modulus");
+    EXPECT_EQ(input.unit, "Pa");
+    test::expect_relative(input.at_design, 80e9 * std::exp(-beta * sigma), 1e-6);
+    EXPECT_NEAR(input.deviations, -beta, 1e-6);
+    EXPECT_NEAR(input.importance, 1, 1e-9);
+    EXPECT_EQ(test::note_codes(report.notes), std::vector<std::string>{"reliability.independent"});
+  }
+}
+
+// Kind: identity.  The probability of not keeping a bound from below and from above add up to 1.
+TEST(Reliability, IdentityOfBothSidesOfABound) {
+  const GearSet gear = uncertain_example();
+  const auto probability = [&](const std::string& text) {
+    return reliability(gear, text, {.draws = 20000}).answers[0];
+  };
+  const auto below = probability("cracked.positive.stiffness >= 610000 N*m/rad");
+  const auto above = probability("cracked.positive.stiffness < 610000 N*m/rad");
+  EXPECT_EQ(below.monte_carlo.failures + above.monte_carlo.failures, 20000);
+  EXPECT_NEAR(below.first_order.probability + above.first_order.probability, 1, 1e-6);
+  EXPECT_GT(below.first_order.reliability_index, 0);
+  EXPECT_LT(above.first_order.reliability_index, 0);
+}
+
+// Kind: cross-check.  All roads of the example agree.
+TEST(Reliability, CrosscheckOfTheExample) {
+  const ReliabilityReport report =
+      reliability(uncertain_example(), "cracked.positive.stiffness >= 5.8e5 N*m/rad");
+  const RequirementReliability& answer = report.answers[0];
+  EXPECT_EQ(answer.trusted, ReliabilityRoad::importance_sampling);
+  test::expect_relative(*answer.second_order->probability, *answer.probability, 0.03);
+  test::expect_relative(answer.first_order.probability, *answer.probability, 0.12);
+  EXPECT_LT(answer.high - answer.low, 0.1 * *answer.probability);
+  EXPECT_EQ(answer.first_order.inputs[0].path, "wave_generator.radial_stiffness");
+  double importance = 0.0;
+  for (const DesignPointInput& input : answer.first_order.inputs) importance += input.importance;
+  EXPECT_NEAR(importance, 1, 1e-12);
+}
+
+// Kind: behaviour.  Requirements that are always or never met: limits, and what to do.
+TEST(Reliability, BehaviourAlwaysAndNeverMet) {
+  const GearSet gear = uncertain_example();
+  const ReliabilityReport always = reliability(gear, "intact.stiffness >= 1 N*m/rad");
+  EXPECT_EQ(always.answers[0].trusted, ReliabilityRoad::none);
+  EXPECT_FALSE(always.answers[0].probability);
+  EXPECT_EQ(always.answers[0].low, 0);
+  EXPECT_LT(always.answers[0].high, 2e-5);
+  EXPECT_EQ(test::count_notes(always.notes, "reliability.cannot_tell"), 1);
+  EXPECT_EQ(evidence_of(always).verdict.judgement, Judgement::cannot_be_told);
+  const ReliabilityReport never = reliability(gear, "intact.stiffness >= 1e9 N*m/rad");
+  EXPECT_EQ(never.answers[0].trusted, ReliabilityRoad::monte_carlo);
+  EXPECT_EQ(*never.answers[0].probability, 1);
+  EXPECT_GT(never.answers[0].low, 0.9999);
+  EXPECT_NE(never.answers[0].first_order.reason.find("no drive that meets"), std::string::npos);
+}
+
+// Kind: behaviour.  Drives that cannot be built count as failures in the upper limit, with a note.
+TEST(Reliability, BehaviourDrivesWithoutAValue) {
+  GearSet gear = uncertain_example();
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 9.5e-3;
+  const ReliabilityReport report =
+      reliability(gear, "cracked.positive.stiffness >= 3e5 N*m/rad", {.draws = 20000});
+  const DrawnReliability& plain = report.answers[0].monte_carlo;
+  EXPECT_GT(plain.without_value, 100);
+  EXPECT_GT(plain.high, plain.probability + 0.9 * plain.without_value / 20000.0);
+  EXPECT_EQ(test::count_notes(report.notes, "reliability.no_value"), 1);
+}
+
+// Kind: behaviour.  A strongly curved limit: first order is off, and a note says so.
+TEST(Reliability, BehaviourACurvedLimitIsNamed) {
+  GearSet gear = uncertain_example();
+  for (InputScatter& scatter : gear.scatter) scatter.relative_standard_deviation = 0.01;
+  for (InputScatter& scatter : gear.scatter)
+    if (scatter.path == "flexspline.crack[0].angle") scatter.relative_standard_deviation = 0.3;
+  const double loss = evaluate(gear, Method::corrected).positive.stiffness_change.value;
+  const ReliabilityReport report =
+      reliability(gear, fmt::format("cracked.positive.stiffness_change >= {:.17g}", 0.999 * loss));
+  const RequirementReliability& answer = report.answers[0];
+  EXPECT_EQ(answer.trusted, ReliabilityRoad::monte_carlo);
+  const double first = answer.first_order.probability;
+  EXPECT_EQ(test::count_notes(report.notes, "reliability.curved"),
+            answer.first_order.converged && std::abs(first / *answer.probability - 1) > 0.2 ? 1 : 0)
+      << first << ' ' << *answer.probability;
+}
+
+TEST(Reliability, InputRefusals) {
+  const GearSet gear = uncertain_example();
+  const auto refusal = [&](const std::vector<std::string>& texts,
+                           const ReliabilitySettings& settings = {}) {
+    return test::broken_rule(
+        [&] { return reliability_of(gear, requirements_on(gear, texts), settings); });
+  };
+  EXPECT_EQ(refusal({}),
+            "require: must be given, such as 'cracked.positive.stiffness >= 4e5 N*m/rad'");
+  EXPECT_NE(refusal({"intact.stiffness"}).find("is not a requirement; write OUTPUT OP VALUE"),
+            std::string::npos);
+  EXPECT_NE(refusal({"intact.stifness >= 1 N*m/rad"}).find("did you mean intact.stiffness?"),
+            std::string::npos);
+  EXPECT_EQ(refusal({"intact.stiffness >= 1 m"}),
+            "intact.stiffness: \"1 m\" is not convertible to N*m/rad");
+  const std::vector<std::string> good = {"intact.stiffness >= 1 N*m/rad"};
+  EXPECT_EQ(refusal(good, {.draws = 1}), "--draws = 1 violates: >= 2 and <= 10000000");
+  EXPECT_EQ(refusal(good, {.threads = -1}), "--threads = -1 violates: >= 0");
+  const GearSet without = test::article_gear();
+  EXPECT_NE(test::broken_rule([&] {
+              return reliability_of(without, requirements_on(without, good));
+            }).find("scatter: must be given"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
