@@ -2,6 +2,7 @@
 #include "strainwave/contact/hertz.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
@@ -54,8 +55,17 @@ Real pressure(const Real& force, const Real& major_semi_axis, const Real& minor_
   return 3 * force / (2 * pi * major_semi_axis * minor_semi_axis);  // (CO-3)
 }
 
+/// Ratio of the axes, and the integrals K and E of the ellipse, from the curvature difference.
 template <class Real>
-BasicHertzContact<Real> solved(const BasicPointContact<Real>& contact, const Real& force) {
+std::array<Real, 3> ellipse_of(const Real& F) {
+  const Real ratio = axis_ratio_of<Real>(F);  // (CO-2)
+  return {ratio, ellipse_K(ratio), ellipse_E(ratio)};
+}
+
+/// @param ellipse  curvature difference -> ratio, K and E
+template <class Real, class Ellipse>
+BasicHertzContact<Real> solved(const BasicPointContact<Real>& contact, const Real& force,
+                               const Ellipse& ellipse) {
   using std::cbrt;
   for (const Real& curvature : contact.curvature_sums)
     require(curvature > 0, "curvature_sums", value_of(curvature), "1/m", "both curvature sums > 0");
@@ -63,11 +73,10 @@ BasicHertzContact<Real> solved(const BasicPointContact<Real>& contact, const Rea
           "contact_modulus > 0");
   require(force > 0, "force", value_of(force), "N", "force > 0");
   const auto [lower, upper] = std::minmax(contact.curvature_sums[0], contact.curvature_sums[1]);
-  const Real sum = lower + upper;                                 // (CO-1)
-  const Real ratio = axis_ratio_of<Real>((upper - lower) / sum);  // (CO-2)
+  const Real sum = lower + upper;  // (CO-1)
+  const std::array<Real, 3> found = ellipse(Real((upper - lower) / sum));
+  const auto& [ratio, K, E] = found;
   const Real kappa2 = 1 / (ratio * ratio);
-  const Real K = ellipse_K(ratio);
-  const Real E = ellipse_E(ratio);
   const Real size = cbrt(3 * force / (2 * contact.contact_modulus * sum));
 
   BasicHertzContact<Real> result;
@@ -125,11 +134,26 @@ DualReal peak_pressure(const DualReal& force, const DualReal& major_semi_axis,
 }
 
 HertzContact hertz_contact(const PointContact& contact, double force) {
-  return solved(contact, force);
+  return solved(contact, force, ellipse_of<double>);
+}
+HertzContact hertz_contact(const PointContact& contact, double force, ContactEllipses& ellipses) {
+  return solved(contact, force, [&](double F) -> std::array<double, 3> {
+    const ContactEllipse& ellipse = ellipses.at(F);
+    return {ellipse.axis_ratio, ellipse.K, ellipse.E};
+  });
+}
+const ContactEllipse& ContactEllipses::at(double curvature_difference) {
+  for (const Known& known : known_)
+    if (known.curvature_difference == curvature_difference) return known.ellipse;
+  const auto [ratio, K, E] = ellipse_of<double>(curvature_difference);
+  Known& oldest = known_[next_];
+  next_ = (next_ + 1) % known_.size();
+  oldest = {curvature_difference, {ratio, K, E}};
+  return oldest.ellipse;
 }
 BasicHertzContact<DualReal> hertz_contact(const BasicPointContact<DualReal>& contact,
                                           const DualReal& force) {
-  return solved(contact, force);
+  return solved(contact, force, ellipse_of<DualReal>);
 }
 
 double orthogonal_shear_factor(double axis_ratio) { return shear_factor(axis_ratio); }

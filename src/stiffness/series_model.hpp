@@ -52,8 +52,9 @@ class SeriesModel {
  public:
   using Elastic = BasicElasticConstants<Real>;
 
-  explicit SeriesModel(const GearSet& gear, const Lift<Real>& lift = Lift<Real>())
-      : gear_(gear), lift_(lift), loads_(gear, lift) {}
+  explicit SeriesModel(const GearSet& gear, const Lift<Real>& lift = Lift<Real>(),
+                       ContactEllipses* ellipses = nullptr)
+      : gear_(gear), lift_(lift), loads_(gear, lift, ellipses) {}
 
   [[nodiscard]] const CrackLoads<Real>& loads() const { return loads_; }
 
@@ -72,8 +73,8 @@ class SeriesModel {
     const Bearing& bearing = *gear_.wave_generator->bearing;
     const BasicRaceContacts<Real> contacts = race_contacts(lift_, bearing, loads_.ring_steel());
     const Real ball_force = loads_.lobe_force() / lift_(bearing.loaded_balls);
-    return {.inner = hertz_contact(contacts.inner, ball_force),
-            .outer = hertz_contact(contacts.outer, ball_force)};
+    return {.inner = loads_.contact(contacts.inner, ball_force),
+            .outer = loads_.contact(contacts.outer, ball_force)};
   }
 
   /// Whether the outer ring of the bearing is modelled as free between the lobes.

@@ -144,7 +144,7 @@ SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& 
 }
 
 SeriesCompliance<double> series_compliance(const GearSet& gear, CrackTables::Reader& tables) {
-  const SeriesModel<double> model(gear);
+  const SeriesModel<double> model(gear, {}, &tables.ellipses());
   const QuadratureOptions options;
   ByTables source{{model, options}, tables};
   SeriesCompliance<double> total = sum_of_members(gear, model, source);

@@ -37,6 +37,28 @@ PointContact ball_on_race() {
           .contact_modulus = kSteel};
 }
 
+// Kind: identity (CO-2).  Ellipses that the caller keeps change no bit, in any order, also if more
+// contacts alternate than are kept.
+TEST(HertzContact, IdentityKeptEllipsesChangeNoBit) {
+  ContactEllipses kept;
+  for (const int count : {1, 2, 4, 7})
+    for (int n = 0; n < 30; ++n) {
+      const double force = 10.0 + n;
+      PointContact contact = ball_on_race();
+      contact.curvature_sums[0] *= 1 + 0.1 * (n % count);
+      const HertzContact one = hertz_contact(contact, force);
+      const HertzContact other = hertz_contact(contact, force, kept);
+      EXPECT_EQ(one.major_semi_axis, other.major_semi_axis);
+      EXPECT_EQ(one.minor_semi_axis, other.minor_semi_axis);
+      EXPECT_EQ(one.approach, other.approach);
+      EXPECT_EQ(one.tangent_stiffness, other.tangent_stiffness);
+    }
+  PointContact wrong = ball_on_race();
+  wrong.contact_modulus = 0;
+  EXPECT_EQ(test::broken_rule([&] { return hertz_contact(wrong, 1.0, kept); }),
+            test::broken_rule([&] { return hertz_contact(wrong, 1.0); }));
+}
+
 // --- (CO-1) to (CO-4): the contact --------------------------------------------------------------
 
 TEST(HertzContact, ReferenceSphereOnFlat) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "strainwave/core/dual.hpp"
 
@@ -45,6 +46,33 @@ using HertzContact = BasicHertzContact<double>;
 /// Hertz contact with derivatives.  The derivative of the ratio of the axes follows from (SN-3).
 [[nodiscard]] BasicHertzContact<DualReal> hertz_contact(const BasicPointContact<DualReal>& contact,
                                                         const DualReal& force);
+
+/// Ellipse of a contact, which depends on the curvatures alone.
+struct ContactEllipse {
+  double axis_ratio = 1.0;  ///< b'/a' [-]
+  double K = 0.0;           ///< complete elliptic integrals of the ellipse [-]
+  double E = 0.0;
+};
+
+/// The last ellipses, kept by a caller that solves contacts whose curvatures seldom change. Finding
+/// the ratio of the axes takes most of the time of a contact.
+class ContactEllipses {
+ public:
+  /// @param curvature_difference  F of (CO-2) [-]; in [0, 1)
+  [[nodiscard]] const ContactEllipse& at(double curvature_difference);
+
+ private:
+  struct Known {
+    double curvature_difference = -1.0;  ///< -1: none yet
+    ContactEllipse ellipse;
+  };
+  std::array<Known, 4> known_;
+  std::size_t next_ = 0;  ///< the one to be replaced
+};
+
+/// The same contact to the last bit, with the ellipses that the caller keeps.
+[[nodiscard]] HertzContact hertz_contact(const PointContact& contact, double force,
+                                         ContactEllipses& ellipses);
 
 /// Peak pressure p_0 = 3Q/(2 pi a' b') of a contact ellipse [Pa]; eq. (CO-3).
 [[nodiscard]] double peak_pressure(double force, double major_semi_axis, double minor_semi_axis);

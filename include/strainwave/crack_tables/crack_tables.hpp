@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/chebyshev_cells.hpp"
 #include "strainwave/crack_tables/similarity.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
@@ -167,11 +168,15 @@ class CrackTables::Reader {
     return reader == nullptr ? std::nullopt : (*reader)(crack, faces);
   }
 
+  /// Ellipses of the contacts of balls, which most studies do not vary.
+  [[nodiscard]] ContactEllipses& ellipses() { return ellipses_; }
+
  private:
   template <class Solution>
   using ReaderOf = typename SimilarCracks<Solution>::Reader;
 
   std::vector<OfAnySolution<ReaderOf>> readers_;
+  ContactEllipses ellipses_;
 };
 
 /// Calls f(crack) for each crack of the series model: wave generator, flexspline, output shaft.

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/lift.hpp"
 #include "strainwave/drive_cracks/faces.hpp"
@@ -95,8 +97,10 @@ class CrackLoads {
 
   /// @param gear  has passed `check`; must outlive this object
   /// @param lift  reads the numbers of the drive
-  explicit CrackLoads(const GearSet& gear, const Lift<Real>& lift = Lift<Real>())
-      : gear_(gear), lift_(lift) {}
+  /// @param ellipses  of the contacts of balls, kept by the caller for many drives; null: none
+  explicit CrackLoads(const GearSet& gear, const Lift<Real>& lift = Lift<Real>(),
+                      ContactEllipses* ellipses = nullptr)
+      : gear_(gear), lift_(lift), ellipses_(ellipses) {}
 
   /// Calls f(numbers of the crack) for one crack of any kind.
   template <class Crack, class F>
@@ -147,11 +151,19 @@ class CrackLoads {
            abs(lift_(gear_.load.torque));
   }
 
+  /// A Hertz contact, with the ellipses that the caller keeps.
+  [[nodiscard]] BasicHertzContact<Real> contact(const BasicPointContact<Real>& bodies,
+                                                const Real& force) const {
+    if constexpr (std::is_same_v<Real, double>)
+      if (ellipses_ != nullptr) return hertz_contact(bodies, force, *ellipses_);
+    return hertz_contact(bodies, force);
+  }
+
   /// Hertz contact of one ball with the inner race, under its share of the lobe force.
   [[nodiscard]] BasicHertzContact<Real> inner_contact() const {
     const Bearing& bearing = *gear_.wave_generator->bearing;
-    return hertz_contact(race_contacts(lift_, bearing, ring_steel()).inner,
-                         Real(lobe_force() / lift_(bearing.loaded_balls)));
+    return contact(race_contacts(lift_, bearing, ring_steel()).inner,
+                   Real(lobe_force() / lift_(bearing.loaded_balls)));
   }
 
   /// Hoop stress at a race crack per unit of lobe force, at the given torque [1/m^2].
@@ -433,6 +445,7 @@ class CrackLoads {
 
   const GearSet& gear_;
   Lift<Real> lift_;
+  ContactEllipses* ellipses_;
 };
 
 }  // namespace strainwave
