@@ -26,8 +26,8 @@ Place random_place(int n, double width) {
   return {turned(0.754877666), turned(0.569840296), turned(0.430159709)};
 }
 
-// Kind: cross-check (ST-22).  Source: the function itself.  Tolerance: the one asked of the cells, relative
-// to the largest value in a box, which is up to 3 times the value here.
+// Kind: cross-check (ST-22).  Source: the function itself.  Tolerance: the one asked of the cells,
+// relative to the largest value in a box, which is up to 3 times the value here.
 TEST(ChebyshevCells, CrosscheckSmoothFunctionsOfOneToThreeVariables) {
   for (std::size_t variables = 1; variables <= 3; ++variables) {
     ChebyshevCells cells(
@@ -69,6 +69,25 @@ TEST(ChebyshevCells, BehaviourBoxesAreHalvedWhereTheFunctionIsSharp) {
     ASSERT_TRUE(read({x}, values)) << x;
     // the largest value of a box may be 100 times the value at x
     ASSERT_NEAR(values[0] / sharp(x), 1, 1e-9) << x;
+  }
+}
+
+// Kind: behaviour.  The 16th Chebyshev polynomial of a box is -1 at all of its nodes, as a constant
+// is.  Only the comparison between the nodes finds the difference.
+TEST(ChebyshevCells, BehaviourAWaveThatTheNodesDoNotSeeIsFound) {
+  const auto wave = [](double x) { return 3 + std::cos(16 * std::acos(4 * x - 1)); };
+  ChebyshevCells cells(
+      [&](const Place& place, Values& values) {
+        values[0] = wave(place[0]);
+        return true;
+      },
+      {.widths = {0.5}});
+  ChebyshevCells::Reader read(cells);
+  for (int n = 1; n < 50; ++n) {
+    const double x = 0.01 * n;
+    Values values{};
+    ASSERT_TRUE(read({x}, values)) << x;
+    EXPECT_NEAR(values[0], wave(x), 1e-10) << x;
   }
 }
 

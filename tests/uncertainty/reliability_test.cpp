@@ -47,6 +47,14 @@ TEST(Reliability, ReferenceAPlaneLimit) {
   }
 }
 
+// Kind: behaviour.  A start on the limit, but beside the nearest failure, is not the design point.
+TEST(Reliability, BehaviourAStartOnTheLimitIsNotTheEnd) {
+  const DesignPoint point = find_design_point(plane(3.0), {1.8 + 0.05 * 0.8, -2.4 + 0.05 * 0.6});
+  ASSERT_TRUE(point.converged) << point.reason;
+  EXPECT_NEAR(point.place[0], 1.8, 1e-5);
+  EXPECT_NEAR(point.place[1], -2.4, 1e-5);
+}
+
 /// The standard normal limit of the two springs in series of tools/reference/reliability.py.
 LimitState springs(double least) {
   return [least](std::span<const double> z) -> std::optional<double> {
@@ -129,8 +137,8 @@ TEST(Reliability, ReferenceASphere) {
   EXPECT_EQ(centre.reason, "the output does not depend on the scattering inputs");
 }
 
-// Kind: reference (UQ-5).  A paraboloid about its design point, by one quadrature.  The correction of
-// Hohenbichler and Rackwitz is exact as beta grows; at 3 it is within 3 %.
+// Kind: reference (UQ-5).  A paraboloid about its design point, by one quadrature.  The correction
+// of Hohenbichler and Rackwitz is exact as beta grows; at 3 it is within 3 %.
 TEST(Reliability, ReferenceAParaboloid) {
   const double beta = 3.0;
   for (const double curvature : {0.3, -0.15}) {
@@ -209,9 +217,9 @@ TEST(Reliability, ReferenceDrawsWithoutAValue) {
   EXPECT_NEAR(about.high, failed + beyond, 3e-3);
 }
 
-// Kind: reference (UQ-6).  The interval of plain draws contains the probability in at least 95 of 100
-// studies; with 200 studies of exactly 95 %, fewer than 178 have a probability of 1e-4.  Without a
-// failure the upper limit is 1 - 0.025^(1/n).
+// Kind: reference (UQ-6).  The interval of plain draws contains the probability in at least 95 of
+// 100 studies; with 200 studies of exactly 95 %, fewer than 178 have a probability of 1e-4. Without
+// a failure the upper limit is 1 - 0.025^(1/n).
 TEST(Reliability, ReferenceIntervalOfPlainDraws) {
   int inside = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
