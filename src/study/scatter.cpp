@@ -134,6 +134,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
         scatter.samples, scatter.refused, scatter.unusable));
 
   bool coupled = false;
+  std::vector<std::size_t> columns;  // of the draws, for each output
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     const SensitivityOutput& of = sensitivity.outputs[y];
     const auto names = series_outputs().first(kScatterOutputs);
@@ -148,16 +149,19 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                          .share = {},
                          .model_uncertainty = of.value.relative_uncertainty};
     fill_first_order(output, sensitivity, y, gear.scatter);
-    const auto index = static_cast<std::size_t>(name - names.begin());
-    std::vector<double> values;
-    for (const Draw& draw : draws)
-      if (draw.fate == Fate::evaluated) values.push_back(draw.value[index]);
-    fill_moments(output, std::move(values));
-    note_nonlinear(scatter, output);
+    columns.push_back(static_cast<std::size_t>(name - names.begin()));
     scatter.outputs.push_back(std::move(output));
-    progress.at(0.95 + 0.05 * static_cast<double>(y + 1) /
-                           static_cast<double>(sensitivity.outputs.size()));
   }
+  for_each_index(columns.size(), {.threads = options.threads}, progress.part(0.95, 1.0), [&] {
+    return [&](std::size_t y) {
+      std::vector<double> values;
+      values.reserve(static_cast<std::size_t>(scatter.evaluated));
+      for (const Draw& draw : draws)
+        if (draw.fate == Fate::evaluated) values.push_back(draw.value[columns[y]]);
+      fill_moments(scatter.outputs[y], std::move(values));
+    };
+  });
+  for (const ScatterOutput& output : scatter.outputs) note_nonlinear(scatter, output);
   if (scatter.refused + scatter.unusable > 0)
     scatter.notes.push_back(
         {"scatter.left_out",
