@@ -167,7 +167,16 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   answer.value = outputs.at_file()[0];
   const std::size_t inputs = outputs.inputs();
   const auto make = [&]() -> LimitState { return Margin(outputs, requirement); };
-  const DesignPoint from_file = find_design_point(make(), std::vector<double>(inputs, 0.0));
+  // A search evaluates few drives, but each may take milliseconds, so it can be stopped.
+  const auto stoppable = [&](const Progress& part) -> LimitState {
+    return [&part, margin = make()](std::span<const double> z) {
+      part.at(0.0);
+      return margin(z);
+    };
+  };
+  const Progress at_start = progress.part(0.0, 0.6);
+  const DesignPoint from_file =
+      find_design_point(stoppable(at_start), std::vector<double>(inputs, 0.0));
   // Tables answer the many draws below; the search above needs the engine's derivatives.
   const bool fast = outputs.of_sum();
   const auto draws = static_cast<std::size_t>(settings.draws.value_or(fast ? kDraws : kSlowDraws));
@@ -176,11 +185,12 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   });
   const SamplingOptions sampling{
       .draws = draws, .seed = settings.seed, .threads = settings.threads};
-  const SampledProbability plain = plain_sampling(make, inputs, sampling, progress.part(0.0, 0.6));
+  const SampledProbability plain = plain_sampling(make, inputs, sampling, at_start);
+  const Progress after_draws = progress.part(0.6, 1.0);
   DesignPoint point = from_file;
   if (!plain.nearest_failure.empty() && plain.probability < 0.5) {
     // A failure among the draws may lead to a nearer or the only design point.
-    DesignPoint from_draw = find_design_point(make(), plain.nearest_failure);
+    DesignPoint from_draw = find_design_point(stoppable(after_draws), plain.nearest_failure);
     if (from_draw.converged && (!point.converged || std::abs(from_draw.reliability_index) <
                                                         std::abs(point.reliability_index) - 1e-6))
       point = std::move(from_draw);
@@ -188,15 +198,14 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   answer.first_order = first_order(gear, outputs, point);
   answer.monte_carlo = drawn(plain);
   if (point.converged) {
-    CurvedLimit curved = curved_limit(make(), point);
+    CurvedLimit curved = curved_limit(stoppable(after_draws), point);
     answer.second_order = {.probability = curved.probability,
                            .curvatures = std::move(curved.curvatures),
                            .reason = std::move(curved.reason)};
     SamplingOptions about = sampling;
     about.draws = std::max<std::size_t>(draws / 4, 2);
     about.seed = splitmix64(settings.seed, 1);
-    answer.importance_sampling =
-        drawn(importance_sampling(make, point.place, about, progress.part(0.6, 1.0)));
+    answer.importance_sampling = drawn(importance_sampling(make, point.place, about, after_draws));
   }
   judge(answer);
   return answer;

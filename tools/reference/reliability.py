@@ -55,7 +55,7 @@ def exact(k_min):
     return float(w2 @ below @ w)
 
 
-def main():
+def tables():
     table = Table("reliability", "k_min [1]")
     function = ot.SymbolicFunction(["x1", "x2", "x3"], [f"1/(1/({A}*x1)+1/({B}*x2*x3^3))"])
     for k_min in (0.95, 0.85, 0.75):
@@ -80,8 +80,8 @@ def main():
         add("first_order", first.getResult().getEventProbability())
         add("second_order", result.getEventProbabilityHohenbichler())
         table.add("exact", [k_min], value=exact(k_min), unit="1", digits=5, source="quadrature")
-    publish(table)
+    return [table]
 
 
 if __name__ == "__main__":
-    main()
+    publish(*tables())

@@ -77,7 +77,7 @@ struct FirstOrderReliability {
 struct SecondOrderReliability {
   std::optional<double> probability;
   std::vector<double> curvatures;  ///< principal curvatures of the limit [-]
-  std::string reason;              ///< why there is no probability
+  std::string reason;              ///< reason for an absent probability
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -85,7 +85,8 @@ struct SecondOrderReliability {
     field({"probability", "1", "probability, second order"}, &S::probability);
     field({"curvatures", "1", "principal curvatures of the limit at the design point"},
           &S::curvatures);
-    field({"reason", "", "why there is no probability; empty if there is one"}, &S::reason);
+    field({"reason", "", "reason for an absent probability; empty if the probability is given"},
+          &S::reason);
   }
 };
 

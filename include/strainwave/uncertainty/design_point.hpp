@@ -9,14 +9,14 @@
 
 namespace strainwave {
 
-/// Margin of a requirement at independent standard normal inputs: >= 0 where it is met; empty where
-/// there is no value.
+/// Margin of a requirement at independent standard normal inputs: negative where the drive does not
+/// meet the requirement, and empty where the output has no value.
 using LimitState = std::function<std::optional<double>(std::span<const double> z)>;
 
 /// The failure nearest to the origin, where it is most likely.
 struct DesignPoint {
   bool converged = false;
-  std::string reason;  ///< why the search did not converge; empty if it did
+  std::string reason;  ///< why the search did not converge; empty after convergence
   /// Distance beta of the failures from the origin [-]; negative if the origin fails.
   double reliability_index = 0.0;
   std::vector<double> place;   ///< z*
@@ -41,7 +41,7 @@ struct DesignPoint {
 struct CurvedLimit {
   std::vector<double> curvatures;     ///< principal, in units of 1/z; > 0: fewer failures
   std::optional<double> probability;  ///< absent if the limit is curved too much
-  std::string reason;                 ///< why it is absent
+  std::string reason;                 ///< reason for an absent probability
 };
 
 /// Implements theory manual eq. (UQ-5): the limit is replaced by a paraboloid at the design point.

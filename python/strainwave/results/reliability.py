@@ -79,7 +79,7 @@ class SecondOrder(Part):
     curvatures: FloatArray
     """principal curvatures of the limit at the design point"""
     reason: str
-    """why there is no probability; empty if there is one"""
+    """reason for an absent probability; empty if the probability is given"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "probability": ("probability", _to.quantity),
