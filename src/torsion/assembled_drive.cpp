@@ -172,7 +172,7 @@ void crack(AssembledDrive::Contents& into) {
   const ContactCracks cracks = acting(into.sound, into.cracks);
   if (cracks.teeth.empty() && cracks.hinges.empty() && cracks.balls.empty()) return;
   into.drive = into.sound.cracked(cracks);
-  if (!into.drive.assemble_on(into.sound.cam_amplitude()))
+  if (!into.drive.assemble_on(into.sound.cam_amplitude(), &into.sound.assembled()))
     into.fails_because = "the cracked drive does not assemble on the cam of the sound one";
 }
 

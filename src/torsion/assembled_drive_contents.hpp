@@ -111,11 +111,11 @@ struct AssembledDrive::Contents {
 /// @throws SolverError  if there is no equilibrium
 [[nodiscard]] Equilibrium state_at(const AssembledDrive& drive, double torque);
 
-/// Solves one torque after the other and passes each state to `see`.
+/// Solves one torque after the other and passes each state to `see`, which may set its system.
 /// @return  reason why the curve is not usable from some torque on; empty if all states were found
 /// @throws InputError  if a torque is not a finite number
 [[nodiscard]] std::string walk(const AssembledDrive::Contents& contents,
                                std::span<const double> torques, const Progress& progress,
-                               const std::function<void(const Equilibrium&)>& see);
+                               const std::function<void(Equilibrium&)>& see);
 
 }  // namespace strainwave

@@ -151,6 +151,7 @@ CoupledDrive::Law CoupledDrive::pressed_law(int contact, double closing) const {
 }
 
 void CoupledDrive::close_rigidly(Equilibrium& state) const {
+  state.system.reset();
   state.closing = free_ + amplitude_ * cam_ + state.rotation * rotation_;
   state.closing += state.elastic;
   state.closing -= own_.cwiseProduct(state.force);
@@ -180,70 +181,88 @@ double CoupledDrive::energy(const Equilibrium& state, double load) const {
   return sum;
 }
 
-Eigen::VectorXd CoupledDrive::Touching::force(double rotation, int contacts) const {
+Eigen::VectorXd CoupledDrive::TouchingForces::force(double rotation, int contacts) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts);
-  for (Eigen::Index p = 0; p < root.size(); ++p)
-    force[contact[static_cast<std::size_t>(p)]] = root[p] * (base[p] + turned[p] * rotation);
+  const Eigen::VectorXd of_touching = touching(rotation);
+  for (Eigen::Index p = 0; p < of_touching.size(); ++p)
+    force[system.contact[static_cast<std::size_t>(p)]] = of_touching[p];
   return force;
 }
 
-template <class Right>
-CoupledDrive::Touching CoupledDrive::touching(const Eigen::VectorXd& closing,
-                                              const Right& right) const {
-  Touching t;
-  std::vector<Law> laws;
+std::shared_ptr<const ContactSystem> CoupledDrive::system_of(const Equilibrium& state) const {
+  if (state.system) return state.system;
+  auto system = std::make_shared<ContactSystem>();
+  std::vector<double> stiffness;
   for (int i = 0; i < contacts(); ++i)
-    if (closing[i] > 0)
-      if (const Law at = law(i, closing[i]); at.stiffness > 0) {
-        t.contact.push_back(i);
-        laws.push_back(at);
+    if (state.closing[i] > 0)
+      if (const Law at = law(i, state.closing[i]); at.stiffness > 0) {
+        system->contact.push_back(i);
+        stiffness.push_back(at.stiffness);
       }
-  const auto m = static_cast<Eigen::Index>(t.contact.size());
+  const auto m = static_cast<Eigen::Index>(system->contact.size());
   // With forces lambda = root y, the matrix 1 + root C root is well conditioned even if a contact
   // just touches and is very soft.
   Eigen::MatrixXd matrix(m, m);
-  Eigen::VectorXd wanted(m);
-  t.border.resize(m);
-  t.root.resize(m);
-  for (Eigen::Index p = 0; p < m; ++p) {
-    const int i = t.contact[static_cast<std::size_t>(p)];
-    const Law& at = laws[static_cast<std::size_t>(p)];
-    t.root[p] = std::sqrt(at.stiffness);
-    wanted[p] = right(i, at, t.root[p]);
-    t.border[p] = t.root[p] * rotation_[i];
-    for (Eigen::Index q = 0; q <= p; ++q) {
-      const int j = t.contact[static_cast<std::size_t>(q)];
-      matrix(p, q) =
-          t.root[p] * t.root[q] * (rings_->flexibility()(i, j) + (i == j ? own_[i] : 0.0));
-    }
-    matrix(p, p) += 1.0;
+  system->border.resize(m);
+  system->root = Eigen::Map<const Eigen::VectorXd>(stiffness.data(), m).cwiseSqrt();
+  system->opening.resize(contacts(), m);
+  for (Eigen::Index q = 0; q < m; ++q) {
+    const int j = system->contact[static_cast<std::size_t>(q)];
+    system->opening.col(q) = rings_->flexibility().col(j);
+    system->border[q] = system->root[q] * rotation_[j];
+    for (Eigen::Index p = q; p < m; ++p)
+      matrix(p, q) = system->root[p] * system->root[q] *
+                     system->opening(system->contact[static_cast<std::size_t>(p)], q);
+    matrix(q, q) += 1.0 + system->root[q] * system->root[q] * own_[j];
   }
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> factor(matrix);
-  if (factor.info() != Eigen::Success)
+  system->factor.compute(matrix);
+  if (system->factor.info() != Eigen::Success)
     throw SolverError(
         "the contacts are not stable: their compliance is not positive (TC-11); check "
         "mesh.pair_stiffness and the cracks of the races");
-  t.base = factor.solve(wanted);
-  t.turned = factor.solve(t.border);
-  t.resistance = t.border.dot(t.turned);
-  return t;
+  system->turned = system->factor.solve(system->border);
+  system->resistance = system->border.dot(system->turned);
+  return system;
 }
 
-Equilibrium CoupledDrive::newton_step(const Equilibrium& state, double load) const {
-  const Touching t = touching(state.closing, [&](int i, const Law& at, double root) {
-    return at.force / root + root * (free_[i] + amplitude_ * cam_[i] - state.closing[i]);
+bool CoupledDrive::same_contacts(const ContactSystem& system,
+                                 const Eigen::VectorXd& closing) const {
+  std::size_t known = 0;
+  for (int i = 0; i < contacts(); ++i) {
+    if (closing[i] <= 0 || multiplier_[i] == 0) continue;  // a lost tooth has no stiffness
+    if (known == system.contact.size() || system.contact[known] != i) return false;
+    ++known;
+  }
+  return known == system.contact.size();
+}
+
+template <class Right>
+CoupledDrive::TouchingForces CoupledDrive::forces_of(const ContactSystem& system,
+                                                     const Right& right) const {
+  Eigen::VectorXd wanted(system.root.size());
+  for (Eigen::Index p = 0; p < wanted.size(); ++p)
+    wanted[p] = right(system.contact[static_cast<std::size_t>(p)], system.root[p]);
+  return {.system = system, .base = system.factor.solve(wanted)};
+}
+
+Equilibrium CoupledDrive::newton_step(const ContactSystem& system, const Equilibrium& state,
+                                      double load) const {
+  const TouchingForces t = forces_of(system, [&](int i, double root) {
+    return law(i, state.closing[i]).force / root +
+           root * (free_[i] + amplitude_ * cam_[i] - state.closing[i]);
   });
   Equilibrium full;
   full.torque = state.torque;
   full.rotation = state.rotation;
   // Without a flank in contact the rotation has no resistance, and the ring turns until a flank
   // touches.
-  if (t.resistance > 0)
+  if (system.resistance > 0)
     full.rotation = t.rotation(load);
   else if (load != 0)
     full.rotation += free_travel(state.closing, load);
   full.force = t.force(full.rotation, contacts());
-  close(full);
+  full.elastic.noalias() = -system.opening * t.touching(full.rotation);
+  close_rigidly(full);
   return full;
 }
 
@@ -262,7 +281,7 @@ void CoupledDrive::judge(Equilibrium& state, double load) const {
   state.converged = error <= tolerance_ * largest || (largest == 0 && load == 0);
 }
 
-void CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, double load) const {
+double CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, double load) const {
   constexpr double kShortest = 1e-10;  // shortest length of a step; shorter steps have no effect
   constexpr double kDescent = 1e-4;    // required share of the linear decrease (Armijo)
   constexpr double kRounding = 1e-14;  // rounding of the sum of energies
@@ -291,19 +310,28 @@ void CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, doub
        move(step))
     step /= 2;
   state = std::move(moved);
+  return step;
 }
 
 Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
-  // (TC-11): Newton's method on the contact forces; the energy along a step decides its length.
+  // (TC-11): Newton's method on the contact forces; the energy along a step decides its length,
+  // except that a step is taken in full if it leaves a residual of kNear or less, the smallest so
+  // far.  The factored system of a state serves the next steps too while the same contacts touch
+  // and each step divides the residual by kFast.
+  constexpr double kFast = 10;
+  constexpr double kNear = 1e-3;
   const double load = torque / g_.ring_radius;
   Equilibrium state = start;
   state.torque = torque;
   state.converged = false;
+  std::shared_ptr<const ContactSystem> system = system_of(start);
   double smallest = std::numeric_limits<double>::infinity();
   int stalled = 0;
   for (state.iterations = 0; state.iterations < max_iterations_; ++state.iterations) {
-    Equilibrium full = newton_step(state, load);
+    if (!system) system = system_of(state);
+    Equilibrium full = newton_step(*system, state, load);
     judge(full, load);
+    const bool fast = full.residual * kFast <= smallest;
     state.residual = full.residual;
     stalled = full.residual < smallest ? 0 : stalled + 1;
     smallest = std::min(smallest, full.residual);
@@ -313,7 +341,15 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
       full.iterations = state.iterations + 1;
       return full;
     }
-    move_toward(full, state, load);
+    double share = 1.0;
+    if (stalled == 0 && full.residual <= kNear) {
+      full.iterations = state.iterations;
+      state = std::move(full);
+    } else {
+      share = move_toward(full, state, load);
+    }
+    state.system.reset();
+    if (!fast || share < 1 || !same_contacts(*system, state.closing)) system.reset();
   }
   return state;
 }
@@ -321,10 +357,10 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
 CoupledDrive::Tangent CoupledDrive::linear_response(const Equilibrium& state,
                                                     const Eigen::VectorXd& moved,
                                                     double load) const {
-  const Touching t =
-      touching(state.closing, [&](int i, const Law&, double root) { return root * moved[i]; });
+  const std::shared_ptr<const ContactSystem> system = system_of(state);
+  const TouchingForces t = forces_of(*system, [&](int i, double root) { return root * moved[i]; });
   Tangent result;
-  if (t.resistance > 0)
+  if (system->resistance > 0)
     result.rotation = t.rotation(load);
   else if (load != 0)  // no flank touches: the ring turns freely
     result.rotation = std::numeric_limits<double>::infinity();
@@ -370,11 +406,11 @@ bool CoupledDrive::assemble() {
   return true;
 }
 
-bool CoupledDrive::assemble_on(double cam_amplitude) {
+bool CoupledDrive::assemble_on(double cam_amplitude, const Equilibrium* near) {
   amplitude_ = cam_amplitude;
-  assembled_ = unloaded();
-  close_rigidly(assembled_);
-  assembled_ = solve(0.0, assembled_);
+  Equilibrium start = near != nullptr ? *near : unloaded();
+  close(start);
+  assembled_ = solve(0.0, start);
   if (assembled_.converged) rest_nearest_to_zero();
   return assembled_.converged;
 }

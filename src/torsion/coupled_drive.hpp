@@ -17,6 +17,17 @@
 
 namespace strainwave {
 
+/// The linear system of the contacts that touch in some state, factored.
+struct ContactSystem {
+  std::vector<int> contact;  // those that touch
+  Eigen::VectorXd root;      // root of their stiffness
+  Eigen::VectorXd border;    // root times the closing per unit of c_0
+  Eigen::VectorXd turned;    // force over root per unit of c_0
+  double resistance = 0.0;   // of all contacts against c_0
+  Eigen::MatrixXd opening;   // of all contacts under a unit force of each that touches
+  Eigen::LLT<Eigen::MatrixXd> factor;
+};
+
 /// A state of equilibrium.
 struct Equilibrium {
   double torque = 0.0;
@@ -27,6 +38,8 @@ struct Equilibrium {
   double residual = 0.0;
   int iterations = 0;
   bool converged = false;
+  // The system of the contacts in this state, if it was needed there; it serves the next load.
+  std::shared_ptr<const ContactSystem> system = nullptr;
 };
 
 class CoupledDrive {
@@ -41,7 +54,8 @@ class CoupledDrive {
   /// Finds the cam amplitude that lifts the lobes to w_0.  Returns false if it is not found.
   [[nodiscard]] bool assemble();
   /// Assembles on a cam of given amplitude, which is that of the sound drive.
-  [[nodiscard]] bool assemble_on(double cam_amplitude);
+  /// @param near  a similar drive on this cam, from which the search begins; null: none
+  [[nodiscard]] bool assemble_on(double cam_amplitude, const Equilibrium* near = nullptr);
   [[nodiscard]] const Equilibrium& assembled() const { return assembled_; }
   [[nodiscard]] double cam_amplitude() const { return amplitude_; }
 
@@ -63,6 +77,8 @@ class CoupledDrive {
     double rotation = 0.0;  // [m/(N*m)]
   };
   [[nodiscard]] Tangent tangent(const Equilibrium& state) const;
+  /// The system of the contacts in a state.
+  [[nodiscard]] std::shared_ptr<const ContactSystem> system_of(const Equilibrium& state) const;
   /// Change of the forces when the free closings move by `moved` and the load by `load`.
   [[nodiscard]] Tangent linear_response(const Equilibrium& state, const Eigen::VectorXd& moved,
                                         double load) const;
@@ -120,31 +136,37 @@ class CoupledDrive {
   void close_rigidly(Equilibrium& state) const;
   /// Energy of a state without the energy of the cam [J].
   [[nodiscard]] double energy(const Equilibrium& state, double load) const;
-  /// The contacts that touch, and their forces as a linear function of the rotation.
-  struct Touching {
-    std::vector<int> contact;
-    Eigen::VectorXd root;    // root of the stiffness of the contacts
-    Eigen::VectorXd border;  // root times the closing per unit of c_0
-    Eigen::VectorXd base;    // force over root without rotation
-    Eigen::VectorXd turned;  // force over root per unit of rotation
-    double resistance = 0.0;
+  /// Forces of the contacts that touch as a linear function of the rotation.
+  struct TouchingForces {
+    const ContactSystem& system;
+    Eigen::VectorXd base;  // force over root without rotation
 
     [[nodiscard]] double rotation(double load) const {
-      return (load - border.dot(base)) / resistance;
+      return (load - system.border.dot(base)) / system.resistance;
     }
+    /// Forces of the contacts of the system.
+    [[nodiscard]] Eigen::VectorXd touching(double rotation) const {
+      return system.root.cwiseProduct(base + rotation * system.turned);
+    }
+    /// Forces of all contacts.
     [[nodiscard]] Eigen::VectorXd force(double rotation, int contacts) const;
   };
-  /// @param right  (contact, law, root) -> right-hand side of the contact, over root
+  /// @param right  (contact, root) -> right-hand side of the contact, over root
   template <class Right>
-  [[nodiscard]] Touching touching(const Eigen::VectorXd& closing, const Right& right) const;
+  [[nodiscard]] TouchingForces forces_of(const ContactSystem& system, const Right& right) const;
+  /// Whether the contacts of a system are those that touch at these closings.
+  [[nodiscard]] bool same_contacts(const ContactSystem& system,
+                                   const Eigen::VectorXd& closing) const;
   /// A state without forces whose closings are not known yet.
   [[nodiscard]] Equilibrium unloaded() const;
-  /// The state after a full Newton step.
-  [[nodiscard]] Equilibrium newton_step(const Equilibrium& state, double load) const;
+  /// The state after a full step of Newton's method with the system of this state or an earlier
+  /// one.
+  [[nodiscard]] Equilibrium newton_step(const ContactSystem& system, const Equilibrium& state,
+                                        double load) const;
   /// Sets the residual of the forces against the laws of their contacts and the load.
   void judge(Equilibrium& state, double load) const;
-  /// Moves toward the full step as far as the energy falls.
-  void move_toward(const Equilibrium& full, Equilibrium& state, double load) const;
+  /// Moves toward the full step as far as the energy falls; returns the share of the step.
+  double move_toward(const Equilibrium& full, Equilibrium& state, double load) const;
   /// Rotation of the ring under a load before the first flank touches.
   [[nodiscard]] double free_travel(const Eigen::VectorXd& closing, double load) const;
   /// Moves the assembled ring to the point of its play that is nearest to rotation 0.

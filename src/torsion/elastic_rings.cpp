@@ -234,11 +234,18 @@ FlankPlace ElasticRings::flank(int contact) const {
 double ElasticRings::neighbour_energy(const Eigen::VectorXd& force) const {
   double energy = 0.0;
   if (!neighbours_) return energy;
+  std::vector<int> loaded;
   for (int i = balls_; i < contacts(); ++i)
-    for (int j = balls_; force[i] != 0 && j < contacts(); ++j)
-      if (force[j] != 0)
-        energy += force[i] * force[j] *
-                  neighbours_->between(flank(i), flank(j)).opening(shares_of(i), shares_of(j));
+    if (force[i] != 0) loaded.push_back(i);
+  for (std::size_t p = 0; p < loaded.size(); ++p)
+    for (std::size_t q = 0; q <= p; ++q) {
+      const int i = loaded[p];
+      const int j = loaded[q];
+      const double pair =
+          force[i] * force[j] *
+          neighbours_->between(flank(i), flank(j)).opening(shares_of(i), shares_of(j));
+      energy += p == q ? pair : 2 * pair;  // Maxwell
+    }
   return energy;
 }
 

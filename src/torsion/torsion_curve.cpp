@@ -72,7 +72,7 @@ CurvePoint point_of(const AssembledDrive::Contents& contents, const Equilibrium&
 }  // namespace
 
 std::string walk(const AssembledDrive::Contents& contents, std::span<const double> torques,
-                 const Progress& progress, const std::function<void(const Equilibrium&)>& see) {
+                 const Progress& progress, const std::function<void(Equilibrium&)>& see) {
   const CoupledDrive& drive = contents.drive;
   const CoupledGeometry& g = contents.geometry;
   for (const double torque : torques)
@@ -118,7 +118,8 @@ TorsionCurve torsion_curve(const AssembledDrive& assembled, std::span<const doub
     for (int k = 0; k < drive.balls(); ++k)
       curve.assembly_ball_force = std::max(curve.assembly_ball_force, drive.assembled().force[k]);
   }
-  curve.unusable_because = walk(contents, torques, progress, [&](const Equilibrium& state) {
+  curve.unusable_because = walk(contents, torques, progress, [&](Equilibrium& state) {
+    state.system = contents.drive.system_of(state);  // for the tangent and for the next torque
     curve.points.push_back(point_of(contents, state));
   });
   return curve;
