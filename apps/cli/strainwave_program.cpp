@@ -5,6 +5,7 @@
 #include <array>
 
 #include "own_commands.hpp"
+#include "strainwave/command/shards.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave::cli {
@@ -15,6 +16,7 @@ const Program& strainwave_program() {
        {"material", "The material library: steels with sources"}}};
   static const std::vector<Command> table = [] {
     std::vector<Command> rows(commands().begin(), commands().end());
+    rows.push_back(merge_command(commands));
     rows.push_back(fe_command());
     rows.push_back(man_command(strainwave_program, "strainwave man stiffness | man -l -"));
     rows.push_back(

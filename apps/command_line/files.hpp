@@ -15,6 +15,9 @@ namespace strainwave::cli {
 /// Size limit of a table that an option names [bytes].
 inline constexpr std::size_t kMaxTableSize = std::size_t{64} << 20;  // 64 MiB
 
+/// Size limit of a shard [bytes].
+inline constexpr std::size_t kMaxShardSize = std::size_t{1} << 34;  // 16 GiB
+
 /// The text of a file, or of standard input, whose name is "-".
 ///
 /// The function does not read a device, a socket or a named pipe, because they may never end.  It

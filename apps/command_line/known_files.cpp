@@ -36,7 +36,8 @@ KnownFiles::KnownFiles(const Given& given, const std::vector<std::string>& input
           throw UsageError(fmt::format("{} must name a file; give its name", argument.name));
         add_output(argument.name, path);
         if (argument.role == Role::record) add_output(argument.name, checkpoint_of(path));
-      } else if (argument.names == "attachment" || argument.names == "history") {
+      } else if (argument.names == "attachment" || argument.names == "history" ||
+                 argument.names == "shard") {
         add_input(argument.name, path);
       }
   }

@@ -19,7 +19,7 @@ std::string_view first_word(const Command& command) {
 
 std::string_view type_of(const Option& option) {
   if (option.field.names == "attachment" || option.field.names == "history" ||
-      option.field.names == "file")
+      option.field.names == "shard" || option.field.names == "file")
     return "PATH";
   switch (option.kind) {
     case OptionKind::flag:
@@ -164,7 +164,7 @@ std::vector<Argument> arguments_of(const Command& command) {
   format.choices.push_back("json");
   arguments.push_back(std::move(format));
   arguments.push_back(std::move(output));
-  if (has_units(command))
+  if (has_units(command) || command.instead)
     arguments.push_back(
         {.role = Role::units,
          .name = "--units",
@@ -183,6 +183,16 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .doc = "columns of the csv format, as names separated by commas",
                          .fallback = {}});
   arguments.insert(arguments.end(), beside.begin(), beside.end());
+  if (!command.shares.empty())
+    arguments.push_back(
+        {.role = Role::shard,
+         .name = "--shard",
+         .key = {},
+         .type = "K/N",
+         .doc = fmt::format("compute part K of N equal parts ({}) and write them to "
+                            "the file of --output, for strainwave merge",
+                            command.shares),
+         .fallback = {}});
   if (!command.kept_option.empty())
     arguments.push_back(path_argument(Role::kept, command.kept_option, {}, command.kept));
   if (!command.record.empty()) {

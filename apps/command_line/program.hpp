@@ -61,6 +61,7 @@ enum class Role {
   journal,   ///< takes the path of the journal
   record,    ///< takes the path of the record
   kept,      ///< takes the path of a text that later runs read
+  shard,     ///< names the share of a study that is computed
   resume,    ///< goes on with the record of a stopped run
   document,  ///< takes the path of a document beside the main one
   force,     ///< a drive may replace an existing file

@@ -24,6 +24,7 @@
 #include "progress_line.hpp"
 #include "recording.hpp"
 #include "several.hpp"
+#include "strainwave/command/shards.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -140,9 +141,11 @@ struct Asked {
   std::string main = "json";
   std::string main_path = {};
   std::vector<std::pair<std::string, std::string_view>> beside = {};  // path, document
-  std::string journal = {};  // its path; empty if there is none
-  std::string record = {};   // likewise
-  std::string kept = {};     // likewise
+  std::string journal = {};             // its path; empty if there is none
+  std::string record = {};              // likewise
+  std::string kept = {};                // likewise
+  std::string shard = {};               // likewise
+  Attachments::Texts drive_texts = {};  // that the drive names, of a shard
   AskedUnits units = {};
   std::vector<std::string> columns = {};
 };
@@ -164,6 +167,7 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
         case Role::option:
           asked.options.set(argument.key, text);
           if (argument.names == "attachment") asked.attached[text] = text_of(text, kMaxTableSize);
+          if (argument.names == "shard") asked.attached[text] = text_of(text, kMaxShardSize);
           break;
         case Role::format:
           asked.main = text;
@@ -189,6 +193,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
         case Role::document:
           asked.beside.emplace_back(text, argument.key);
           break;
+        case Role::shard:
+          asked.shard = text;
+          break;
         case Role::resume:
         case Role::force:
         case Role::progress:
@@ -198,7 +205,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
     if (texts.empty() && argument.role == Role::format) asked.main = argument.fallback;
   };
   if (file != nullptr) {
-    asked.drive = read_drive(text_of(*file), shown_name(*file), attachments_beside(*file));
+    const Attachments beside = attachments_beside(*file);
+    asked.drive = read_drive(text_of(*file), shown_name(*file),
+                             has(given, Role::shard) ? beside.noted_in(asked.drive_texts) : beside);
     known.add_tables_of(*asked.drive, *file);
   }
   for (std::size_t i = 0; i < given.arguments.size(); ++i) take(given.arguments[i], given.texts[i]);
@@ -286,7 +295,7 @@ FileAnswer answer_for(const Given& given, const std::string& file, const AskedUn
 ExitCode run_several(const Given& given, const std::vector<std::string>& files, KnownFiles& known) {
   const Asked asked = asked_by(given, nullptr, known);
   if (given.program.ranks != nullptr || !asked.journal.empty() || !asked.record.empty() ||
-      !asked.kept.empty() || !answers_several(given.command))
+      !asked.kept.empty() || !asked.shard.empty() || !answers_several(given.command))
     throw UsageError(fmt::format("{} answers for one FILE at a time", given.command.name));
   if (!asked.beside.empty())
     throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
@@ -322,6 +331,72 @@ ExitCode run_several(const Given& given, const std::vector<std::string>& files, 
   return worst_of(answers);
 }
 
+/// Whether the file has this share of the study already.
+/// @throws UsageError  if the file is something else
+bool has_shard(const std::string& path, const SharedStudy& study, const Share& share) {
+  std::error_code unseen;
+  if (!std::filesystem::exists(path, unseen)) return false;
+  if (!std::filesystem::is_regular_file(path, unseen))
+    throw UnwritableError(
+        fmt::format("{}: must be a regular file, because strainwave merge reads it", path));
+  const std::string text = text_of(path, kMaxShardSize);
+  if (!begins_as_shard(text))
+    throw UsageError(
+        fmt::format("{} exists already and is not a shard: name another file", shown(path)));
+  std::optional<Shard> there;
+  try {
+    there = parse_shard(text, path);
+  } catch (const InputError&) {  // an interrupted copy
+    return false;
+  }
+  std::string other = difference(there->study, study);
+  if (other.empty() && there->share != share)
+    other = fmt::format("the share is {}/{} in one and {}/{} in the other", there->share.part,
+                        there->share.parts, share.part, share.parts);
+  if (!other.empty())
+    throw UsageError(fmt::format("{} is another shard, because {}: remove it or name another file",
+                                 shown(path), other));
+  return true;
+}
+
+/// Computes a share of a study and writes it to a file, unless the file has this share.
+ExitCode run_shard(const Given& given, const Asked& asked) {
+  const Share share = parse_share(asked.shard);
+  if (!asked.beside.empty() || !asked.columns.empty() || !asked.units.empty() ||
+      has(given, Role::format))
+    throw UsageError(
+        "--shard writes rows and no answer: leave out --format, --units, --columns and pictures, "
+        "and give them to strainwave merge");
+  const std::string& path = asked.main_path;
+  if (is_standard_output(path))
+    throw UsageError("--shard writes the rows as bytes: name a file with --output");
+  const SharedStudy study = shared_study(given.command, asked.drive.get(), asked.drive_texts,
+                                         asked.options, asked.attached);
+  if (has_shard(path, study, share)) {
+    if (!has(given, Role::quiet))
+      warn(given.program,
+           fmt::format("{} has share {} already; it is kept", shown(path), asked.shard));
+    return kOk;
+  }
+  require_writable(path);
+  const Interrupt interrupt;
+  ProgressLine line(std::string(given.program.name), progress_style(given));
+  const Progress progress(
+      [&](double done) {
+        line.at(done);
+        return interrupt(done);
+      },
+      [&](const std::string& words) {
+        line.clear();
+        warn(given.program, words);
+      });
+  const Shard shard = computed_shard(given.command, asked.drive, asked.options, study, share,
+                                     progress, {.beside = attachments_beside, .open = opened});
+  line.clear();
+  deliver({{path, shard_text(shard)}});
+  return kOk;
+}
+
 }  // namespace
 
 ExitCode run_command(Given given) {
@@ -337,6 +412,7 @@ ExitCode run_command(Given given) {
       throw InputError("FILE", "standard input reaches the first rank only: name a file");
     read = asked_by(given, inputs.empty() ? nullptr : &inputs[0], *known);
   });
+  if (!read->shard.empty()) return run_shard(given, *read);
   require_shown(command, *read, "csv", "--format csv", "choose --format text or json");
   OptionValues& options = read->options;
   std::optional<FileJournal> journal;

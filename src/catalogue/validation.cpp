@@ -263,24 +263,31 @@ void set_band(ValidationRow& row, const Drawn& drawn, const BandFit& fit,
   row.outside = outside_of(row.catalogue, row.ratios, rows);
 }
 
-void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress& progress) {
+void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress& progress,
+               SharedRows* shared) {
   std::mt19937_64 generator(v.options.seed);
+  std::vector<ProportionValues> proportions;
+  for (int n = 0; n < v.options.draws; ++n) proportions.push_back(draw_proportions(generator));
+  // Predictions of each draw; empty if a drive has no equilibrium.
+  const auto predicted = shared_rows<Predictions>(proportions.size(), {}, progress, shared, [&] {
+    return [&](std::size_t n, Predictions& of_draw) {
+      try {
+        of_draw = Drives{v.options.blank, proportions[n]}.predict(rows, v.options.coupled);
+      } catch (const SolverError&) {
+      }
+    };
+  });
   std::vector<Drawn> mean(v.rows.size());
   std::vector<Drawn> each(v.each_ratio.size());
-  for (int n = 0; n < v.options.draws; ++n) {
-    progress.at(static_cast<double>(n) / v.options.draws);
-    const Drives drives{v.options.blank, draw_proportions(generator)};
-    Predictions predicted;
-    try {
-      predicted = drives.predict(rows, v.options.coupled);
-    } catch (const SolverError&) {
+  for (const Predictions& of_draw : predicted) {
+    if (of_draw.empty()) {
       ++v.failed_draws;
       continue;
     }
     std::size_t at = 0;  // place in v.each_ratio
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      draw(mean[i], mean_of(predicted[i]));
-      for (const ThreeK& K : predicted[i]) draw(each[at++], K);
+      draw(mean[i], mean_of(of_draw[i]));
+      for (const ThreeK& K : of_draw[i]) draw(each[at++], K);
     }
   }
   if (v.failed_draws == v.options.draws)
@@ -413,7 +420,8 @@ bool is_regular(const StiffnessRow& row) {
          row.ratio_class != RatioClass::thirty;
 }
 
-Validation validate(const ValidationOptions& options, const Progress& progress) {
+Validation validate(const ValidationOptions& options, const Progress& progress,
+                    SharedRows* shared) {
   Validation v{.options = options,
                .rows = {},
                .errors = {},
@@ -477,7 +485,7 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
       predict_per_row(v, drives, rows, fits);
       break;
   }
-  if (options.draws > 0) add_bands(v, rows, progress.part(0.5, 1.0));
+  if (options.draws > 0) add_bands(v, rows, progress.part(0.5, 1.0), shared);
   progress.at(1.0);
 
   v.errors = summaries(v.rows, [](const ValidationRow& row) {

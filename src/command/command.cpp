@@ -80,6 +80,10 @@ Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
   require(drive || command.takes != Takes::drive, "drive");
   require(host.journal != nullptr || command.journal.empty() || !command.journal_option.empty(),
           "journal");
+  if (command.instead) {
+    options.require_complete();
+    return command.instead(options, texts, progress, host);
+  }
   static const auto no_drive = std::make_shared<const Drive>();
   return {command, drive ? drive : no_drive, options, texts, progress, host};
 }
@@ -111,7 +115,8 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                            .beside = host.beside,
                            .open = host.open,
                            .recording = host.recording,
-                           .kept = host.kept},
+                           .kept = host.kept,
+                           .shared = host.shared},
                           options_.get());
   } catch (const OptionError&) {
     throw;
@@ -167,7 +172,9 @@ std::string Answer::document(std::string_view name) const {
 }
 
 std::vector<OutputFile> Answer::files(std::string_view name) const {
-  const auto found = std::ranges::find(command_->documents, name, &Document::name);
+  const auto found = name == kDefaultDocument
+                         ? command_->documents.begin()
+                         : std::ranges::find(command_->documents, name, &Document::name);
   if (found == command_->documents.end()) {
     std::vector<std::string_view> names = {"json"};
     for (const Document& document : command_->documents) names.push_back(document.name);

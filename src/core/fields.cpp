@@ -41,6 +41,25 @@ std::string FieldPath::text() const {
   return text;
 }
 
+bool FieldPath::is(std::string_view text) const {
+  // From the end, where most paths differ.
+  for (std::size_t n = steps_; n-- > 0;) {
+    const Step& step = step_[n];
+    if (step.index != kNone) {
+      const std::string index = fmt::format("[{}]", step.index);
+      if (!text.ends_with(index)) return false;
+      text.remove_suffix(index.size());
+      continue;
+    }
+    if (!text.ends_with(std::string_view(step.name, step.size))) return false;
+    text.remove_suffix(step.size);
+    if (n == 0 && base_.empty()) return text.empty();
+    if (!text.ends_with('.')) return false;
+    text.remove_suffix(1);
+  }
+  return text == base_;
+}
+
 Range usual_range(const Field& field) {
   const auto closed = [](const Range& range) {
     return Range{

@@ -218,6 +218,7 @@ TableParameter parameter_of(const GearSet& gear, const std::string& crack,
 GearSet plain(GearSet gear) {
   gear.range.clear();
   gear.scatter.clear();
+  gear.correlation.clear();
   gear.compliance_tables.clear();
   gear.turn_tables.clear();
   gear.error_table.reset();

@@ -60,6 +60,25 @@ Attachments::Attachments(Texts texts)
   };
 }
 
+Attachments Attachments::noted_in(Texts& texts) const {
+  const auto lookup = [lookup = lookup_, &texts](std::string_view name) {
+    std::optional<std::string> found = lookup ? lookup(name) : std::nullopt;
+    if (found) texts.insert_or_assign(std::string(name), *found);
+    return found;
+  };
+  if (!open_) return Attachments(lookup);
+  return Attachments(lookup, [open = open_, &texts](std::string_view name) {
+    std::optional<TextPieces> found = open(name);
+    if (!found) return found;
+    std::string& text = texts.insert_or_assign(std::string(name), std::string()).first->second;
+    return std::optional<TextPieces>([pieces = *std::move(found), &text](std::span<char> to) {
+      const std::size_t size = pieces(to);
+      text.append(to.data(), size);
+      return size;
+    });
+  });
+}
+
 std::string Attachments::text(std::string_view name, std::string_view field) const {
   require_below(name, field);
   const std::optional<std::string> found = lookup_ ? lookup_(name) : std::nullopt;

@@ -740,8 +740,8 @@ std::string printed_path(const Steps& path) {
 }
 
 /// The steps of a path in an entry of a list of the drive; empty if the text is not a path.
-Steps named_steps(const toml::node* entry) {
-  const toml::node* const path = child(entry, key_step("path"));
+Steps named_steps(const toml::node* entry, std::string_view key) {
+  const toml::node* const path = child(entry, key_step(std::string(key)));
   const auto text = path != nullptr ? path->value<std::string>() : std::nullopt;
   try {
     return text ? PathReader(*text).read().steps : Steps();
@@ -770,22 +770,24 @@ std::string with_paths_after(std::string text, const toml::table& before, const 
   const toml::node* const changes = node_at(before, change);
   if (changes == nullptr || changes->is_value()) return text;
   const GearSet lists;
-  for_each_path_list(lists, [&](std::string_view list, const auto&) {
+  for_each_path_list(lists, [&]<class Entry>(std::string_view list, const std::vector<Entry>&) {
     const toml::table now = parse_toml(text, "text");
     const auto* const entries = now.get(list) != nullptr ? now.get(list)->as_array() : nullptr;
-    for (std::size_t i = entries != nullptr ? entries->size() : 0; i-- > 0;) {
-      const Steps named = named_steps(entries->get(i));
-      if (named.empty() || node_at(before, named) == nullptr) continue;
-      const std::optional<Steps> follows = removes ? after_removal(named, change) : named;
-      Steps at = {key_step(std::string(list)), index_step(i)};
-      if (!follows || node_at(now, *follows) == nullptr) {
-        text = with_change(text, known_path(at), nullptr);
-      } else if (*follows != named) {
-        at.push_back(key_step("path"));
+    for (std::size_t i = entries != nullptr ? entries->size() : 0; i-- > 0;)
+      for (const std::string_view key : Entry::kPathKeys) {
+        const Steps named = named_steps(entries->get(i), key);
+        if (named.empty() || node_at(before, named) == nullptr) continue;
+        const std::optional<Steps> follows = removes ? after_removal(named, change) : named;
+        Steps at = {key_step(std::string(list)), index_step(i)};
+        if (!follows || node_at(now, *follows) == nullptr) {
+          text = with_change(text, known_path(at), nullptr);
+          break;
+        }
+        if (*follows == named) continue;
+        at.push_back(key_step(std::string(key)));
         const NewValue path = value_of(fmt::format("\"{}\"", printed_path(*follows)));
         text = with_change(text, known_path(at), &path);
       }
-    }
   });
   return text;
 }

@@ -200,8 +200,8 @@ std::string with_numbers_of(std::string text, const GearSet& from, const GearSet
     for_each_path_list(to, [&](std::string_view, const auto& wanted) {
       if constexpr (std::is_same_v<std::decay_t<decltype(entries)>, std::decay_t<decltype(wanted)>>)
         for (std::size_t i = entries.size(); i-- > 0;) {
-          if (std::ranges::any_of(wanted,
-                                  [&](const auto& one) { return one.path == entries[i].path; }))
+          if (std::ranges::any_of(
+                  wanted, [&](const auto& one) { return one.paths() == entries[i].paths(); }))
             continue;
           text = edit(text, fmt::format("{}[{}]", list, i), std::nullopt);
           entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));

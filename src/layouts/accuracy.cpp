@@ -154,9 +154,13 @@ TitledTable band_table(const AccuracyReport& report) {
   return {
       .title = "Largest magnitudes under the ranges and scatters of the file",
       .table = std::move(table),
-      .remark = fmt::format("{} drives, with {} and {} of the file drawn independently.",
-                            bands.draws, counted(static_cast<std::size_t>(bands.ranges), "range"),
-                            counted(static_cast<std::size_t>(bands.scatters), "scatter"))};
+      .remark = fmt::format(
+          "{} drives, with {} and {} of the file drawn {}.", bands.draws,
+          counted(static_cast<std::size_t>(bands.ranges), "range"),
+          counted(static_cast<std::size_t>(bands.scatters), "scatter"),
+          bands.correlations == 0
+              ? "independently"
+              : "with " + counted(static_cast<std::size_t>(bands.correlations), "correlation"))};
 }
 
 }  // namespace

@@ -266,7 +266,7 @@ std::string sensitivity_csv(const SensitivityReport& report) {
                                                 input.influence[y].elasticity));
       if (!report.scatter || y >= report.scatter->outputs.size()) continue;  // not drawn
       const auto& inputs = report.scatter->inputs;
-      const auto at = std::ranges::find(inputs, input.path, &InputScatter::path);
+      const auto at = std::ranges::find(inputs, input.path, &ScatteredInput::path);
       if (at == inputs.end()) continue;
       const auto i = static_cast<std::size_t>(at - inputs.begin());
       row.push_back(cell(at->relative_standard_deviation));

@@ -154,9 +154,12 @@ class Collector {
     }
     for (const InputScatter& scatter : gear_.scatter)
       if (scatter.path == entry.path)
-        entry.remark += fmt::format("{}scatters by {:.3g} %{}{}", entry.remark.empty() ? "" : "; ",
-                                    100 * scatter.relative_standard_deviation,
-                                    scatter.source.empty() ? "" : ": ", scatter.source);
+        entry.remark +=
+            fmt::format("{}scatters by {}{}{}", entry.remark.empty() ? "" : "; ",
+                        scatter.relative_standard_deviation
+                            ? fmt::format("{:.3g} %", 100 * *scatter.relative_standard_deviation)
+                            : "a table of quantiles",
+                        scatter.source.empty() ? "" : ": ", scatter.source);
     if (groups_.empty() || groups_.back().first != group_) groups_.push_back({group_, {}});
     groups_.back().second.push_back(std::move(entry));
   }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "crack_interaction.hpp"
 #include "member_support.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
@@ -461,7 +462,11 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
                             .path = "flexspline.dynamic_load",
                             .equation = "",
                             .severity = Severity::information});
-  note_superposition(member.notes, member.cracks.size(), "flexspline.crack");
+  std::size_t in_groups = 0;
+  for (const WallSection section : {WallSection::barrel, WallSection::rim})
+    in_groups = std::max(in_groups, note_interaction(gear, model.loads(), section, member));
+  if (in_groups < member.cracks.size())  // else the note above says how the cracks interact
+    note_superposition(member.notes, member.cracks.size(), "flexspline.crack");
   return member;
 }
 

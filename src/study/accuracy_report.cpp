@@ -233,10 +233,10 @@ AngleBand band_of(std::vector<double> values) {
           .largest = largest};
 }
 
-/// Ranges and scatters of the file as laws of its numbers.
+/// A number that the file lets scatter or vary in a range.
 struct DrawnInput {
   std::string path;
-  const InputScatter* scatter = nullptr;  ///< null: uniform between the limits
+  std::optional<ScatterLaw> law = {};  ///< absent: uniform between the limits
   double lower = 0.0;
   double upper = 0.0;
 };
@@ -244,7 +244,8 @@ struct DrawnInput {
 std::vector<DrawnInput> drawn_inputs(const GearSet& gear) {
   std::vector<DrawnInput> inputs;
   for (const InputScatter& scatter : gear.scatter)
-    inputs.push_back({.path = scatter.path, .scatter = &scatter});
+    inputs.push_back(
+        {.path = scatter.path, .law = ScatterLaw(scatter, number_at(gear, scatter.path).value)});
   for (const InputRange& range : gear.range) {
     // A number with both has the scatter.
     if (std::ranges::find(inputs, range.path, &DrawnInput::path) != inputs.end()) continue;
@@ -256,11 +257,19 @@ std::vector<DrawnInput> drawn_inputs(const GearSet& gear) {
   return inputs;
 }
 
-/// A drawn value of an input (SN-8), or one between its limits.
-double drawn_value(const DrawnInput& input, double centre, std::size_t draw, std::size_t index) {
-  if (input.scatter == nullptr)
-    return input.lower + (input.upper - input.lower) * counter_uniform(kAccuracySeed, draw, index);
-  return ScatterLaw(*input.scatter, centre).at(counter_normal(kAccuracySeed, draw, index));
+/// Values of the inputs in one draw (SN-8): of those that scatter, which come first, by their
+/// correlated normal variables, and of the others between their limits.
+void draw_values(const std::vector<DrawnInput>& inputs, const CorrelatedNormals& normals,
+                 std::size_t draw, DrawnDrive& drive) {
+  std::vector<double> z(normals.size());
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = counter_normal(kAccuracySeed, draw, i);
+  normals.correlate(z);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const DrawnInput& input = inputs[i];
+    drive.number(i) = input.law ? input.law->at(z[i])
+                                : input.lower + (input.upper - input.lower) *
+                                                    counter_uniform(kAccuracySeed, draw, i);
+  }
 }
 
 /// The largest speed of the manoeuvres, 0 without one.
@@ -276,17 +285,12 @@ std::optional<AccuracyBands> bands_of(const GearSet& gear, const AccuracyOptions
                                       const Progress& progress) {
   const std::vector<DrawnInput> inputs = drawn_inputs(gear);
   if (inputs.empty() || options.draws == 0) return std::nullopt;
-  std::vector<double> centres;
-  {
-    DrawnDrive drawn(gear, inputs);
-    for (std::size_t i = 0; i < inputs.size(); ++i) centres.push_back(drawn.number(i));
-  }
+  const CorrelatedNormals normals = scattering_normals(gear);
   const auto draws = static_cast<std::size_t>(options.draws);
   std::vector<std::optional<DriveBudget>> budgets(draws);
   for_each_index(draws, {.threads = options.threads}, progress, [&] {
     return [&, drawn = std::make_unique<DrawnDrive>(gear, inputs)](std::size_t n) {
-      for (std::size_t i = 0; i < inputs.size(); ++i)
-        drawn->number(i) = drawn_value(inputs[i], centres[i], n, i);
+      draw_values(inputs, normals, n, *drawn);
       try {
         check(drawn->gear());
         // The torque of the load may be drawn too.
@@ -312,6 +316,7 @@ std::optional<AccuracyBands> bands_of(const GearSet& gear, const AccuracyOptions
                        .root_of_squares = band_of(std::move(likely)),
                        .ranges = static_cast<int>(inputs.size()) - scatters,
                        .scatters = scatters,
+                       .correlations = static_cast<int>(gear.correlation.size()),
                        .draws = static_cast<int>(budgets.size()),
                        .rejected = static_cast<int>(rejected)};
 }

@@ -521,6 +521,7 @@ GearSet what_the_curve_depends_on(const GearSet& gear) {
   kept.manoeuvre.clear();
   kept.range.clear();
   kept.scatter.clear();
+  kept.correlation.clear();
   if (gear.drivetrain)
     kept.drivetrain = Drivetrain{.fixed = gear.drivetrain->fixed,
                                  .motor_inertia = 1.0,

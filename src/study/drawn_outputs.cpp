@@ -18,6 +18,7 @@ void require_scatter(const GearSet& gear) {
 DrawnOutputs::DrawnOutputs(const GearSet& gear, const std::vector<std::string>& names,
                            std::string_view option)
     : gear_(gear),
+      normals_(scattering_normals(gear)),
       names_(names),
       options_{.coupled_drive = std::ranges::any_of(names, is_of_coupled_drive),
                .over_turn = std::ranges::any_of(names, is_over_turn),
@@ -46,17 +47,19 @@ DrawnOutputs::DrawnOutputs(const GearSet& gear, const std::vector<std::string>& 
   }
 }
 
-void DrawnOutputs::to_values(std::span<const double> z, std::span<double> values) const {
-  for (std::size_t i = 0; i < z.size(); ++i) values[i] = laws_[i].at(z[i]);
+void DrawnOutputs::to_values(std::span<const double> u, std::span<double> values) const {
+  std::ranges::copy(u, values.begin());
+  normals_.correlate(values);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = laws_[i].at(values[i]);
 }
 
 void DrawnOutputs::prepare(std::size_t rows,
-                           const std::function<void(std::size_t row, std::span<double> z)>& fill) {
+                           const std::function<void(std::size_t row, std::span<double> u)>& fill) {
   if (!series_) return;
-  std::vector<double> z(inputs());
+  std::vector<double> u(inputs());
   series_->prepare(rows, [&](std::size_t row, std::span<double> values) {
-    fill(row, z);
-    to_values(z, values);
+    fill(row, u);
+    to_values(u, values);
   });
 }
 
@@ -67,8 +70,8 @@ DrawnOutputs::Evaluator::Evaluator(const DrawnOutputs& of) : of_(of), values_(of
     drawn_ = std::make_unique<DrawnDrive>(of.gear_, of.gear_.scatter);
 }
 
-Fate DrawnOutputs::Evaluator::operator()(std::span<const double> z, std::span<double> outputs) {
-  of_.to_values(z, values_);
+Fate DrawnOutputs::Evaluator::operator()(std::span<const double> u, std::span<double> outputs) {
+  of_.to_values(u, values_);
   return series_ ? (*series_)(values_, outputs) : evaluated(outputs);
 }
 

@@ -32,17 +32,21 @@ class DrawnOutputs {
 
   /// Prepares tables of the cracks for many drives.
   /// @param rows  number of drives
-  /// @param fill  (row, z): standard normal inputs of a row
+  /// @param fill  (row, u): independent standard normal variables of a row
   void prepare(std::size_t rows,
-               const std::function<void(std::size_t row, std::span<double> z)>& fill);
+               const std::function<void(std::size_t row, std::span<double> u)>& fill);
 
   [[nodiscard]] std::size_t inputs() const { return laws_.size(); }
   /// The outputs at the values of the file.
   [[nodiscard]] const std::vector<Quantity>& at_file() const { return at_file_; }
   /// Whether all outputs are those of the sum of the members, and so take microseconds.
   [[nodiscard]] bool of_sum() const { return series_.has_value(); }
-  /// Values of the inputs at standard normal inputs.
-  void to_values(std::span<const double> z, std::span<double> values) const;
+  /// The correlations of the inputs.
+  [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
+  /// Laws of the inputs.
+  [[nodiscard]] const std::vector<ScatterLaw>& laws() const { return laws_; }
+  /// Values of the inputs at independent standard normal variables u.
+  void to_values(std::span<const double> u, std::span<double> values) const;
 
   /// Evaluates drives for one thread.
   class Evaluator;
@@ -50,6 +54,7 @@ class DrawnOutputs {
  private:
   const GearSet& gear_;
   std::vector<ScatterLaw> laws_;
+  CorrelatedNormals normals_;
   std::optional<VariedSeries> series_;  ///< absent if an output is not of the sum
   std::vector<std::string> names_;
   EvaluationOptions options_;
@@ -60,8 +65,8 @@ class DrawnOutputs::Evaluator {
  public:
   explicit Evaluator(const DrawnOutputs& of);
 
-  /// Fills the outputs at standard normal inputs.
-  Fate operator()(std::span<const double> z, std::span<double> outputs);
+  /// Fills the outputs at independent standard normal variables u.
+  Fate operator()(std::span<const double> u, std::span<double> outputs);
 
  private:
   [[nodiscard]] Fate evaluated(std::span<double> outputs);

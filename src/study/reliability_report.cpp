@@ -23,7 +23,7 @@ constexpr std::string_view kRequireOption = "require";
 constexpr int kDraws = 200'000;
 constexpr int kSlowDraws = 2'000;  // of the coupled drive, some milliseconds each
 
-/// The margin of a requirement over the standard normal inputs of one thread.
+/// The margin of a requirement over independent standard normal variables, for one thread.
 class Margin {
  public:
   Margin(const DrawnOutputs& outputs, const Requirement& requirement)
@@ -36,9 +36,9 @@ class Margin {
         scale_(std::max({std::abs(requirement.bound), std::abs(outputs.at_file()[0].value),
                          std::numeric_limits<double>::min()})) {}
 
-  std::optional<double> operator()(std::span<const double> z) const {
+  std::optional<double> operator()(std::span<const double> u) const {
     double output = 0.0;
-    if ((*evaluate_)(z, {&output, 1}) != Fate::evaluated || !std::isfinite(output))
+    if ((*evaluate_)(u, {&output, 1}) != Fate::evaluated || !std::isfinite(output))
       return std::nullopt;
     return sign_ * (output - bound_) / scale_;
   }
@@ -71,14 +71,18 @@ FirstOrderReliability first_order(const GearSet& gear, const DrawnOutputs& outpu
   if (!point.converged) return result;
   std::vector<double> values(point.place.size());
   outputs.to_values(point.place, values);
+  std::vector<double> z = point.place;
+  outputs.normals().correlate(z);
+  const std::vector<double> importance =
+      outputs.normals().shares(outputs.normals().slope_in_z(point.normal));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const NumberAt number = number_at(gear, gear.scatter[i].path);
     result.inputs.push_back({.path = number.path,
                              .unit = number.field.unit,
                              .value = number.value,
                              .at_design = values[i],
-                             .deviations = point.place[i],
-                             .importance = point.normal[i] * point.normal[i]});
+                             .deviations = z[i],
+                             .importance = importance[i]});
   }
   std::ranges::stable_sort(result.inputs, std::ranges::greater{}, &DesignPointInput::importance);
   return result;
@@ -180,8 +184,8 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   // Tables answer the many draws below; the search above needs the engine's derivatives.
   const bool fast = outputs.of_sum();
   const auto draws = static_cast<std::size_t>(settings.draws.value_or(fast ? kDraws : kSlowDraws));
-  outputs.prepare(draws, [&](std::size_t row, std::span<double> z) {
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] = counter_normal(settings.seed, row, i);
+  outputs.prepare(draws, [&](std::size_t row, std::span<double> u) {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(settings.seed, row, i);
   });
   const SamplingOptions sampling{
       .draws = draws, .seed = settings.seed, .threads = settings.threads};
@@ -254,10 +258,12 @@ ReliabilityReport reliability_of(const GearSet& gear, const std::vector<Requirem
     add_notes(report.notes, report.answers.back());
   }
   report.notes.push_back(
-      {.code = "reliability.independent",
-       .text = "the inputs are drawn independently of each other, and the probabilities do not "
-               "contain the uncertainty of the model's form, which strainwave require takes into "
-               "account",
+      {.code = "reliability.scatter_alone",
+       .text = fmt::format("the inputs are drawn {}, and the probabilities do not contain the "
+                           "uncertainty of the model's form, which strainwave require takes into "
+                           "account",
+                           gear.correlation.empty() ? "independently of each other"
+                                                    : "with the rank correlations of the file"),
        .path = "scatter",
        .equation = "UQ-4",
        .severity = Severity::information});

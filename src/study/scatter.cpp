@@ -25,26 +25,28 @@ struct Draw {
   Fate fate = Fate::evaluated;
 };
 
+template <class Archive>
+void archive(Archive& to, Draw& draw) {
+  to(draw.value, draw.fate);
+}
+
 /// All draws, stored by their index.
-std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options,
+std::vector<Draw> draws_of(DrawnOutputs& outputs, const ScatterOptions& options,
                            const Progress& progress) {
-  std::vector<Draw> draws(static_cast<std::size_t>(options.samples));
-  std::vector<std::string> names;
-  for (const SeriesOutput& output : series_outputs().first(kScatterOutputs))
-    names.emplace_back(output.name);
-  DrawnOutputs outputs(gear, names, "scatter");
-  const auto fill = [seed = options.seed](std::size_t draw, std::span<double> z) {
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] = counter_normal(seed, draw, i);
+  const auto n = static_cast<std::size_t>(options.samples);
+  const auto fill = [seed = options.seed](std::size_t draw, std::span<double> u) {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(seed, draw, i);
   };
-  outputs.prepare(draws.size(), fill);
-  for_each_index(draws.size(), {.block = 256, .threads = options.threads}, progress, [&] {
-    return [&draws, &fill, z = std::vector<double>(outputs.inputs()),
-            evaluate = std::make_unique<DrawnOutputs::Evaluator>(outputs)](std::size_t n) mutable {
-      fill(n, z);
-      draws[n].fate = (*evaluate)(z, draws[n].value);
+  outputs.prepare(n, fill);
+  const Parallel parallel{.block = 256, .threads = options.threads};
+  return shared_rows<Draw>(n, parallel, progress, options.shared, [&] {
+    return [&fill, u = std::vector<double>(outputs.inputs()),
+            evaluate = std::make_unique<DrawnOutputs::Evaluator>(outputs)](std::size_t of,
+                                                                           Draw& draw) mutable {
+      fill(of, u);
+      draw.fate = (*evaluate)(u, draw.value);
     };
   });
-  return draws;
 }
 
 /// Moments and quantiles of one output, summed in the order of the draws.
@@ -81,17 +83,33 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
 /// Fills in the first-order result: the contribution of each input to the variance of the
 /// logarithm.
 void fill_first_order(ScatterOutput& output, const Sensitivity& sensitivity, std::size_t y,
-                      const std::vector<InputScatter>& inputs) {
-  double variance = 0.0;
-  for (const InputScatter& scatter : inputs) {
+                      const std::vector<ScatteredInput>& inputs, const CorrelatedNormals& normals) {
+  std::vector<double> slope;
+  for (const ScatteredInput& scatter : inputs) {
     const auto input = std::ranges::find(sensitivity.inputs, scatter.path, &SensitivityInput::path);
     const double e = input == sensitivity.inputs.end() ? 0.0 : input->influence[y].elasticity;
-    output.share.push_back(std::pow(e * scatter.relative_standard_deviation, 2));
-    variance += output.share.back();  // (SN-7)
+    slope.push_back(e * scatter.relative_standard_deviation);
   }
-  output.first_order = std::sqrt(variance);
-  if (variance > 0)
-    for (double& share : output.share) share /= variance;
+  double variance = 0.0;
+  for (std::size_t i = 0; i < slope.size(); ++i)
+    for (std::size_t j = 0; j < slope.size(); ++j)
+      variance += slope[i] * normals.correlation(i, j) * slope[j];  // (SN-7)
+  output.first_order = std::sqrt(std::max(0.0, variance));
+  output.share = variance > 0 ? normals.shares(slope) : std::vector<double>(slope.size(), 0.0);
+}
+
+void note_dependence(Scatter& scatter, const CorrelatedNormals& normals) {
+  if (normals.independent())
+    scatter.notes.push_back({"scatter.independent",
+                             "the inputs are drawn independently of each other, although numbers "
+                             "of one casting or one heat treatment may depend on each other",
+                             "scatter", "SN-7", Severity::information,
+                             "Give [[correlation]] tables if they do."});
+  else
+    scatter.notes.push_back({"scatter.correlated",
+                             "the share of an input that depends on another contains half of their "
+                             "covariance, so it may be negative",
+                             "correlation", "UQ-9", Severity::information});
 }
 
 void note_nonlinear(Scatter& scatter, const ScatterOutput& output) {
@@ -119,10 +137,18 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   if (!sensitivity.usable()) throw SolverError(sensitivity.unusable_because);
 
   Scatter scatter;
-  scatter.inputs = gear.scatter;
+  std::vector<std::string> drawn;
+  for (const SeriesOutput& output : series_outputs().first(kScatterOutputs))
+    drawn.emplace_back(output.name);
+  DrawnOutputs outputs(gear, drawn, "scatter");
+  for (std::size_t i = 0; i < gear.scatter.size(); ++i)
+    scatter.inputs.push_back({.path = gear.scatter[i].path,
+                              .relative_standard_deviation = outputs.laws()[i].relative_deviation(),
+                              .distribution = gear.scatter[i].distribution,
+                              .source = gear.scatter[i].source});
   scatter.samples = options.samples;
   scatter.seed = options.seed;
-  const std::vector<Draw> draws = draws_of(gear, options, progress.part(0.0, 0.95));
+  const std::vector<Draw> draws = draws_of(outputs, options, progress.part(0.0, 0.95));
   for (const Draw& draw : draws) {
     scatter.evaluated += draw.fate == Fate::evaluated ? 1 : 0;
     scatter.refused += draw.fate == Fate::refused ? 1 : 0;
@@ -148,7 +174,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                          .value = of.value.value,
                          .share = {},
                          .model_uncertainty = of.value.relative_uncertainty};
-    fill_first_order(output, sensitivity, y, gear.scatter);
+    fill_first_order(output, sensitivity, y, scatter.inputs, outputs.normals());
     columns.push_back(static_cast<std::size_t>(name - names.begin()));
     scatter.outputs.push_back(std::move(output));
   }
@@ -181,10 +207,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
       {"scatter.model_form",
        "the scatter from the inputs does not include the uncertainty of the model's form",
        "scatter", "ST-16", Severity::information});
-  scatter.notes.push_back({"scatter.independent",
-                           "the inputs are drawn independently of each other, although numbers "
-                           "of one casting or one heat treatment may depend on each other",
-                           "scatter", "SN-7", Severity::information});
+  note_dependence(scatter, outputs.normals());
   return scatter;
 }
 

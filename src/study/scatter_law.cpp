@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scatter_law.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "strainwave/uncertainty/normal.hpp"
 
@@ -29,11 +31,40 @@ double weibull_shape(double deviation) {
   return std::exp((below + above) / 2);
 }
 
+/// Standard deviation of a table whose quantiles are linear between its points [-].
+double deviation_of(const std::vector<ScatterQuantile>& points) {
+  double mean = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    mean += (points[i].probability - points[i - 1].probability) *
+            (points[i].ratio + points[i - 1].ratio) / 2;
+  double square = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double a = points[i - 1].ratio - mean;
+    const double b = points[i].ratio - mean;
+    square += (points[i].probability - points[i - 1].probability) * (a * a + a * b + b * b) /
+              3;  // (SN-8)
+  }
+  return std::sqrt(square);
+}
+
+double ratio_at(const std::vector<ScatterQuantile>& points, double probability) {
+  const auto above = std::ranges::upper_bound(points.begin() + 1, points.end() - 1, probability, {},
+                                              &ScatterQuantile::probability);
+  const auto below = above - 1;
+  const double part =
+      (probability - below->probability) / (above->probability - below->probability);
+  return below->ratio + part * (above->ratio - below->ratio);  // (SN-8)
+}
+
 }  // namespace
 
 ScatterLaw::ScatterLaw(const InputScatter& scatter, double centre)
-    : distribution_(scatter.distribution), centre_(centre) {
-  const double s = scatter.relative_standard_deviation;
+    : distribution_(scatter.distribution),
+      centre_(centre),
+      relative_deviation_(scatter.relative_standard_deviation ? *scatter.relative_standard_deviation
+                                                              : deviation_of(scatter.quantile)),
+      quantiles_(scatter.quantile) {
+  const double s = relative_deviation_;
   switch (distribution_) {
     case ScatterDistribution::lognormal:
       width_ = std::sqrt(std::log1p(s * s));
@@ -47,6 +78,9 @@ ScatterLaw::ScatterLaw(const InputScatter& scatter, double centre)
     case ScatterDistribution::weibull:
       shape_ = weibull_shape(s);
       width_ = 1 / std::tgamma(1 + 1 / shape_);
+      return;
+    case ScatterDistribution::table:
+      return;
   }
 }
 
@@ -59,9 +93,11 @@ double ScatterLaw::at(double normal) const {
     case ScatterDistribution::uniform:
       return centre_ * (1 + width_ * (2 * normal_probability(normal) - 1));
     case ScatterDistribution::weibull:
+      return centre_ * width_ * std::pow(-std::log(normal_probability(-normal)), 1 / shape_);
+    case ScatterDistribution::table:
       break;
   }
-  return centre_ * width_ * std::pow(-std::log(normal_probability(-normal)), 1 / shape_);
+  return centre_ * ratio_at(quantiles_, normal_probability(normal));
 }
 
 }  // namespace strainwave

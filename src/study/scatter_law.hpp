@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "strainwave/model/input/scatter.hpp"
 
 namespace strainwave {
@@ -13,12 +15,16 @@ class ScatterLaw {
 
   /// The value whose probability to be undercut is that of the deviate.
   [[nodiscard]] double at(double normal) const;
+  /// Standard deviation over the value in the file [-]; of a lognormal number, over its mean.
+  [[nodiscard]] double relative_deviation() const { return relative_deviation_; }
 
  private:
   ScatterDistribution distribution_;
   double centre_;
-  double width_ = 0.0;  ///< of ln x, or of x over its centre [-]
-  double shape_ = 0.0;  ///< exponent of a Weibull distribution [-]
+  double relative_deviation_;
+  double width_ = 0.0;                      ///< of ln x, or of x over its centre [-]
+  double shape_ = 0.0;                      ///< exponent of a Weibull distribution [-]
+  std::vector<ScatterQuantile> quantiles_;  ///< of a table
 };
 
 }  // namespace strainwave

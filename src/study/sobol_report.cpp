@@ -19,6 +19,13 @@ SobolShare share_of(const Estimate& estimate) {
   return {estimate.value, estimate.low, estimate.high};
 }
 
+/// The paths of a group of inputs, as one text.
+std::string paths_of(const GearSet& gear, const std::vector<std::size_t>& group) {
+  std::string text;
+  for (const std::size_t i : group) text += (text.empty() ? "" : ", ") + gear.scatter[i].path;
+  return text;
+}
+
 /// Outputs of the sum that exist for this drive.
 std::vector<std::string> usual_outputs(const GearSet& gear) {
   std::vector<std::string> names;
@@ -47,25 +54,26 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
   const std::vector<std::string> names =
       settings.outputs.empty() ? usual_outputs(gear) : settings.outputs;
   DrawnOutputs outputs(gear, names, "of");
-  const std::size_t inputs = outputs.inputs();
+  const InputGroups groups = outputs.normals().groups();
   // Random inputs tell what varies as well as the points do, which are chosen later.
-  outputs.prepare(static_cast<std::size_t>(settings.points) * (inputs + 2),
-                  [&](std::size_t row, std::span<double> z) {
-                    for (std::size_t i = 0; i < z.size(); ++i)
-                      z[i] = counter_normal(settings.seed, row, i);
+  outputs.prepare(static_cast<std::size_t>(settings.points) * (groups.size() + 2),
+                  [&](std::size_t row, std::span<double> u) {
+                    for (std::size_t i = 0; i < u.size(); ++i)
+                      u[i] = counter_normal(settings.seed, row, i);
                   });
   const SobolStudy study = sobol_indices(
       [&]() -> NormalFunction {
         return [evaluate = std::make_shared<DrawnOutputs::Evaluator>(outputs)](
-                   std::span<const double> z, std::span<double> values) {
-          return (*evaluate)(z, values) == Fate::evaluated;
+                   std::span<const double> u, std::span<double> values) {
+          return (*evaluate)(u, values) == Fate::evaluated;
         };
       },
-      inputs, names.size(),
+      groups, names.size(),
       {.points = settings.points,
        .replicates = kSobolReplicates,
        .seed = settings.seed,
-       .threads = settings.threads},
+       .threads = settings.threads,
+       .shared = settings.shared},
       progress);
   Sobol result{.points = settings.points,
                .replicates = kSobolReplicates,
@@ -82,9 +90,9 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
                        .deviation = std::sqrt(of.variance),
                        .inputs = {},
                        .first_sum = share_of(of.first_sum)};
-    for (std::size_t i = 0; i < of.input.size(); ++i)
+    for (std::size_t g = 0; g < of.group.size(); ++g)
       answer.inputs.push_back(
-          {gear.scatter[i].path, share_of(of.input[i].first), share_of(of.input[i].total)});
+          {paths_of(gear, groups[g]), share_of(of.group[g].first), share_of(of.group[g].total)});
     std::ranges::stable_sort(answer.inputs, std::ranges::greater{},
                              [](const SobolInput& input) { return input.total.value; });
     result.outputs.push_back(std::move(answer));
@@ -97,9 +105,14 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
                      "over which the inputs are no longer independent",
                      study.left_out, settings.points),
          "scatter", "UQ-2", Severity::care, "Let the inputs scatter less."});
-  result.notes.push_back({"sobol.independent",
-                          "the shares hold for inputs that scatter independently", "scatter",
-                          "UQ-2", Severity::information});
+  if (outputs.normals().independent())
+    result.notes.push_back({"sobol.independent",
+                            "the shares hold for inputs that scatter independently", "scatter",
+                            "UQ-2", Severity::information});
+  else
+    result.notes.push_back({"sobol.groups",
+                            "inputs that depend on each other have one share together", "scatter",
+                            "UQ-2", Severity::information});
   return result;
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
@@ -15,16 +15,67 @@
 #include "strainwave/study/evaluate.hpp"
 
 namespace strainwave {
+
+template <class Archive>
+void archive(Archive& to, SweepColumn& column) {
+  to(column.name, column.unit);
+}
+
+template <class Archive>
+void archive(Archive& to, SweepValue& value) {
+  to(value.value, value.relative_uncertainty);
+}
+
+template <class Archive>
+void archive(Archive& to, Note& note) {
+  to(note.code, note.text, note.path, note.equation, note.severity, note.next_step);
+}
+
 namespace {
+
+/// One evaluated point.
+struct SweptPoint {
+  bool refused = false;
+  std::string reason;  ///< why the point was refused, or why its outputs must not be used
+  /// Names and units of the outputs; most points share one list.  Null if the point was refused.
+  std::shared_ptr<const std::vector<SweepColumn>> names;
+  std::vector<SweepValue> values;  ///< shape (n names)
+  std::vector<Note> notes;
+  std::vector<std::string> crack_paths;
+};
+
+template <class Archive>
+void archive(Archive& to, SweptPoint& point) {
+  std::vector<SweepColumn> names = point.names ? *point.names : std::vector<SweepColumn>();
+  to(point.refused, point.reason, names, point.values, point.notes, point.crack_paths);
+  if (!point.names)
+    point.names = std::make_shared<const std::vector<SweepColumn>>(std::move(names));
+}
+
+SweptPoint point_of(const StiffnessResult& result) {
+  SweptPoint point{.reason = result.unusable_because,
+                   .names = {},
+                   .values = {},
+                   .notes = result.notes,
+                   .crack_paths = {}};
+  std::vector<SweepColumn> names;
+  for_each_quantity(result, [&](const std::string& name, const Quantity& q) {
+    names.push_back({name, std::string(q.unit)});
+    point.values.push_back({q.value, q.relative_uncertainty});
+  });
+  point.names = std::make_shared<const std::vector<SweepColumn>>(std::move(names));
+  for (const CrackReport& crack : result.cracks) point.crack_paths.push_back(crack.path);
+  return point;
+}
 
 /// Assigns a column to each output name, in order of first appearance.
 class Columns {
  public:
   explicit Columns(std::vector<SweepColumn>& columns) : columns_(columns) {}
 
-  std::size_t index(const std::string& name, std::string_view unit) {
-    const auto [found, is_new] = index_.try_emplace(name, columns_.size());
-    if (is_new) columns_.push_back({name, unit});
+  std::size_t index(const SweepColumn& column) {
+    const auto [found, is_new] = index_.try_emplace(column.name, columns_.size());
+    if (is_new) columns_.push_back(column);
     return found->second;
   }
 
@@ -32,15 +83,6 @@ class Columns {
   std::vector<SweepColumn>& columns_;
   std::map<std::string, std::size_t> index_;
 };
-
-void fill_outputs(SweepRow& row, const StiffnessResult& result, Columns& columns) {
-  for_each_quantity(result, [&](const std::string& name, const Quantity& q) {
-    const std::size_t i = columns.index(name, q.unit);
-    if (i >= row.outputs.size()) row.outputs.resize(i + 1);
-    row.outputs[i] = SweepValue{q.value, q.relative_uncertainty};
-  });
-  row.reason = result.unusable_because;
-}
 
 /// Adds the notes of one row to those of the sweep.  Texts with numbers differ from row to row, so
 /// code and path decide whether two notes are the same.
@@ -83,49 +125,63 @@ void check_variations(std::span<const Variation> variations) {
 }
 
 SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,
-                  const Progress& progress) {
+                  const Progress& progress, SharedRows* shared) {
   check_variations(variations);
   SweepResult result;
   result.method = method;
-  std::ptrdiff_t n_rows = 1;
+  std::size_t n_rows = 1;
   for (const Variation& variation : variations) {
     const NumberAt number = varied_number(gear, variation.path);
-    n_rows *= variation.n_points;
+    n_rows *= static_cast<std::size_t>(variation.n_points);
     result.variations.push_back(variation);
-    result.inputs.push_back({number.path, number.field.unit});
+    result.inputs.push_back({number.path, std::string(number.field.unit)});
   }
-
-  Columns columns(result.outputs);
-  std::exception_ptr first_fault;
-  bool all_refused = true;
-  GearSet varied = gear;
-  const auto add_row = [&](std::vector<double> inputs) {
+  const auto inputs_of = [&](std::size_t row) {
+    std::vector<double> inputs(variations.size());
+    for (std::size_t i = variations.size(); i-- > 0;) {
+      const auto points = static_cast<std::size_t>(variations[i].n_points);
+      inputs[i] = short_value(variations[i], static_cast<int>(row % points));
+      row /= points;
+    }
+    return inputs;
+  };
+  const auto evaluated = [&](std::size_t row) {
+    GearSet varied = gear;
+    const std::vector<double> inputs = inputs_of(row);
     for (std::size_t i = 0; i < inputs.size(); ++i)
       set_number(varied, result.inputs[i].name, inputs[i]);
-    SweepRow row{.inputs = std::move(inputs), .outputs = {}, .reason = {}};
-    try {
-      const StiffnessResult at_point = evaluate(varied, method);
-      fill_outputs(row, at_point, columns);
-      gather_notes(result.notes, at_point.notes, result.rows.size());
-      if (all_refused)
-        for (const CrackReport& crack : at_point.cracks) result.crack_paths.push_back(crack.path);
-      all_refused = false;
-    } catch (const Error& error) {
-      row.reason = error.what();
-      if (!first_fault) first_fault = std::current_exception();
-    }
-    result.rows.push_back(std::move(row));
-    progress.at(static_cast<double>(result.rows.size()) / static_cast<double>(n_rows));
+    return evaluate(varied, method);
   };
-  for (int i = 0; i < variations[0].n_points; ++i) {
-    if (variations.size() == 1) {
-      add_row({short_value(variations[0], i)});
-      continue;
+  std::vector<SweptPoint> points = shared_rows<SweptPoint>(n_rows, {}, progress, shared, [&] {
+    return [&, last = std::shared_ptr<const std::vector<SweepColumn>>()](
+               std::size_t row, SweptPoint& point) mutable {
+      try {
+        point = point_of(evaluated(row));
+        if (last && *last == *point.names) point.names = last;
+        last = point.names;
+      } catch (const Error& error) {
+        point = SweptPoint();
+        point.refused = true;
+        point.reason = error.what();
+      }
+    };
+  });
+  if (std::ranges::all_of(points, &SweptPoint::refused)) (void)evaluated(0);  // throws its fault
+
+  Columns columns(result.outputs);
+  for (std::size_t n = 0; n < n_rows; ++n) {
+    SweptPoint& point = points[n];
+    SweepRow row{.inputs = inputs_of(n), .outputs = {}, .reason = std::move(point.reason)};
+    for (std::size_t y = 0; y < point.values.size(); ++y) {
+      const std::size_t i = columns.index((*point.names)[y]);
+      if (i >= row.outputs.size()) row.outputs.resize(i + 1);
+      row.outputs[i] = point.values[y];
     }
-    for (int j = 0; j < variations[1].n_points; ++j)
-      add_row({short_value(variations[0], i), short_value(variations[1], j)});
+    gather_notes(result.notes, point.notes, n);
+    if (!point.refused && result.crack_paths.empty())
+      result.crack_paths = std::move(point.crack_paths);
+    result.rows.push_back(std::move(row));
   }
-  if (all_refused) std::rethrow_exception(first_fault);
   for (SweepRow& row : result.rows)
     if (!row.outputs.empty()) row.outputs.resize(result.outputs.size());
   return result;

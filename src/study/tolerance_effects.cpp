@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -28,6 +27,11 @@ struct DrawnCurve {
   std::array<double, 3> flanks{};  // at T1, T2, T3
   std::array<double, 3> teeth{};
 };
+
+template <class Archive>
+void archive(Archive& to, DrawnCurve& curve) {
+  to(curve.K1, curve.K2, curve.K3, curve.lost_motion, curve.ripple, curve.flanks, curve.teeth);
+}
 
 /// Half of the twist between both senses of a torque: the rest within the play does not count.
 double half_twist(double positive, double negative) { return (positive - negative) / 2; }
@@ -88,15 +92,16 @@ ToleranceEffects tolerance_effects(const AssembledDrive& drive, const ToleranceO
   effects.seed = options.seed;
   effects.positions = kPositions;
   const DrawnCurve nominal = curve_of(drive);
-  std::vector<std::optional<DrawnCurve>> drawn(static_cast<std::size_t>(options.draws));
-  for_each_index(drawn.size(), {.threads = options.threads}, progress, [&] {
-    return [&](std::size_t n) {
-      try {
-        drawn[n] = drawn_curve(drive, options, n);
-      } catch (const SolverError&) {  // these parts have no equilibrium
-      }
-    };
-  });
+  auto drawn = shared_rows<std::optional<DrawnCurve>>(
+      static_cast<std::size_t>(options.draws), {.threads = options.threads}, progress,
+      options.shared, [&] {
+        return [&](std::size_t n, std::optional<DrawnCurve>& curve) {
+          try {
+            curve = drawn_curve(drive, options, n);
+          } catch (const SolverError&) {  // these parts have no equilibrium
+          }
+        };
+      });
   effects.failed = static_cast<int>(std::erase(drawn, std::nullopt));
   effects.draws = static_cast<int>(drawn.size());
   if (drawn.empty()) throw SolverError("none of the drawn drives has an equilibrium");

@@ -21,6 +21,12 @@
 #include "strainwave/model/result/input_notes.hpp"
 
 namespace strainwave {
+
+template <class Archive>
+void archive(Archive& to, MakersLines& lines) {
+  to(lines.K1, lines.K2, lines.K3, lines.phi1, lines.phi2, lines.phi3);
+}
+
 namespace {
 
 constexpr int kRimPositions = 180;
@@ -239,13 +245,14 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
     for (const Limits& limit : limits)
       values.push_back(limit.lower + (limit.upper - limit.lower) * uniform());
 
-  std::vector<std::optional<MakersLines>> lines(draws);
-  for_each_index(draws, {.threads = options.threads}, progress, [&] {
-    return [&, drawn = std::make_unique<DrawnDrive>(gear, ranges)](std::size_t n) {
+  using Lines = std::optional<MakersLines>;
+  const Parallel parallel{.threads = options.threads};
+  std::vector<Lines> lines = shared_rows<Lines>(draws, parallel, progress, options.shared, [&] {
+    return [&, drawn = std::make_unique<DrawnDrive>(gear, ranges)](std::size_t n, Lines& of_draw) {
       for (std::size_t i = 0; i < limits.size(); ++i)
         drawn->number(i) = values[n * limits.size() + i];
       try {
-        lines[n] = makers_lines(
+        of_draw = makers_lines(
             AssembledDrive(drawn->gear(), drive.options()).with_deviations(drive.deviations()));
       } catch (const Error&) {  // this combination cannot be assembled
       }
@@ -273,6 +280,11 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const bool draws = !ranges_of_curve(gear).empty() && options.draws > 0;
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
+  ToleranceOptions of_tolerances = options.tolerances.value_or(ToleranceOptions());
+  if (options.tolerances) of_tolerances.shared = options.shared;
+  SharedRows* const of_positions =
+      options.compare && !options.tolerances ? options.shared : nullptr;
+  SharedRows* const of_bands = !options.compare && !options.tolerances ? options.shared : nullptr;
   const Progress of_file = options.tolerances ? progress.part(0.0, 0.4) : progress;
   TorsionReport report;
   const CoupledOptions coupled{.cage_phase = options.cage_phase};
@@ -313,15 +325,17 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
   of_file.at(curve_ends);
   if (draws)
-    report.bands = line_bands(drive, {.draws = options.draws}, of_file.part(curve_ends, draws_end));
+    report.bands = line_bands(drive, {.draws = options.draws, .shared = of_bands},
+                              of_file.part(curve_ends, draws_end));
   if (options.compare) {
-    report.comparison = compare_curves(drive, options.angles, of_file.part(draws_end, 1.0));
+    report.comparison =
+        compare_curves(drive, options.angles, of_file.part(draws_end, 1.0), of_positions);
     const AssembledDrive sound = drive.without_cracks();
     report.sound = usable_curve(sound, torques, +1);
     report.sound_negative = usable_curve(sound, torques, -1);
   }
   if (options.tolerances)
-    report.tolerances = tolerance_effects(drive, *options.tolerances, progress.part(0.4, 1.0));
+    report.tolerances = tolerance_effects(drive, of_tolerances, progress.part(0.4, 1.0));
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",
                             "the file does not give T1 and T2; they are assumed as 0.0517 and "

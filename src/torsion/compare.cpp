@@ -14,6 +14,12 @@
 #include "strainwave/torsion/hysteresis.hpp"
 
 namespace strainwave {
+
+template <class Archive>
+void archive(Archive& to, LineChanges& change) {
+  to(change.K1, change.K2, change.K3);
+}
+
 namespace {
 
 using std::numbers::pi;
@@ -124,6 +130,17 @@ void diagnose(CurveComparison& comparison) {
                             : std::string());
 }
 
+/// Changes at one position of the wave generator.
+struct TurnRow {
+  LineChanges positive;
+  LineChanges negative;
+};
+
+template <class Archive>
+void archive(Archive& to, TurnRow& row) {
+  to(row.positive, row.negative);
+}
+
 }  // namespace
 
 GearSet without_cracks(const GearSet& gear) {
@@ -166,21 +183,26 @@ GearSet after_moves(const GearSet& gear, double flexspline, double spline) {
   return turned;
 }
 
-TurnChanges changes_over_turn(const AssembledDrive& drive, int angles, const Progress& progress) {
+TurnChanges changes_over_turn(const AssembledDrive& drive, int angles, const Progress& progress,
+                              SharedRows* shared) {
   require(angles >= 0, "angles", angles, "1", ">= 0");
   const AssembledDrive sound = drive.without_cracks();
   const MakersLines positive_sound = makers_lines(sound, +1);
   const MakersLines negative_sound = makers_lines(sound, -1);
   const std::vector<double> turn = positions_over_turn(drive.gear(), angles);
-  std::vector<LineChanges> positive(turn.size());
-  std::vector<LineChanges> negative(turn.size());
-  for_each_index(turn.size(), {}, progress, [&] {
-    return [&](std::size_t i) {
+  const auto rows = shared_rows<TurnRow>(turn.size(), {}, progress, shared, [&] {
+    return [&](std::size_t i, TurnRow& row) {
       const AssembledDrive turned = drive.turned(turn[i]);
-      positive[i] = changes(makers_lines(turned, +1), positive_sound);
-      negative[i] = changes(makers_lines(turned, -1), negative_sound);
+      row.positive = changes(makers_lines(turned, +1), positive_sound);
+      row.negative = changes(makers_lines(turned, -1), negative_sound);
     };
   });
+  std::vector<LineChanges> positive;
+  std::vector<LineChanges> negative;
+  for (const TurnRow& row : rows) {
+    positive.push_back(row.positive);
+    negative.push_back(row.negative);
+  }
   return {.angles = turn,
           .positive = over_turn(std::move(positive)),
           .negative = over_turn(std::move(negative))};
@@ -212,13 +234,14 @@ LinesOverCage lines_over_cage(const AssembledDrive& drive, int phases, const Pro
   return result;
 }
 
-CurveComparison compare_curves(const AssembledDrive& drive, int angles, const Progress& progress) {
+CurveComparison compare_curves(const AssembledDrive& drive, int angles, const Progress& progress,
+                               SharedRows* shared) {
   const AssembledDrive sound = drive.without_cracks();
   CurveComparison comparison;
   comparison.torques = makers_torques(drive.gear());
   comparison.sound = makers_lines(sound, +1);
   // Shares of the time: the positions take most of it, the loops the rest.
-  TurnChanges turn = changes_over_turn(drive, angles, progress.part(0.0, 0.9));
+  TurnChanges turn = changes_over_turn(drive, angles, progress.part(0.0, 0.9), shared);
   comparison.angles = std::move(turn.angles);
   comparison.positive = std::move(turn.positive);
   comparison.negative = std::move(turn.negative);

@@ -80,12 +80,16 @@ DesignPoint find_design_point(const LimitState& margin, std::vector<double> star
     // The merit of Zhang and Der Kiureghian falls along the step for a penalty beyond |z|/|slope|.
     penalty = std::max(penalty, 2 * std::max(z.norm(), 1.0) / size);
     const double merit = z.squaredNorm() / 2 + penalty * std::abs(*value);
+    // Rate at which the merit falls along the step.  A step must achieve a quarter of it, because
+    // full steps on a curved limit would reach about the same merit on the other side of the point.
+    const double rate = -(z + (*value < 0 ? -penalty : penalty) * *slope).dot(step);
     double share = 1.0;
     for (;; share /= 2) {
       if (share < 1e-6) return give_up("the search stalls; the limit has a kink or a step there");
       const Vector next = z + share * step;
       const std::optional<double> there = margin(span_of(next));
-      if (there && next.squaredNorm() / 2 + penalty * std::abs(*there) < merit + 1e-14) {
+      if (there && next.squaredNorm() / 2 + penalty * std::abs(*there) <
+                       merit - 0.25 * share * rate + 1e-14) {
         z = next;
         value = there;
         break;

@@ -16,34 +16,36 @@
 namespace strainwave {
 namespace {
 
-/// Outputs at the points A, B and A with one input of B, for one base point.
+/// Outputs at the points A, B and A with one group of inputs of B, for one base point.
+struct BasePoint {
+  std::vector<double> values;  ///< shape (2 + groups, outputs)
+  bool whole = false;          ///< whether the function has values at all points
+};
+
+template <class Archive>
+void archive(Archive& to, BasePoint& point) {
+  to(point.values, point.whole);
+}
+
+/// The outputs at all base points.
 class Rows {
  public:
-  Rows(std::size_t points, std::size_t inputs, std::size_t outputs)
-      : outputs_(outputs),
-        per_point_((inputs + 2) * outputs),
-        values_(points * per_point_),
-        whole_(points, 1) {}
+  Rows(std::vector<BasePoint> points, std::size_t outputs)
+      : outputs_(outputs), points_(std::move(points)) {}
 
-  [[nodiscard]] std::span<double> row(std::size_t point, std::size_t which) {
-    return std::span(values_).subspan(point * per_point_ + which * outputs_, outputs_);
-  }
   [[nodiscard]] double of(std::size_t point, std::size_t which, std::size_t output) const {
-    return values_[point * per_point_ + which * outputs_ + output];
+    return points_[point].values[which * outputs_ + output];
   }
-  void leave_out(std::size_t point) { whole_[point] = 0; }
-  [[nodiscard]] bool whole(std::size_t point) const { return whole_[point] != 0; }
+  [[nodiscard]] bool whole(std::size_t point) const { return points_[point].whole; }
 
  private:
   std::size_t outputs_;
-  std::size_t per_point_;
-  std::vector<double> values_;
-  std::vector<char> whole_;  // not bool, because threads write neighbours
+  std::vector<BasePoint> points_;
 };
 
 constexpr std::size_t kA = 0;
 constexpr std::size_t kB = 1;
-constexpr std::size_t kMixed = 2;  ///< A with input i of B is row kMixed + i
+constexpr std::size_t kMixed = 2;  ///< A with group i of B is row kMixed + i
 
 Estimate estimate_of(std::span<const double> replicates) {
   const auto n = static_cast<double>(replicates.size());
@@ -56,7 +58,7 @@ Estimate estimate_of(std::span<const double> replicates) {
   return {mean, mean - half, mean + half};
 }
 
-/// Shares of all inputs from the points of one replicate.
+/// Shares of all groups from the points of one replicate.
 struct Shares {
   double mean = 0.0;
   double variance = 0.0;
@@ -64,9 +66,9 @@ struct Shares {
   std::vector<double> total;
 };
 
-Shares shares_of(const Rows& rows, std::size_t begin, std::size_t end, std::size_t inputs,
+Shares shares_of(const Rows& rows, std::size_t begin, std::size_t end, std::size_t groups,
                  std::size_t output) {
-  Shares shares{.first = std::vector<double>(inputs), .total = std::vector<double>(inputs)};
+  Shares shares{.first = std::vector<double>(groups), .total = std::vector<double>(groups)};
   std::vector<std::size_t> whole;
   for (std::size_t n = begin; n < end; ++n)
     if (rows.whole(n)) whole.push_back(n);
@@ -81,7 +83,7 @@ Shares shares_of(const Rows& rows, std::size_t begin, std::size_t end, std::size
     const double a = rows.of(n, kA, output) - shares.mean;
     const double b = rows.of(n, kB, output) - shares.mean;
     shares.variance += (a * a + b * b) / (2 * count);
-    for (std::size_t i = 0; i < inputs; ++i) {
+    for (std::size_t i = 0; i < groups; ++i) {
       const double mixed = rows.of(n, kMixed + i, output) - shares.mean;
       shares.first[i] += b * (mixed - a) / count;                  // (UQ-2)
       shares.total[i] += (a - mixed) * (a - mixed) / (2 * count);  // (UQ-3)
@@ -91,12 +93,12 @@ Shares shares_of(const Rows& rows, std::size_t begin, std::size_t end, std::size
 }
 
 SobolOutput output_of(const Rows& rows, std::size_t points, std::size_t replicates,
-                      std::size_t inputs, std::size_t output) {
+                      std::size_t groups, std::size_t output) {
   SobolOutput result;
   std::vector<Shares> all;
   const std::size_t size = points / replicates;
   for (std::size_t r = 0; r < replicates; ++r) {
-    all.push_back(shares_of(rows, r * size, (r + 1) * size, inputs, output));
+    all.push_back(shares_of(rows, r * size, (r + 1) * size, groups, output));
     result.mean += all.back().mean / static_cast<double>(replicates);
     result.variance += all.back().variance / static_cast<double>(replicates);
   }
@@ -111,8 +113,8 @@ SobolOutput output_of(const Rows& rows, std::size_t points, std::size_t replicat
     for (std::size_t r = 0; r < replicates; ++r) of_replicate[r] = share(all[r]) / all[r].variance;
     return estimate_of(of_replicate);
   };
-  for (std::size_t i = 0; i < inputs; ++i)
-    result.input.push_back({estimate([&](const Shares& s) { return s.first[i]; }),
+  for (std::size_t i = 0; i < groups; ++i)
+    result.group.push_back({estimate([&](const Shares& s) { return s.first[i]; }),
                             estimate([&](const Shares& s) { return s.total[i]; })});
   result.first_sum = estimate([](const Shares& s) {
     double sum = 0.0;
@@ -124,7 +126,7 @@ SobolOutput output_of(const Rows& rows, std::size_t points, std::size_t replicat
 
 }  // namespace
 
-SobolStudy sobol_indices(const std::function<NormalFunction()>& make, std::size_t inputs,
+SobolStudy sobol_indices(const std::function<NormalFunction()>& make, const InputGroups& groups,
                          std::size_t outputs, const SobolOptions& options,
                          const Progress& progress) {
   require(options.replicates >= 2, "replicates", options.replicates, "1", ">= 2");
@@ -132,6 +134,8 @@ SobolStudy sobol_indices(const std::function<NormalFunction()>& make, std::size_
           "points", options.points, "1",
           fmt::format("a multiple of {}, the replicates, and at least twice as many",
                       options.replicates));
+  std::size_t inputs = 0;
+  for (const std::vector<std::size_t>& group : groups) inputs += group.size();
   require(inputs >= 1 && inputs <= SobolPoints::kMaxDimensions / 2, "inputs",
           static_cast<double>(inputs), "1",
           fmt::format(">= 1 and <= {}", SobolPoints::kMaxDimensions / 2));
@@ -139,29 +143,37 @@ SobolStudy sobol_indices(const std::function<NormalFunction()>& make, std::size_
   const auto replicates = static_cast<std::size_t>(options.replicates);
   const std::size_t size = points / replicates;
   const SobolPoints sobol(2 * inputs, size);
-  Rows rows(points, inputs, outputs);
-  for_each_index(points, {.block = 16, .threads = options.threads}, progress, [&] {
-    return [&, function = make(), a = std::vector<double>(inputs), b = std::vector<double>(inputs),
-            mixed = std::vector<double>()](std::size_t n) mutable {
-      const std::uint64_t scrambling = splitmix64(options.seed, n / size);
-      for (std::size_t i = 0; i < inputs; ++i) {
-        // Neighbouring dimensions fill their plane best, and the shares rest on the planes of (a, b).
-        a[i] = normal_quantile(sobol.at(n % size, 2 * i, scrambling));
-        b[i] = normal_quantile(sobol.at(n % size, 2 * i + 1, scrambling));
-      }
-      bool whole = function(a, rows.row(n, kA)) && function(b, rows.row(n, kB));
-      for (std::size_t i = 0; whole && i < inputs; ++i) {
-        mixed = a;
-        mixed[i] = b[i];
-        whole = function(mixed, rows.row(n, kMixed + i));
-      }
-      if (!whole) rows.leave_out(n);
-    };
-  });
-  SobolStudy study{.output = {}, .evaluations = points * (inputs + 2)};
+  const Parallel parallel{.block = 16, .threads = options.threads};
+  const Rows rows(shared_rows<BasePoint>(
+                      points, parallel, progress, options.shared,
+                      [&] {
+                        return [&, function = make(), a = std::vector<double>(inputs),
+                                b = std::vector<double>(inputs), mixed = std::vector<double>()](
+                                   std::size_t n, BasePoint& point) mutable {
+                          const std::uint64_t scrambling = splitmix64(options.seed, n / size);
+                          for (std::size_t i = 0; i < inputs; ++i) {
+                            // Neighbouring dimensions fill their plane best, and the shares rest on
+                            // the planes of (a, b).
+                            a[i] = normal_quantile(sobol.at(n % size, 2 * i, scrambling));
+                            b[i] = normal_quantile(sobol.at(n % size, 2 * i + 1, scrambling));
+                          }
+                          point.values.resize((groups.size() + 2) * outputs);
+                          const auto row = [&](std::size_t which) {
+                            return std::span(point.values).subspan(which * outputs, outputs);
+                          };
+                          point.whole = function(a, row(kA)) && function(b, row(kB));
+                          for (std::size_t g = 0; point.whole && g < groups.size(); ++g) {
+                            mixed = a;
+                            for (const std::size_t i : groups[g]) mixed[i] = b[i];
+                            point.whole = function(mixed, row(kMixed + g));
+                          }
+                        };
+                      }),
+                  outputs);
+  SobolStudy study{.output = {}, .evaluations = points * (groups.size() + 2)};
   for (std::size_t n = 0; n < points; ++n) study.left_out += rows.whole(n) ? 0 : 1;
   for (std::size_t y = 0; y < outputs; ++y)
-    study.output.push_back(output_of(rows, points, replicates, inputs, y));
+    study.output.push_back(output_of(rows, points, replicates, groups.size(), y));
   return study;
 }
 

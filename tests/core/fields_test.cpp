@@ -182,6 +182,19 @@ TEST(FieldPath, BehaviourPathsAreSpelledAsInMessages) {
   EXPECT_EQ((root / "drive" / "ratio").text(), "drive.ratio");
   EXPECT_EQ(((root / "shaft" / "crack")[0] / "depth").text(), "shaft.crack[0].depth");
   EXPECT_EQ((FieldPath("a.b") / "c").text(), "a.b.c");
+  // `is` compares without making the text.
+  for (const FieldPath& path :
+       {root, root / "drive", root / "drive" / "ratio", (root / "shaft" / "crack")[0] / "depth",
+        (root / "shaft" / "crack")[12], FieldPath("a.b") / "c", FieldPath("a.b")}) {
+    EXPECT_TRUE(path.is(path.text())) << path.text();
+    EXPECT_FALSE(path.is(path.text() + "x"));
+    EXPECT_FALSE(path.is("x" + path.text()));
+    EXPECT_FALSE(path.is("." + path.text()));
+    if (!path.text().empty()) {
+      EXPECT_FALSE(path.is(path.text().substr(1)));
+      EXPECT_FALSE(path.is(""));
+    }
+  }
 }
 
 TEST(ForEachNumber, BehaviourVisitsWhatTheValueHoldsInOrder) {

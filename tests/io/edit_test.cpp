@@ -191,6 +191,24 @@ TEST(Edit, ReferencePathsFollowTheirCracks) {
       "[[flexspline.crack]]\ndepth = 2\n");
 }
 
+TEST(Edit, ReferenceCorrelationsFollowTheirCracks) {
+  const auto correlation = [](const std::string& path, const std::string& with) {
+    return "\n[[correlation]]\npath = \"" + path + "\"\nwith = \"" + with + "\"\n";
+  };
+  const auto depth = [](int crack) {
+    return "output_shaft.crack[" + std::to_string(crack) + "].depth";
+  };
+  const std::string text = std::string(kShaft) + correlation("output_shaft.length", depth(1)) +
+                           correlation(depth(0), "output_shaft.length") +
+                           correlation(depth(1), depth(1)) + correlation(depth(1), depth(0));
+  EXPECT_EQ(edit(text, "output_shaft.crack[0]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[0]", std::nullopt) +
+                correlation("output_shaft.length", depth(0)) + correlation(depth(0), depth(0)));
+  EXPECT_EQ(edit(text, "output_shaft.crack[1]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[1]", std::nullopt) +
+                correlation(depth(0), "output_shaft.length"));
+}
+
 TEST(Edit, ReferenceWhatIsRemovedTakesItsComment) {
   expect_change("drive.pitch_diameter", std::nullopt, "pitch_diameter = \"160 mm\" # as measured\n",
                 "");

@@ -381,6 +381,14 @@ path = "load.torque"
 relative_standard_deviation = 0.1
 distribution = "normal"
 source = "measured"
+[[scatter]]
+path = "drive.ratio"
+distribution = "table"
+quantile = [{probability = 0, ratio = 0.9}, {probability = 1, ratio = 1.2}]
+[[correlation]]
+path = "load.torque"
+with = "drive.ratio"
+rank_correlation = -0.5
 )";
   const GearSet gear = read_gear_set(text, "gear.toml");
   EXPECT_EQ(gear.mesh->lobe_gap, -2e-6);
@@ -405,12 +413,19 @@ source = "measured"
   EXPECT_EQ(gear.range[2].lower, "0.05");
   EXPECT_EQ(gear.range[2].upper, "1");
   EXPECT_NO_THROW(check(gear));
-  ASSERT_EQ(gear.scatter.size(), 2U);
+  ASSERT_EQ(gear.scatter.size(), 3U);
   EXPECT_EQ(gear.scatter[0].path, "flexspline.wall_thickness");
   EXPECT_EQ(gear.scatter[0].relative_standard_deviation, 0.02);
   EXPECT_EQ(gear.scatter[0].distribution, ScatterDistribution::lognormal);
   EXPECT_EQ(gear.scatter[1].distribution, ScatterDistribution::normal);
   EXPECT_EQ(gear.scatter[1].source, "measured");
+  EXPECT_FALSE(gear.scatter[2].relative_standard_deviation);
+  ASSERT_EQ(gear.scatter[2].quantile.size(), 2U);
+  EXPECT_EQ(gear.scatter[2].quantile[1].probability, 1);
+  EXPECT_EQ(gear.scatter[2].quantile[1].ratio, 1.2);
+  ASSERT_EQ(gear.correlation.size(), 1U);
+  EXPECT_EQ(gear.correlation[0].with, "drive.ratio");
+  EXPECT_EQ(gear.correlation[0].rank_correlation, -0.5);
   // Fields that are left out are absent.
   const GearSet plain = read_gear_set(kArticle, "gear.toml");
   EXPECT_FALSE(plain.mesh || plain.circular_spline || plain.rating);
@@ -586,7 +601,7 @@ const std::vector<Wrong> kWrong = {
      "59:2: artikel: is not known here; known names are format, name, material, drive, load, "
      "wave_generator, flexspline, output_shaft, mesh, circular_spline, output_bearing, duty, "
      "drivetrain, kinematic_error, manoeuvre, rating, tolerance, range, "
-     "scatter, article"},
+     "scatter, correlation, article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",

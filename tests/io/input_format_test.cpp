@@ -450,6 +450,27 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     }
     lines.insert(lines.erase(at, at + 3), points.begin(), points.end());
   };
+  // Two quantiles, and no deviation.
+  const std::function<void(Lines&)> with_quantiles = [&](Lines& lines) {
+    switch_on(lines, "[[scatter]]");
+    std::erase_if(lines, [](const std::string& line) {
+      return line.starts_with("relative_standard_deviation = ");
+    });
+    replace_line(lines, "distribution = \"lognormal\"", "distribution = \"table\"");
+    replace_line(lines, "probability = ", "probability = 0");
+    const auto ratio = std::ranges::find_if(
+        lines, [](const std::string& line) { return line.starts_with("ratio = 1.05"); });
+    ASSERT_NE(ratio, lines.end());
+    const Lines last = {"[[scatter.quantile]]", "probability = 1", "ratio = 1.1"};
+    lines.insert(ratio + 1, last.begin(), last.end());
+  };
+  const std::function<void(Lines&)> with_scatters = [](Lines& lines) {
+    for (const char* const path : {"flexspline.wall_thickness", "flexspline.length"}) {
+      lines.emplace_back("[[scatter]]");
+      lines.push_back("path = \"" + std::string(path) + '"');
+      lines.emplace_back("relative_standard_deviation = 0.02");
+    }
+  };
   struct Table {
     std::string heading;  ///< and the kind, of a crack
     std::string alone;    ///< verdict without anything else
@@ -515,6 +536,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[tolerance]", "accepted", nothing},
       {"[[range]]", "accepted", nothing},
       {"[[scatter]]", "accepted", nothing},
+      {"[[scatter.quantile]]", "scatter", with_quantiles},
+      {"[[correlation]]", "does not scatter", with_scatters},
       {"[article]", "accepted", nothing}};
 
   const Lines lines = lines_of(input_template());
@@ -728,7 +751,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 63);
+  EXPECT_EQ(n, 65);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -893,7 +916,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 63);
+  EXPECT_EQ(tables, 65);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

@@ -161,6 +161,24 @@ void crack_again(Cracks& cracks, Crack crack, double position) {
   cracks.emplace_back(crack);
 }
 
+/// A table of quantiles in place of the first scatter.
+InputScatter& scatter_table(GearSet& gear) {
+  InputScatter& scatter = gear.scatter[0];
+  scatter.distribution = ScatterDistribution::table;
+  scatter.relative_standard_deviation.reset();
+  scatter.quantile = {{0.0, 0.9}, {0.5, 1.0}, {1.0, 1.2}};
+  return scatter;
+}
+
+/// A correlation of the two scatters.
+InputCorrelation& correlation(GearSet& gear) {
+  gear.correlation = {{.path = gear.scatter[0].path,
+                       .with = gear.scatter[1].path,
+                       .rank_correlation = 0.5,
+                       .source = {}}};
+  return gear.correlation[0];
+}
+
 RimAxialCrack& rim_axial_crack(GearSet& gear) {
   return std::get<RimAxialCrack>(gear.flexspline->crack[0]);
 }
@@ -782,6 +800,81 @@ const std::vector<Broken> kBroken = {
     {"ScatterTooWide", coupled_gear,
      [](GearSet& g) { g.scatter[1].relative_standard_deviation = 1.01; },
      "scatter[1].relative_standard_deviation", "> 0 and <= 1", ""},
+    {"ScatterWithoutItsWidth", coupled_gear,
+     [](GearSet& g) { g.scatter[0].relative_standard_deviation.reset(); },
+     "scatter[0].relative_standard_deviation", "", "must be given"},
+    {"ScatterQuantilesWithoutTable", coupled_gear,
+     [](GearSet& g) { g.scatter[0].quantile = {{0, 0.9}, {1, 1.1}}; }, "scatter[0].quantile", "",
+     "is read with distribution = \"table\" only; remove it or change the distribution"},
+    {"ScatterTableWithoutQuantiles", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile.clear(); }, "scatter[0].quantile", "",
+     "must be given for distribution = \"table\""},
+    {"ScatterTableWithWidth", coupled_gear,
+     [](GearSet& g) { scatter_table(g).relative_standard_deviation = 0.1; },
+     "scatter[0].relative_standard_deviation", "",
+     "must not be given with distribution = \"table\", whose quantiles contain it"},
+    {"ScatterTableOfOneEntry", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile.resize(1); }, "scatter[0].quantile", "",
+     "needs at least two entries, of probability 0 and 1"},
+    {"ScatterTableBeginsLate", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile[0].probability = 0.1; },
+     "scatter[0].quantile[0].probability", "0 in the first entry", ""},
+    {"ScatterTableEndsEarly", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile[2].probability = 0.9; },
+     "scatter[0].quantile[2].probability", "1 in the last entry", ""},
+    {"ScatterTableGoesBack", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile[1].probability = 0; },
+     "scatter[0].quantile[1].probability", "larger than that of the entry before", ""},
+    {"ScatterTableFalls", coupled_gear, [](GearSet& g) { scatter_table(g).quantile[1].ratio = 0.8; },
+     "scatter[0].quantile[1].ratio", "not smaller than that of the entry before", ""},
+    {"ScatterTableOfNoWidth", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile = {{0, 1}, {1, 1}}; },
+     "scatter[0].quantile[1].ratio", "larger than that of the first entry", ""},
+    {"ScatterTableOfNegativeValues", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile[0].ratio = -0.1; },
+     "scatter[0].quantile[0].ratio", "> 0", ""},
+    {"CorrelationOfNoScatter", coupled_gear,
+     [](GearSet& g) { correlation(g).path = "flexspline.length"; }, "correlation[0].path", "",
+     "\"flexspline.length\" does not scatter; add a [[scatter]] with this path, or remove the "
+     "correlation"},
+    {"CorrelationWithNoScatter", coupled_gear,
+     [](GearSet& g) { correlation(g).with = "flexspline.length"; }, "correlation[0].with", "",
+     "\"flexspline.length\" does not scatter; add a [[scatter]] with this path, or remove the "
+     "correlation"},
+    {"CorrelationSourceOfTwoLines", coupled_gear,
+     [](GearSet& g) { correlation(g).source = "a\nb"; }, "correlation[0].source", "",
+     "must be one line, without control characters"},
+    {"CorrelationPathOfTwoLines", coupled_gear,
+     [](GearSet& g) { correlation(g).with = "a\nb"; }, "correlation[0].with", "",
+     "must be one line, without control characters"},
+    {"CorrelationWithItself", coupled_gear,
+     [](GearSet& g) { correlation(g).with = correlation(g).path; }, "correlation[0].with", "",
+     "must be another number than path"},
+    {"CorrelationTwice", coupled_gear,
+     [](GearSet& g) {
+       correlation(g);
+       g.correlation.push_back(g.correlation[0]);
+       std::swap(g.correlation[1].path, g.correlation[1].with);
+     },
+     "correlation[1].with", "",
+     "material.steel.youngs_modulus and flexspline.wall_thickness already have a correlation, "
+     "correlation[0]; remove one of them"},
+    {"CorrelationOfOne", coupled_gear, [](GearSet& g) { correlation(g).rank_correlation = 1; },
+     "correlation[0].rank_correlation", "> -1 and < 1", ""},
+    {"CorrelationsThatContradict", coupled_gear,
+     [](GearSet& g) {
+       g.scatter.push_back(g.scatter[0]);
+       g.scatter[2].path = "flexspline.length";
+       correlation(g).rank_correlation = 0.9;
+       g.correlation.push_back(g.correlation[0]);
+       g.correlation[1].with = "flexspline.length";
+       g.correlation.push_back(g.correlation[1]);
+       g.correlation[2].path = "material.steel.youngs_modulus";
+       g.correlation[2].rank_correlation = -0.9;
+     },
+     "correlation", "",
+     "the rank correlations contradict each other, because their matrix is not positive definite; "
+     "bring them closer to 0"},
 
     // life of a material
     {"TwoLawsOfGrowth", article,
@@ -1474,6 +1567,11 @@ const std::vector<Accepted> kAccepted = {
     {"RangeInOtherUnits", coupled_gear, [](GearSet& g) { g.range[0].lower = "2000 um"; }},
     {"ScatterAsWideAsItsNumber", coupled_gear,
      [](GearSet& g) { g.scatter[0].relative_standard_deviation = 1; }},
+    {"ScatterTable", coupled_gear, [](GearSet& g) { scatter_table(g); }},
+    {"ScatterTableWithAStep", coupled_gear,
+     [](GearSet& g) { scatter_table(g).quantile[1].ratio = 0.9; }},
+    {"CorrelationNegative", coupled_gear,
+     [](GearSet& g) { correlation(g).rank_correlation = -0.99; }},
     {"ScatterOfAnAngle", coupled_gear, [](GearSet& g) { g.scatter[0].path = "mesh.flank_angle"; }},
     {"NoOverrides", article, [](GearSet& g) { g.article = ArticleOverrides{}; }},
     {"MaterialOfAnyName", article,
@@ -1730,6 +1828,8 @@ TEST(CheckRange, ReferenceRanges) {
       {"tolerance.run_out", ">= 0 and <= 2e-05 m"},
       {"tolerance.ball_variation", ">= 0 and <= 5e-06 m"},
       {"scatter[0].relative_standard_deviation", "> 0 and <= 1"},
+      {"scatter[0].quantile[0].probability", ">= 0 and <= 1"},
+      {"correlation[0].rank_correlation", "> -1 and < 1"},
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
       {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},

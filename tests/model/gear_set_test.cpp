@@ -56,15 +56,19 @@ TEST(PathLists, IdentityAllListsWithPathsAreKnown) {
   const GearSet gear;
   for_each_path_list(gear, [&](std::string_view name, const auto&) { known.insert(name); });
   EXPECT_EQ(known, described);
-  EXPECT_EQ(known, (std::set<std::string_view>{"range", "scatter"}));
+  EXPECT_EQ(known, (std::set<std::string_view>{"range", "scatter", "correlation"}));
 }
 
-/// The article's drive with a range and a scatter of each of these numbers.
+/// The article's drive with a range and a scatter of each of these numbers, and correlations of the
+/// first with each other one.
 GearSet stated(std::initializer_list<const char*> paths) {
   GearSet gear = article_gear();
   for (const char* const path : paths) {
     gear.range.push_back({.path = path, .lower = "1 um", .upper = "1 m", .source = {}});
     gear.scatter.push_back({.path = path, .relative_standard_deviation = 0.1, .source = {}});
+    if (path != *paths.begin())
+      gear.correlation.push_back(
+          {.path = *paths.begin(), .with = path, .rank_correlation = 0.1, .source = {}});
   }
   check(gear);
   return gear;
@@ -79,9 +83,9 @@ TEST(PathLists, BehaviourWhatIsLostGoesAndTheRestStays) {
   gear.wave_generator->crack.clear();
   *gear.flexspline->wall_thickness *= 2;
   drop_lost_paths(gear, before);
-  for_each_path_list(gear, [](std::string_view, const auto& entries) {
-    ASSERT_EQ(entries.size(), 1U);
-    EXPECT_EQ(entries[0].path, "flexspline.length");
+  for_each_path_list(gear, [](std::string_view name, const auto& entries) {
+    ASSERT_EQ(entries.size(), name == "correlation" ? 0U : 1U);  // both have lost a number
+    for (const auto& entry : entries) EXPECT_EQ(entry.path, "flexspline.length");
   });
 }
 
@@ -89,9 +93,9 @@ TEST(PathLists, BehaviourANumberThatIsSetIsKnown) {
   GearSet gear = stated({"flexspline.length", "flexspline.wall_thickness"});
   set_number(gear, "flexspline.length", 2.0);  // out of its range
   EXPECT_NO_THROW(check(gear));
-  for_each_path_list(gear, [](std::string_view, const auto& entries) {
-    ASSERT_EQ(entries.size(), 1U);
-    EXPECT_EQ(entries[0].path, "flexspline.wall_thickness");
+  for_each_path_list(gear, [](std::string_view name, const auto& entries) {
+    ASSERT_EQ(entries.size(), name == "correlation" ? 0U : 1U);
+    for (const auto& entry : entries) EXPECT_EQ(entry.path, "flexspline.wall_thickness");
   });
 }
 

@@ -16,6 +16,7 @@
 #include "stiffness/members_support.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/crack_group/straight_cracks.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
@@ -1107,6 +1108,106 @@ TEST(Flexspline, BehaviourDistanceToTheNearerEnd) {
   EXPECT_NEAR(uncertainty(80 * mm), half_way, 1e-15);
   EXPECT_NEAR(uncertainty(40 * mm) / half_way, 4, 1e-9);
   EXPECT_NEAR(uncertainty(40 * mm), uncertainty(120 * mm), 1e-12);
+}
+
+// --- Cracks that influence each other
+// -------------------------------------------------------------
+
+/// Two through cracks of a = 5 mm; the second is displaced round the axis and along it.
+GearSet with_two_cracks(double angle, double round, double along) {
+  GearSet gear = with_through_crack(5 * mm);
+  WallThroughCrack crack = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+  crack.angle = angle;
+  crack.position = 0.2;
+  crack.distance = 80 * mm;
+  gear.flexspline->crack = {crack};
+  crack.position = 0.2 + round / kRadius;
+  crack.distance = 80 * mm + along;
+  gear.flexspline->crack.emplace_back(crack);
+  return gear;
+}
+
+std::string interaction_of(const GearSet& gear) {
+  const MemberCompliance member = flexspline_compliance(gear);
+  EXPECT_EQ(test::count_notes(member.notes, "crack.interaction"), 1);
+  EXPECT_EQ(test::count_notes(member.notes, "crack.superposed"), 0);
+  return std::ranges::find(member.notes, "crack.interaction", &Note::code)->text;
+}
+
+/// What stands between two words of a text.
+std::string between(const std::string& text, const std::string& after, const std::string& before) {
+  const std::size_t begin = text.find(after) + after.size();
+  return text.substr(begin, text.find(before, begin) - begin);
+}
+
+// Kind: cross-check.  Source: `crack_group`, given the sheet by hand: T > 0 opens +45 degrees,
+// whose crack runs toward +z and -theta.  Cracks in one line add more together, cracks side by
+// side less; a mirrored drive under the other sense is the same.
+TEST(CrackInteraction, CrosscheckOfBothSensesAndPlaces) {
+  const double step = 11 * mm / std::numbers::sqrt2;  // 11 mm apart, gap 1 mm in one line
+  struct Place {
+    double round;
+    double along;
+    bool adds_more;
+  };
+  for (const Place& place : {Place{-step, step, true}, {step, step, false}, {8 * mm, 0.0, false}})
+    for (const double side : {1.0, -1.0}) {
+      const std::string text =
+          interaction_of(with_two_cracks(side * pi / 4, side * place.round, place.along));
+      const std::string opens = side > 0 ? "T > 0" : "T < 0";
+      const std::string closes = side > 0 ? "T < 0" : "T > 0";
+      EXPECT_NE(text.find("under " + closes + " none of them opens or slides"), std::string::npos)
+          << text;
+      const double ratio =
+          std::stod(between(text, "under " + opens + " they add ", " times the sum"));
+      EXPECT_EQ(ratio > 1, place.adds_more) << text;
+      const std::vector<StraightCrack> sheet = {{{0, 0}, 5 * mm, 3 * pi / 4},
+                                                {{place.round, place.along}, 5 * mm, 3 * pi / 4}};
+      const CrackGroup group =
+          crack_group(sheet, {.xy = 1}, {.order = 60, .period = 2 * pi * kRadius});
+      EXPECT_NEAR(ratio, group.compliance_ratio, 6e-4) << text;
+      const double K =
+          std::max(std::hypot(group.cracks[0].ahead.mode_1, group.cracks[0].ahead.mode_2),
+                   std::hypot(group.cracks[0].behind.mode_1, group.cracks[0].behind.mode_2)) /
+          std::sqrt(pi * 5 * mm);
+      EXPECT_NEAR(std::stod(between(text, "and K is ", " to ")), K, 6e-4) << text;
+    }
+}
+
+TEST(CrackInteraction, BehaviourWhenANoteIsMade) {
+  const auto severity = [](const GearSet& gear) {
+    const MemberCompliance member = flexspline_compliance(gear);
+    return std::ranges::find(member.notes, "crack.interaction", &Note::code)->severity;
+  };
+  EXPECT_EQ(severity(with_two_cracks(pi / 4, 8 * mm, 0)), Severity::care);
+  EXPECT_EQ(severity(with_two_cracks(pi / 4, 60 * mm, 0)), Severity::information);
+  // Without places the cracks are far from each other, and the interaction is left out.
+  GearSet far = with_two_cracks(pi / 4, 60 * mm, 0);
+  std::get<WallThroughCrack>(far.flexspline->crack.at(1)).position.reset();
+  const MemberCompliance apart = flexspline_compliance(far);
+  EXPECT_EQ(test::count_notes(apart.notes, "crack.interaction"), 0);
+  EXPECT_EQ(test::count_notes(apart.notes, "crack.superposed"), 1);
+  // A third crack of another kind is superposed.
+  GearSet three = with_two_cracks(pi / 4, 60 * mm, 0);
+  three.flexspline->crack.emplace_back(WallSurfaceCrack{});
+  std::get<WallSurfaceCrack>(three.flexspline->crack.at(2)).depth = 0.5 * mm;
+  std::get<WallSurfaceCrack>(three.flexspline->crack.at(2)).half_length = 1 * mm;
+  EXPECT_EQ(test::count_notes(flexspline_compliance(three).notes, "crack.superposed"), 1);
+}
+
+TEST(CrackInteraction, InputCracksThatCrossAreRefusedByName) {
+  const auto refusal = [](double round, double along) {
+    return test::broken_rule(
+        [&] { return flexspline_compliance(with_two_cracks(pi / 4, round, along)); });
+  };
+  const std::string crossing =
+      "flexspline.crack[1]: crosses or touches flexspline.crack[0]; move one of them by position "
+      "or "
+      "distance, or give one crack in place of both";
+  const double step = 10 * mm / std::numbers::sqrt2;
+  EXPECT_EQ(refusal(-step / 2, step / 2), crossing);                    // in one line, overlapping
+  EXPECT_EQ(refusal(2 * pi * kRadius - step / 2, step / 2), crossing);  // once round the axis
+  EXPECT_EQ(refusal(-1.01 * step, 1.01 * step), "no error");
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(Scatter, ReferenceNormalByHand) {
 TEST(Scatter, CrosscheckFirstOrderAndMonteCarlo) {
   // For small scatter the model is linear, so both methods agree within their accuracy.
   GearSet gear = example();
-  for (InputScatter& input : gear.scatter) input.relative_standard_deviation /= 10;
+  for (InputScatter& input : gear.scatter) *input.relative_standard_deviation /= 10;
   const Scatter result = scatter(gear, {.samples = 3000});
   ASSERT_EQ(result.outputs.size(), 5U);
   for (const ScatterOutput& out : result.outputs) {

@@ -47,6 +47,11 @@ double stiffness_of(const GearSet& gear) {
   return evaluate(gear, Method::corrected).intact.stiffness.value;
 }
 
+ReliabilityReport reliability(const GearSet& gear, const std::string& text,
+                              const ReliabilitySettings& settings = {}) {
+  return reliability_of(gear, requirements_on(gear, {text}), settings);
+}
+
 // --- Fast evaluation
 // ------------------------------------------------------------------------------
 
@@ -134,6 +139,110 @@ TEST(ScatterLaw, ReferenceMeanAndDeviationOfEachDistribution) {
   }
 }
 
+// Kind: reference.  A table of two pieces: moments of the drawn stiffness in closed form.  The
+// quantiles are 0.8 at 0, 1 at 0.5 and 1.6 at 1: mean 1.1, variance
+// 0.5 (0.3^2 + 0.3*0.1 + 0.1^2 + 0.1^2 - 0.1*0.5 + 0.5^2)/3 = 0.0566667.
+// Tolerance: four standard errors of 65536 points of Sobol's sequence, less than 1e-3.
+TEST(ScatterLaw, ReferenceTableOfQuantiles) {
+  GearSet gear = shaft_alone(ScatterDistribution::table, 0.1);
+  InputScatter& input = gear.scatter[0];
+  input.relative_standard_deviation.reset();
+  input.quantile = {{0.0, 0.8}, {0.5, 1.0}, {1.0, 1.6}};
+  const Sobol sobol = sobol_of(gear, {.points = 1 << 16, .outputs = {"intact.stiffness"}});
+  const SobolAnswer& answer = sobol.outputs[0];
+  test::expect_relative(answer.mean, 1.1 * answer.value, 1e-3);
+  test::expect_relative(answer.deviation, std::sqrt(0.17 / 3) * answer.value, 1e-3);
+  const Scatter scatter = scatter_of(gear, sensitivity_of(gear), {.samples = 20000});
+  test::expect_relative(scatter.inputs[0].relative_standard_deviation, std::sqrt(0.17 / 3), 1e-14);
+  test::expect_relative(scatter.outputs[0].first_order, std::sqrt(0.17 / 3), 1e-12);
+  test::expect_relative(scatter.outputs[0].low, 0.82 * answer.value, 1e-2);
+  test::expect_relative(scatter.outputs[0].median, 1.0 * answer.value, 1e-2);
+  test::expect_relative(scatter.outputs[0].high, 1.54 * answer.value, 1e-2);
+  const double probability =
+      *reliability_of(gear, requirements_on(gear, {fmt::format("intact.stiffness >= {} N*m/rad",
+                                                               0.88 * answer.value)}))
+           .answers[0]
+           .probability;
+  EXPECT_NEAR(probability, 0.2, 4e-3);
+}
+
+// --- Correlation
+// ----------------------------------------------------------------------------------
+
+/// A sound shaft whose stiffness is G/L times a constant, with lognormal G and L.
+GearSet shaft_of_two(double rank) {
+  GearSet gear = shaft_alone(ScatterDistribution::lognormal, 0.1);
+  gear.scatter.push_back(
+      {.path = "output_shaft.length", .relative_standard_deviation = 0.2, .source = {}});
+  gear.correlation = {{.path = "output_shaft.length",
+                       .with = "material.steel.shear_modulus",
+                       .rank_correlation = rank,
+                       .source = {}}};
+  return gear;
+}
+
+// Kind: reference.  ln K = ln G - ln L is normal, so deviation, probability and shares have closed
+// forms.  Tolerances: four standard errors of the draws; 1e-5 of the design point.
+TEST(Correlation, ReferenceOfAShaft) {
+  for (const double rank : {0.7, -0.4}) {
+    const GearSet gear = shaft_of_two(rank);
+    const double r = 2 * std::sin(std::numbers::pi * rank / 6);
+    const Scatter scatter = scatter_of(gear, sensitivity_of(gear));
+    const ScatterOutput& K = scatter.outputs[0];
+    const double first = 0.01 + 0.04 - 2 * r * 0.02;
+    test::expect_relative(K.first_order, std::sqrt(first), 1e-12);
+    EXPECT_NEAR(K.share[0], (0.01 - r * 0.02) / first, 1e-12);
+    EXPECT_NEAR(K.share[1], (0.04 - r * 0.02) / first, 1e-12);
+    const double s_G = std::sqrt(std::log1p(0.01));
+    const double s_L = std::sqrt(std::log1p(0.04));
+    const double sigma = std::sqrt(s_G * s_G + s_L * s_L - 2 * r * s_G * s_L);
+    EXPECT_NEAR(K.relative_deviation, std::sqrt(std::expm1(sigma * sigma)),
+                4 * K.relative_deviation_error);
+    EXPECT_EQ(test::count_notes(scatter.notes, "scatter.correlated"), 1);
+    EXPECT_EQ(test::count_notes(scatter.notes, "scatter.independent"), 0);
+
+    const double beta = 2.5;
+    const ReliabilityReport report = reliability(
+        gear,
+        fmt::format("intact.stiffness >= {:.17g} N*m/rad", K.value * std::exp(-beta * sigma)));
+    const FirstOrderReliability& point = report.answers[0].first_order;
+    test::expect_relative(point.reliability_index, beta, 1e-5);
+    test::expect_relative(*report.answers[0].probability, normal_probability(-beta), 0.1);
+    for (const DesignPointInput& input : point.inputs) {
+      const bool modulus = input.path == "material.steel.shear_modulus";
+      const double own = modulus ? s_G : s_L;
+      const double other = modulus ? s_L : s_G;
+      EXPECT_NEAR(input.importance, own * (own - r * other) / (sigma * sigma), 1e-5);
+      // The most likely point: E[z | failure plane].
+      EXPECT_NEAR(input.deviations, (modulus ? -beta : beta) * (own - r * other) / sigma, 1e-4);
+      test::expect_relative(input.at_design / input.value, std::exp(own * input.deviations), 1e-9);
+    }
+    EXPECT_EQ(test::note_codes(report.notes),
+              std::vector<std::string>{"reliability.scatter_alone"});
+    EXPECT_NE(report.notes[0].text.find("with the rank correlations"), std::string::npos);
+  }
+}
+
+// Kind: behaviour.  Inputs that depend on each other have one share together, and their shares with
+// an independent input add up to 1 for a product.
+TEST(Correlation, BehaviourSobolGivesGroupsOneShare) {
+  GearSet gear = uncertain_example();
+  gear.correlation = {{.path = "material.steel.youngs_modulus",
+                       .with = "material.steel.shear_modulus",
+                       .rank_correlation = 0.9,
+                       .source = {}}};
+  const Sobol sobol = sobol_of(gear, {.points = 1024});
+  for (const SobolAnswer& answer : sobol.outputs) {
+    EXPECT_EQ(answer.inputs.size(), gear.scatter.size() - 1);
+    EXPECT_EQ(std::ranges::count(answer.inputs,
+                                 "material.steel.youngs_modulus, material.steel.shear_modulus",
+                                 &SobolInput::path),
+              1);
+  }
+  EXPECT_EQ(test::count_notes(sobol.notes, "sobol.groups"), 1);
+  EXPECT_EQ(test::count_notes(sobol.notes, "sobol.independent"), 0);
+}
+
 // --- Sobol's indices
 // ------------------------------------------------------------------------------
 
@@ -205,11 +314,6 @@ TEST(Sobol, InputRefusals) {
 // --- Reliability
 // ----------------------------------------------------------------------------------
 
-ReliabilityReport reliability(const GearSet& gear, const std::string& text,
-                              const ReliabilitySettings& settings = {}) {
-  return reliability_of(gear, requirements_on(gear, {text}), settings);
-}
-
 // Kind: reference.  K is proportional to a lognormal G, so P(K < b) = Phi(ln(b/K)/sigma).
 TEST(Reliability, ReferenceOfALognormalStiffness) {
   const double s = 0.05;
@@ -241,7 +345,8 @@ TEST(Reliability, ReferenceOfALognormalStiffness) {
     test::expect_relative(input.at_design, 80e9 * std::exp(-beta * sigma), 1e-6);
     EXPECT_NEAR(input.deviations, -beta, 1e-6);
     EXPECT_NEAR(input.importance, 1, 1e-9);
-    EXPECT_EQ(test::note_codes(report.notes), std::vector<std::string>{"reliability.independent"});
+    EXPECT_EQ(test::note_codes(report.notes),
+              std::vector<std::string>{"reliability.scatter_alone"});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "strainwave/core/correlated_normals.hpp"
 #include "strainwave/uncertainty/design_point.hpp"
 #include "strainwave/uncertainty/normal.hpp"
 #include "strainwave/uncertainty/sampled_probability.hpp"
@@ -93,7 +94,8 @@ TEST(Reliability, ReferenceSpringsInSeries) {
     const auto plain = plain_sampling(make, 3, {.draws = 200000});
     int compared = 0;
     for (const test::CsvRow& row : test::read_reference_csv("reliability")) {
-      if (std::abs(row("k_min") - least) > 1e-9) continue;
+      if (std::abs(row("k_min") - least) > 1e-9 || row.quantity.starts_with("correlated_"))
+        continue;
       ++compared;
       if (row.quantity == "beta") test::expect_relative(point.reliability_index, row.value, 1e-5);
       if (row.quantity.starts_with("design_")) {
@@ -112,6 +114,41 @@ TEST(Reliability, ReferenceSpringsInSeries) {
       }
     }
     EXPECT_EQ(compared, 7);
+  }
+}
+
+// Kind: reference.  Source: OpenTURNS 1.20 with a normal copula of given rank correlations,
+// tests/data/reliability.csv.  Tolerances: as without correlation.
+TEST(Reliability, ReferenceSpringsWithRankCorrelation) {
+  const auto normals = CorrelatedNormals::of(3, {{0, 1, 0.6}, {2, 1, -0.3}});
+  ASSERT_TRUE(normals);
+  for (const double least : {0.95, 0.85, 0.75}) {
+    const LimitState limit = [&, of_z = springs(least)](std::span<const double> u) {
+      std::vector<double> z(u.begin(), u.end());
+      normals->correlate(z);
+      return of_z(z);
+    };
+    const DesignPoint point = find_design_point(limit, origin(3));
+    ASSERT_TRUE(point.converged) << point.reason;
+    const CurvedLimit curved = curved_limit(limit, point);
+    ASSERT_TRUE(curved.probability) << curved.reason;
+    int compared = 0;
+    for (const test::CsvRow& row : test::read_reference_csv("reliability")) {
+      if (std::abs(row("k_min") - least) > 1e-9) continue;
+      const bool correlated = row.quantity.starts_with("correlated_");
+      compared += correlated ? 1 : 0;
+      if (row.quantity == "correlated_beta")
+        test::expect_relative(point.reliability_index, row.value, 1e-5);
+      if (row.quantity.starts_with("correlated_design_")) {
+        EXPECT_NEAR(point.place[static_cast<std::size_t>(row.quantity.back() - '1')], row.value,
+                    1e-4);
+      }
+      if (row.quantity == "correlated_first_order")
+        test::expect_relative(point.probability(), row.value, 5e-5);
+      if (row.quantity == "correlated_second_order")
+        test::expect_relative(*curved.probability, row.value, 2e-4);
+    }
+    EXPECT_EQ(compared, 6);
   }
 }
 

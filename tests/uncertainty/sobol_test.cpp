@@ -56,6 +56,12 @@ TEST(SobolPoints, BehaviourScramblingsDifferAndRepeat) {
 
 double uniform(double z) { return normal_probability(z); }
 
+InputGroups each_alone(std::size_t inputs) {
+  InputGroups groups;
+  for (std::size_t i = 0; i < inputs; ++i) groups.push_back({i});
+  return groups;
+}
+
 /// The function of Ishigami and Homma, a = 7, b = 0.1, of uniform inputs in (-pi, pi).
 NormalFunction ishigami() {
   return [](std::span<const double> z, std::span<double> y) {
@@ -107,15 +113,15 @@ Known known_g() {
 }
 
 void expect_known(const NormalFunction& function, const Known& known) {
-  const auto study = sobol_indices([&] { return function; }, known.first.size(), 1,
+  const auto study = sobol_indices([&] { return function; }, each_alone(known.first.size()), 1,
                                    {.points = 1 << 15, .seed = 3});
   const SobolOutput& output = study.output[0];
   test::expect_relative(output.variance, known.variance, 5e-3);
-  ASSERT_EQ(output.input.size(), known.first.size());
+  ASSERT_EQ(output.group.size(), known.first.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < known.first.size(); ++i) {
-    EXPECT_NEAR(output.input[i].first.value, known.first[i], 8e-3) << i;
-    EXPECT_NEAR(output.input[i].total.value, known.total[i], 8e-3) << i;
+    EXPECT_NEAR(output.group[i].first.value, known.first[i], 8e-3) << i;
+    EXPECT_NEAR(output.group[i].total.value, known.total[i], 8e-3) << i;
     sum += known.first[i];
   }
   EXPECT_NEAR(output.first_sum.value, sum, 8e-3);
@@ -123,8 +129,8 @@ void expect_known(const NormalFunction& function, const Known& known) {
   EXPECT_EQ(study.evaluations, (known.first.size() + 2) << 15);
 }
 
-// Kind: reference (UQ-2, UQ-3).  Source: closed forms, saltelli2010 (secondary).  Tolerance: 0.008, three times
-// the standard error of 32768 points.
+// Kind: reference (UQ-2, UQ-3).  Source: closed forms, saltelli2010 (secondary).  Tolerance: 0.008,
+// three times the standard error of 32768 points.
 TEST(SobolIndices, ReferenceIshigami) { expect_known(ishigami(), known_ishigami()); }
 TEST(SobolIndices, ReferenceGFunction) { expect_known(g_function(), known_g()); }
 
@@ -136,11 +142,11 @@ TEST(SobolIndices, ReferenceIntervalsContainTheTruth) {
   int trials = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto study =
-        sobol_indices([] { return ishigami(); }, 3, 1, {.points = 1024, .seed = seed});
+        sobol_indices([] { return ishigami(); }, each_alone(3), 1, {.points = 1024, .seed = seed});
     for (std::size_t i = 0; i < 3; ++i)
       for (const auto& [estimate, truth] :
-           {std::pair{study.output[0].input[i].first, known.first[i]},
-            std::pair{study.output[0].input[i].total, known.total[i]}}) {
+           {std::pair{study.output[0].group[i].first, known.first[i]},
+            std::pair{study.output[0].group[i].total, known.total[i]}}) {
         ++trials;
         inside += estimate.low <= truth && truth <= estimate.high ? 1 : 0;
       }
@@ -160,28 +166,28 @@ TEST(SobolIndices, IdentityASumHasNoInteractions) {
           return true;
         };
       },
-      2, 2, {.points = 4096});
+      each_alone(2), 2, {.points = 4096});
   const SobolOutput& output = study.output[0];
   EXPECT_NEAR(output.variance, 25, 0.2);
-  EXPECT_NEAR(output.input[0].total.value, 0.36, 3e-3);
-  EXPECT_NEAR(output.input[1].first.value, 0.64, 5e-3);
+  EXPECT_NEAR(output.group[0].total.value, 0.36, 3e-3);
+  EXPECT_NEAR(output.group[1].first.value, 0.64, 5e-3);
   EXPECT_NEAR(output.mean, 0, 0.01);
   // A constant has no shares.
   EXPECT_EQ(study.output[1].variance, 0);
   EXPECT_EQ(study.output[1].mean, 5);
-  EXPECT_TRUE(study.output[1].input.empty());
+  EXPECT_TRUE(study.output[1].group.empty());
 }
 
 TEST(SobolIndices, IdentityForAnyNumberOfThreads) {
   const auto with = [](int threads) {
-    return sobol_indices([] { return ishigami(); }, 3, 1,
+    return sobol_indices([] { return ishigami(); }, each_alone(3), 1,
                          {.points = 256, .seed = 5, .threads = threads});
   };
   const auto one = with(1);
   for (const int threads : {2, 3, 8})
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_EQ(with(threads).output[0].input[i].total.value, one.output[0].input[i].total.value);
-      EXPECT_EQ(with(threads).output[0].input[i].first.low, one.output[0].input[i].first.low);
+      EXPECT_EQ(with(threads).output[0].group[i].total.value, one.output[0].group[i].total.value);
+      EXPECT_EQ(with(threads).output[0].group[i].first.low, one.output[0].group[i].first.low);
     }
 }
 
@@ -195,7 +201,7 @@ TEST(SobolIndices, BehaviourPointsWithoutAValueAreLeftOut) {
             return z[0] < limit;
           };
         },
-        2, 1, {.points = 1024});
+        each_alone(2), 1, {.points = 1024});
   };
   const auto study = cut(2.0);  // 2.3 % of the draws of z[0] are above, and each point has two
   EXPECT_NEAR(static_cast<double>(study.left_out), 1024 * 0.045, 10);
@@ -206,7 +212,7 @@ TEST(SobolIndices, BehaviourPointsWithoutAValueAreLeftOut) {
 TEST(SobolIndices, InputOptionsOutOfRange) {
   const auto refusal = [](int points, int replicates, std::size_t inputs = 1) {
     return test::broken_rule([&] {
-      return sobol_indices([] { return ishigami(); }, inputs, 1,
+      return sobol_indices([] { return ishigami(); }, each_alone(inputs), 1,
                            {.points = points, .replicates = replicates});
     });
   };
@@ -217,6 +223,24 @@ TEST(SobolIndices, InputOptionsOutOfRange) {
   EXPECT_EQ(refusal(16, 1), "replicates = 1 violates: >= 2");
   EXPECT_EQ(refusal(32, 16, 0), "inputs = 0 violates: >= 1 and <= 500");
   EXPECT_EQ(refusal(32, 16, 501), "inputs = 501 violates: >= 1 and <= 500");
+}
+
+// Kind: reference.  Two groups of a linear function: the shares are those of the sums of squares,
+// also if the function adds up the members of a group.  Tolerance: ten times the usual error.
+TEST(SobolIndices, ReferenceGroupsOfInputs) {
+  const auto study = sobol_indices(
+      [] {
+        return [](std::span<const double> u, std::span<double> y) {
+          y[0] = 3 * u[0] + 4 * u[1] + 12 * u[2];
+          return true;
+        };
+      },
+      {{0, 2}, {1}}, 1, {.points = 4096});
+  ASSERT_EQ(study.output[0].group.size(), 2U);
+  EXPECT_EQ(study.evaluations, 4096U * 4);
+  EXPECT_NEAR(study.output[0].group[0].first.value, 153.0 / 169, 1e-2);
+  EXPECT_NEAR(study.output[0].group[0].total.value, 153.0 / 169, 1e-2);
+  EXPECT_NEAR(study.output[0].group[1].total.value, 16.0 / 169, 1e-2);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -300,10 +301,11 @@ struct Validation {
 /// sizes or of other classes.  Fits are least squares of ln K with equal weights, with factors in
 /// their plausible ranges (factor_info).
 ///
+/// @param shared  null, or the part of the draws that this process computes or reads
 /// @throws InputError   if an option is out of range or a size is unknown
 /// @throws SolverError  if a drive has no equilibrium
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] Validation validate(const ValidationOptions& options = {},
-                                  const Progress& progress = {});
+                                  const Progress& progress = {}, SharedRows* shared = nullptr);
 
 }  // namespace strainwave

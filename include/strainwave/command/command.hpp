@@ -14,6 +14,7 @@
 #include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/core/ranks.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
@@ -120,6 +121,7 @@ struct Host {
   Journal* journal = nullptr;
   Recording* recording = nullptr;
   KeptText* kept = nullptr;
+  SharedRows* shared = nullptr;  ///< the part of a study that this process computes or reads
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
@@ -144,6 +146,7 @@ struct Request {
   const std::function<TextPieces(const std::string& name)>& open;     ///< as Host::open
   Recording* recording = nullptr;  ///< null unless rows are to be recorded
   KeptText* kept = nullptr;        ///< null unless a text is to be kept or read
+  SharedRows* shared = nullptr;    ///< null unless the rows of a study are computed in shares
 
   /// The text that an option names, piece by piece.
   /// @throws OptionError  if no text has this name
@@ -169,6 +172,9 @@ struct EnumNames<Format> {
                                                             "svg",  "html", "toml", "vtu"};
 };
 
+/// Means the first document of a command, where a document is named.
+inline constexpr std::string_view kDefaultDocument = "default";
+
 /// A document that a command can make of its result.
 struct Document {
   std::string_view name;  ///< "text", "plot"
@@ -190,6 +196,7 @@ struct OutputFile {
 };
 
 class Answer;
+struct Command;
 
 /// The input of a document's writer apart from the result.
 struct Rendering {
@@ -251,6 +258,9 @@ struct Command {
   /// the command keeps none.
   std::string_view kept_option;
   std::string_view kept;
+  /// What one process computes of the command's study, such as "draws", while others compute the
+  /// rest (command/shards.hpp).  Empty: the study cannot be shared.
+  std::string_view shares;
   /// Option whose result stands neither in the CSV of one drive nor in the text of several.  Empty:
   /// there is none.
   std::string_view not_in_tables;
@@ -269,6 +279,10 @@ struct Command {
   std::vector<OutputFile> (*write)(const Command& command, std::size_t document, const void* result,
                                    const Rendering& rendering);
   std::shared_ptr<const void> writers;
+  /// Answers in place of `run`, for a command whose answer is that of another one; usually empty.
+  std::function<Answer(const OptionValues& options, const OptionTexts& texts,
+                       const Progress& progress, const Host& host)>
+      instead = {};
   std::string_view program = "strainwave";  ///< name of the program that has the table
 };
 
@@ -284,6 +298,7 @@ struct CommandOf {
   std::string_view record = {};
   std::string_view kept_option = {};
   std::string_view kept = {};
+  std::string_view shares = {};
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
   std::function<Result(const Request& request, const Options& options)> function;
@@ -305,6 +320,7 @@ template <class Options, class Result>
       .record = of.record,
       .kept_option = of.kept_option,
       .kept = of.kept,
+      .shares = of.shares,
       .not_in_tables = of.not_in_tables,
       .takes = of.takes,
       .options = options_type<Options>(),

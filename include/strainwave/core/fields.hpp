@@ -177,6 +177,8 @@ class FieldPath {
     return extended({.name = nullptr, .size = 0, .index = index});
   }
   [[nodiscard]] std::string text() const;
+  /// Whether `text()` is this text.
+  [[nodiscard]] bool is(std::string_view text) const;
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

@@ -44,6 +44,10 @@ class Attachments {
   explicit Attachments(Lookup lookup, Open open = {})
       : lookup_(std::move(lookup)), open_(std::move(open)) {}
 
+  /// The same texts.  Each text that is looked up is also stored in `texts`, which must outlive the
+  /// attachments.
+  [[nodiscard]] Attachments noted_in(Texts& texts) const;
+
   /// The text with a given name.
   /// @throws InputError  if the name is absolute, leads out of the folder of the input or is not
   ///                     attached, or if the text is larger than kMaxTextSize; the message names

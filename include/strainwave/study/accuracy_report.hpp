@@ -144,8 +144,9 @@ struct AccuracyBands {
   AngleBand root_of_squares;
   int ranges = 0;
   int scatters = 0;
-  int draws = 0;     ///< drives with a budget
-  int rejected = 0;  ///< drives that broke a rule or have no equilibrium
+  int correlations = 0;  ///< rank correlations between the scatters
+  int draws = 0;         ///< drives with a budget
+  int rejected = 0;      ///< drives that broke a rule or have no equilibrium
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -154,6 +155,8 @@ struct AccuracyBands {
           &AccuracyBands::root_of_squares);
     field({"ranges", "", "ranges that were drawn"}, &AccuracyBands::ranges);
     field({"scatters", "", "scatters that were drawn"}, &AccuracyBands::scatters);
+    field({"correlations", "", "rank correlations between the scatters"},
+          &AccuracyBands::correlations);
     field({"draws", "", "drawn drives with a budget"}, &AccuracyBands::draws);
     field({"rejected", "", "drawn drives that break a rule or have no equilibrium"},
           &AccuracyBands::rejected);

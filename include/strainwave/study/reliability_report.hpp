@@ -35,7 +35,7 @@ struct DesignPointInput {
   double value = 0.0;       ///< in the file
   double at_design = 0.0;   ///< where failure is most likely
   double deviations = 0.0;  ///< distance between the two in standard deviations, z* [-]
-  double importance = 0.0;  ///< share in the variance of the margin at the design point [-]
+  double importance = 0.0;  ///< share in the variance of the margin at the design point [-]; (UQ-9)
 
   static constexpr bool kTableRow = true;
   template <class Visitor>

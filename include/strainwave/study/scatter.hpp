@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sensitivity.hpp"
 #include "strainwave/study/sobol_report.hpp"
@@ -25,6 +26,7 @@ struct ScatterOptions {
   std::uint64_t seed = 1;  ///< the same seed gives the same draws
   /// 0: as many as the machine can run; the result is the same for any number
   int threads = 0;
+  SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
 };
 
 /// An output under the scatter of the inputs.
@@ -34,7 +36,8 @@ struct ScatterOutput {
   double value = 0.0;  ///< value at the inputs of the file
   /// First-order results (SN-7).
   double first_order = 0.0;  ///< relative standard deviation [-]
-  /// share of each scattering input in its square; the sum is 1, or all are 0
+  /// Share of each scattering input in its square, with its part of the covariances.  The sum is 1,
+  /// or all are 0.
   std::vector<double> share;
   /// Monte Carlo results (SN-8), over the evaluated draws.
   double mean = 0.0;
@@ -54,7 +57,10 @@ struct ScatterOutput {
     field({"unit", "", "SI unit of the output"}, &O::unit);
     field({"value", kUnitBeside, "value at the inputs of the file"}, &O::value);
     field({"first_order", "1", "relative standard deviation, first order"}, &O::first_order);
-    field({"share", "1", "share of each scattering input in the square of first_order"}, &O::share);
+    field({"share", "1",
+           "share of each scattering input in the square of first_order; with its part of the "
+           "covariances"},
+          &O::share);
     field({"mean", kUnitBeside, "mean of the draws"}, &O::mean);
     field({"relative_deviation", "1", "standard deviation over mean of the draws"},
           &O::relative_deviation);
@@ -70,9 +76,27 @@ struct ScatterOutput {
   }
 };
 
+/// An input that scatters.
+struct ScatteredInput {
+  std::string path;
+  double relative_standard_deviation = 0.0;  ///< s [-]
+  ScatterDistribution distribution = ScatterDistribution::lognormal;
+  std::string source;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using I = ScatteredInput;
+    field({"path", "", "path of the number"}, &I::path);
+    field({"relative_standard_deviation", "1", "standard deviation over the value in the file"},
+          &I::relative_standard_deviation);
+    field({"distribution", "", "distribution about the value in the file"}, &I::distribution);
+    field({"source", "", "one line"}, &I::source);
+  }
+};
+
 /// Combined uncertainty of stiffness and loss from the scatter of the inputs.
 struct Scatter {
-  std::vector<InputScatter> inputs;  ///< scatter as in the file
+  std::vector<ScatteredInput> inputs;  ///< scatter as in the file
   std::vector<ScatterOutput> outputs;
   int samples = 0;    ///< requested draws
   int evaluated = 0;  ///< draws with a result

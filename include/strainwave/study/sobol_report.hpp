@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
@@ -25,6 +26,7 @@ struct SobolSettings {
   std::uint64_t seed = 1;                 ///< the same seed gives the same numbers
   int threads = 0;                        ///< 0: as many as the machine runs
   std::vector<std::string> outputs = {};  ///< empty: stiffness and loss of the sum of the members
+  SharedRows* shared = nullptr;           ///< null, or the part of the points computed or read here
 };
 
 /// A share with its 95 % interval.
@@ -41,15 +43,17 @@ struct SobolShare {
   }
 };
 
-/// One input and its shares in the variance of an output.
+/// One input, or a group of inputs that depend on each other, and its shares in the variance of an
+/// output.
 struct SobolInput {
-  std::string path;
+  std::string path;  ///< of the input; of a group, its paths with commas
   SobolShare first;  ///< by the input alone; eq. (UQ-2)
   SobolShare total;  ///< alone and together with other inputs; eq. (UQ-3)
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"path", "", "field of the input"}, &SobolInput::path);
+    field({"path", "", "field of the input; of inputs that depend on each other, their fields"},
+          &SobolInput::path);
     field({"first", "", "share by the input alone"}, &SobolInput::first);
     field({"total", "", "share by the input alone and together with others"}, &SobolInput::total);
   }
@@ -106,7 +110,8 @@ void check_settings(const GearSet& gear, const SobolSettings& settings);
 
 /// Shares of the inputs that the file lets scatter in the variance of outputs.
 ///
-/// Implements theory manual eqs. (UQ-1) to (UQ-3).  The inputs are independent.
+/// Implements theory manual eqs. (UQ-1) to (UQ-3).  Inputs with a correlation, given or by
+/// way of other inputs, have one share together.
 ///
 /// @throws InputError   if the file gives no scatter, an output does not exist, or an option is out
 ///                      of range

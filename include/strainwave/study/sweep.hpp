@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/variation.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
@@ -19,7 +20,9 @@ namespace strainwave {
 /// A column of a table of results.
 struct SweepColumn {
   std::string name;
-  std::string_view unit;  ///< SI unit of the column
+  std::string unit;  ///< SI unit of the column
+
+  friend bool operator==(const SweepColumn&, const SweepColumn&) = default;
 };
 
 /// A value of an output with its accuracy, as in Quantity; the column states the unit.
@@ -122,10 +125,11 @@ void check_variations(std::span<const Variation> variations);
 /// point whose result must not be used has outputs and a reason.
 ///
 /// @param variations   one or two variations of different numbers
+/// @param shared       null, or the part of the points that this process computes or reads
 /// @throws InputError  on the same conditions as check_variations; with the first fault if every
 ///                     point is refused
 [[nodiscard]] SweepResult sweep(const GearSet& gear, Method method,
                                 std::span<const Variation> variations,
-                                const Progress& progress = {});
+                                const Progress& progress = {}, SharedRows* shared = nullptr);
 
 }  // namespace strainwave

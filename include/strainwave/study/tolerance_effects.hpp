@@ -7,6 +7,7 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/deviations.hpp"
 
@@ -16,9 +17,10 @@
 namespace strainwave {
 
 struct ToleranceOptions {
-  int draws = 100;         ///< drives drawn from the tolerances; > 0
-  std::uint64_t seed = 1;  ///< the same seed gives the same drives
-  int threads = 0;         ///< 0: as many as the machine runs at once; the result is the same
+  int draws = 100;               ///< drives drawn from the tolerances; > 0
+  std::uint64_t seed = 1;        ///< the same seed gives the same drives
+  int threads = 0;               ///< 0: as many as the machine runs at once; the result is the same
+  SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
 };
 
 /// A quantity without deviations, and its quantiles over the drawn drives.

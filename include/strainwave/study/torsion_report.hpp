@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/tolerance_effects.hpp"
 #include "strainwave/torsion/compare.hpp"
@@ -25,6 +26,9 @@ struct TorsionReportOptions {
   int draws = 200;          ///< draws of the ranges that the file gives; 0: no bands
   double cage_phase = 0.0;  ///< as in CoupledOptions [rad]
   std::optional<ToleranceOptions> tolerances = {};  ///< absent: no drives from the tolerances
+  /// Null, or the part computed or read here: of the draws of the tolerances, else of the positions
+  /// of the comparison, else of the draws of the ranges.
+  SharedRows* shared = nullptr;
 };
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.
@@ -152,7 +156,8 @@ struct TorsionReport {
 
 struct BandOptions {
   int draws = 200;
-  int threads = 0;  ///< 0: as many as the machine runs at once; the result is the same
+  int threads = 0;               ///< 0: as many as the machine runs at once; the result is the same
+  SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
 };
 
 /// K1, K2, K3 with inputs drawn uniformly from the ranges of the drive's file; the seed is fixed.

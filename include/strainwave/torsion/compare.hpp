@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -159,9 +160,11 @@ struct TurnChanges {
 
 /// Changes of the maker's stiffnesses by the cracks, over a turn of the wave generator (TC-26).
 /// @param angles  as in `compare_curves`
+/// @param shared  null, or the part of the positions that this process computes or reads
 /// @throws InputError, SolverError, Stopped  as `compare_curves`
 [[nodiscard]] TurnChanges changes_over_turn(const AssembledDrive& drive, int angles = 0,
-                                            const Progress& progress = {});
+                                            const Progress& progress = {},
+                                            SharedRows* shared = nullptr);
 
 /// The maker's stiffnesses at one phase of the cage [N*m/rad].
 struct LineStiffnesses {
@@ -212,11 +215,13 @@ struct LinesOverCage {
 /// @param angles  positions of the wave generator over a turn [-], adjusted to whole teeth; 0 for
 ///                every tooth, the only choice that is certain to find the worst position.  One
 ///                position is used if no crack moves
+/// @param shared  null, or the part of the positions that this process computes or reads
 /// @throws InputError   if `angles` is negative
 /// @throws SolverError  if a curve is not usable
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive, int angles = 0,
-                                             const Progress& progress = {});
+                                             const Progress& progress = {},
+                                             SharedRows* shared = nullptr);
 /// Compares the curves of a drive that is not assembled yet.
 [[nodiscard]] inline CurveComparison compare_curves(const GearSet& gear, int angles = 0,
                                                     const CoupledOptions& options = {},

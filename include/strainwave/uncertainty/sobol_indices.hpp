@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 
 namespace strainwave {
 
@@ -18,17 +19,17 @@ struct Estimate {
   double high = 0.0;
 };
 
-/// Shares of one input in the variance of one output.
+/// Shares of one group of inputs in the variance of one output.
 struct SobolIndices {
-  Estimate first;  ///< by the input alone [-]
-  Estimate total;  ///< by the input alone and together with others [-]
+  Estimate first;  ///< by the group alone [-]
+  Estimate total;  ///< by the group alone and together with others [-]
 };
 
 /// Variance of one output and its shares.
 struct SobolOutput {
   double mean = 0.0;
   double variance = 0.0;
-  std::vector<SobolIndices> input;  ///< shape (n inputs); empty if the variance is 0
+  std::vector<SobolIndices> group;  ///< shape (n groups); empty if the variance is 0
   Estimate first_sum;               ///< sum of the first-order shares [-]; 1 without interactions
 };
 
@@ -37,6 +38,7 @@ struct SobolOptions {
   int replicates = 16;  ///< independent scramblings; they divide `points`
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
+  SharedRows* shared = nullptr;  ///< null, or the part of the points computed or read here
 };
 
 struct SobolStudy {
@@ -48,18 +50,22 @@ struct SobolStudy {
 /// Fills the outputs at standard normal inputs; false: no value there.
 using NormalFunction = std::function<bool(std::span<const double> z, std::span<double> outputs)>;
 
-/// First-order and total shares of independent inputs in the variance of outputs.
+/// Groups of inputs, by their indices; each input is in one group.
+using InputGroups = std::vector<std::vector<std::size_t>>;
+
+/// First-order and total shares of independent groups of inputs in the variance of outputs.
 ///
 /// Implements theory manual eqs. (UQ-2), (UQ-3): the estimators of Saltelli and Jansen over
 /// scrambled Sobol points.  The interval is that of Student's distribution over the replicates.
 ///
 /// @param make     makes the function of one thread
-/// @param inputs   number of inputs, 1 to SobolPoints::kMaxDimensions/2
+/// @param groups   of 1 to SobolPoints::kMaxDimensions/2 inputs; usually one group for each input.
+///                 Inputs that the function makes dependent must be in one group.
 /// @param outputs  number of outputs
 /// @throws SolverError  if a replicate has fewer than two points with values
 /// @throws Stopped      if `progress` requests a stop
 [[nodiscard]] SobolStudy sobol_indices(const std::function<NormalFunction()>& make,
-                                       std::size_t inputs, std::size_t outputs,
+                                       const InputGroups& groups, std::size_t outputs,
                                        const SobolOptions& options = {},
                                        const Progress& progress = {});
 

@@ -155,6 +155,8 @@ class Bands(Part):
     """ranges that were drawn"""
     scatters: int
     """scatters that were drawn"""
+    correlations: int
+    """rank correlations between the scatters"""
     draws: int
     """drawn drives with a budget"""
     rejected: int
@@ -165,6 +167,7 @@ class Bands(Part):
         "root_of_squares": ("root_of_squares", BandsPart._of),
         "ranges": ("ranges", _to.plain),
         "scatters": ("scatters", _to.plain),
+        "correlations": ("correlations", _to.plain),
         "draws": ("draws", _to.plain),
         "rejected": ("rejected", _to.plain),
     }

@@ -94,10 +94,9 @@ class ScatterInputs(Part):
     path: str
     """path of the number"""
     relative_standard_deviation: Quantity
-    """s, standard deviation over the value in the file"""
-    distribution: Literal["lognormal", "normal", "uniform", "weibull"]
-    """distribution about the value in the file, which is the median of lognormal and the mean
-    of normal, uniform and weibull"""
+    """standard deviation over the value in the file"""
+    distribution: Literal["lognormal", "normal", "uniform", "weibull", "table"]
+    """distribution about the value in the file"""
     source: str
     """one line"""
 
@@ -122,7 +121,8 @@ class ScatterOutputs(Part):
     first_order: Quantity
     """relative standard deviation, first order"""
     share: FloatArray
-    """share of each scattering input in the square of first_order"""
+    """share of each scattering input in the square of first_order; with its part of the
+    covariances"""
     mean: float
     """mean of the draws"""
     relative_deviation: Quantity
@@ -213,7 +213,7 @@ class OutputsInputs(Part):
     """The field `inputs`."""
 
     path: str
-    """field of the input"""
+    """field of the input; of inputs that depend on each other, their fields"""
     first: InputsPart
     """share by the input alone"""
     total: InputsPart

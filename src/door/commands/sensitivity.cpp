@@ -66,6 +66,8 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     throw OptionError("sobol", "points and of need --sobol; give it too");
   if (!options.scatter && !options.sobol && (options.seed || options.threads))
     throw OptionError("scatter", "seed and threads need --scatter or --sobol; give one");
+  if (request.shared != nullptr && options.scatter == options.sobol)
+    throw OptionError("shard", "needs either --scatter or --sobol; give one of them");
   const GearSet& gear = request.drive.gear;
   SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}, .sobol = {}};
   if (options.scatter) {
@@ -73,6 +75,7 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     scatter.samples = options.samples.value_or(scatter.samples);
     scatter.seed = options.seed.value_or(scatter.seed);
     scatter.threads = options.threads.value_or(scatter.threads);
+    scatter.shared = request.shared;
     report.scatter = scatter_of(gear, report.sensitivity, scatter,
                                 request.progress.part(0.0, options.sobol ? 0.5 : 1.0));
   }
@@ -82,6 +85,7 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     settings.seed = options.seed.value_or(settings.seed);
     settings.threads = options.threads.value_or(settings.threads);
     settings.outputs = options.of;
+    settings.shared = request.shared;
     from_option([&] { check_settings(gear, settings); });
     report.sobol =
         sobol_of(gear, settings, request.progress.part(options.scatter ? 0.5 : 0.0, 1.0));
@@ -111,6 +115,7 @@ Command sensitivity_command() {
           "interval of 95 % confidence.",
       .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
                  "tornado.svg",
+      .shares = "draws of --scatter, or points of --sobol",
       .function = report_of,
       .documents = {{Format::text, sensitivity_text},
                     {Format::csv, sensitivity_csv},

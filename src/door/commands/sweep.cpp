@@ -32,7 +32,7 @@ SweepResult swept(const Request& request, const SweepOptions& options) {
     check_variations(parsed);
     return parsed;
   });
-  return sweep(gear, options.method, variations, request.progress);
+  return sweep(gear, options.method, variations, request.progress, request.shared);
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ Command sweep_command() {
           "with the reason. --plot draws lines over one field and contours over two.",
       .example = "strainwave sweep examples/article.toml --vary 'output_shaft.crack[0].depth=0.05 "
                  "mm..8 mm:60:log' --plot sweep.svg --output sweep.csv",
+      .shares = "points",
       .function = swept,
       .documents = {{Format::csv, sweep_csv},
                     {{.name = "plot",

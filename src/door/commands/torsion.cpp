@@ -69,6 +69,7 @@ Command torsion_command() {
           "the cracks "
           "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
+      .shares = "draws of --tolerances, else positions of --compare, else draws of the ranges",
       .not_in_tables = "tolerances",
       .function =
           [](const Request& request, const TorsionOptions& o) {
@@ -87,7 +88,8 @@ Command torsion_command() {
                  .angles = o.angles.value_or(0),
                  .draws = o.draws,
                  .cage_phase = parse_quantity("--cage-phase", o.cage_phase, "rad"),
-                 .tolerances = tolerances},
+                 .tolerances = tolerances,
+                 .shared = request.shared},
                 request.progress);
           },
       .documents = {{Format::text,

@@ -68,7 +68,7 @@ Validation validated(const Request& request, const ValidateOptions& options) {
          .sizes = {},
          .data = std::move(rows),
          .coupled = {}},
-        request.progress);
+        request.progress, request.shared);
   });
 }
 
@@ -89,6 +89,7 @@ Command validate_command() {
           "the model can follow, not what it predicts. With --draws, the proportions are drawn "
           "between their limits, which gives the band of a drive of unknown geometry.",
       .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
+      .shares = "draws",
       .takes = Takes::nothing,
       .function = validated,
       .documents = {{Format::text, validation_text},

@@ -889,7 +889,7 @@ void check_rating(const Rating& rating) {
   if (rating.T3) require(*rating.T3 > rating.T2, "rating.T3", *rating.T3, "N*m", "T3 > T2");
 }
 
-void check_one_line(const FieldPath& path, std::string_view field, const std::string& text) {
+void check_one_line(const FieldPath& path, std::string_view field, std::string_view text) {
   if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
     throw InputError((path / field).text(), "must be one line, without control characters");
 }
@@ -924,6 +924,37 @@ void check_range(const GearSet& gear, const FieldPath& path, const InputRange& r
                     range.upper));
 }
 
+/// Checks that a scatter has what its distribution needs, and nothing else.
+void check_distribution(const FieldPath& path, const InputScatter& scatter) {
+  const bool table = scatter.distribution == ScatterDistribution::table;
+  if (table != !scatter.quantile.empty())
+    throw InputError((path / "quantile").text(),
+                     table ? "must be given for distribution = \"table\""
+                           : "is read with distribution = \"table\" only; remove it or change the "
+                             "distribution");
+  if (table == scatter.relative_standard_deviation.has_value())
+    throw InputError((path / "relative_standard_deviation").text(),
+                     table ? "must not be given with distribution = \"table\", whose quantiles "
+                             "contain it"
+                           : "must be given");
+  if (!table) return;
+  const std::vector<ScatterQuantile>& points = scatter.quantile;
+  const FieldPath list = path / "quantile";
+  if (points.size() < 2)
+    throw InputError(list.text(), "needs at least two entries, of probability 0 and 1");
+  for (const auto& [i, end] : {std::pair<std::size_t, double>{0, 0.0}, {points.size() - 1, 1.0}})
+    require(points[i].probability == end, list[i] / "probability", points[i].probability, "1",
+            i == 0 ? "0 in the first entry" : "1 in the last entry");
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    require(points[i - 1].probability < points[i].probability, list[i] / "probability",
+            points[i].probability, "1", "larger than that of the entry before");
+    require(points[i - 1].ratio <= points[i].ratio, list[i] / "ratio", points[i].ratio, "1",
+            "not smaller than that of the entry before");
+  }
+  require(points.front().ratio < points.back().ratio, list[points.size() - 1] / "ratio",
+          points.back().ratio, "1", "larger than that of the first entry");
+}
+
 void check_scatter(const GearSet& gear, std::size_t which) {
   const InputScatter& scatter = gear.scatter[which];
   const FieldPath path = FieldPath("scatter")[which];
@@ -942,6 +973,33 @@ void check_scatter(const GearSet& gear, std::size_t which) {
       throw InputError((path / "path").text(),
                        fmt::format("{} already has a scatter, scatter[{}]; remove one of them",
                                    scatter.path, i));
+  check_distribution(path, scatter);
+}
+
+void check_correlation(const GearSet& gear, std::size_t which) {
+  const InputCorrelation& pair = gear.correlation[which];
+  const FieldPath path = FieldPath("correlation")[which];
+  check_one_line(path, "source", pair.source);
+  for (std::size_t i = 0; i < pair.paths().size(); ++i) {
+    const std::string_view key = InputCorrelation::kPathKeys.at(i);
+    check_one_line(path, key, pair.paths().at(i));
+    if (std::ranges::find(gear.scatter, pair.paths().at(i), &InputScatter::path) ==
+        gear.scatter.end())
+      throw InputError((path / key).text(),
+                       fmt::format("\"{}\" does not scatter; add a [[scatter]] with this path, or "
+                                   "remove the correlation",
+                                   shown(pair.paths().at(i))));
+  }
+  if (pair.path == pair.with)
+    throw InputError((path / "with").text(), "must be another number than path");
+  for (std::size_t i = 0; i < which; ++i) {
+    const InputCorrelation& earlier = gear.correlation[i];
+    if (std::ranges::is_permutation(earlier.paths(), pair.paths()))
+      throw InputError((path / "with").text(),
+                       fmt::format("{} and {} already have a correlation, correlation[{}]; remove "
+                                   "one of them",
+                                   pair.path, pair.with, i));
+  }
 }
 
 void check_output_shaft(const GearSet& gear) {
@@ -1038,6 +1096,8 @@ void check_rules(const GearSet& gear) {
   for (std::size_t i = 0; i < gear.range.size(); ++i)
     check_range(gear, FieldPath("range")[i], gear.range[i]);
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);
+  for (std::size_t i = 0; i < gear.correlation.size(); ++i) check_correlation(gear, i);
+  if (!gear.correlation.empty()) (void)scattering_normals(gear);
 }
 
 }  // namespace strainwave

@@ -19,14 +19,15 @@ namespace {
 template <class Gear, class F>
 void visit_number(Gear& gear, std::string_view path, const F& f) {
   bool found = false;
-  std::vector<std::string> known;
   for_each_number(gear, [&](const FieldPath& at, const Field& field, auto& number) {
-    known.push_back(at.text());
-    if (at.text() != path) return;
+    if (!at.is(path)) return;
     found = true;
     f(field, number);
   });
   if (found) return;
+  std::vector<std::string> known;
+  for_each_number(
+      gear, [&](const FieldPath& at, const Field&, const double&) { known.push_back(at.text()); });
   const std::string near = nearest_word(path, known);
   throw InputError(path, "is not a number of this drive" +
                              (near.empty() ? std::string() : "; did you mean " + near + "?"));
@@ -71,6 +72,22 @@ const Material& material_of(const GearSet& gear, std::string_view name, const Fi
   return material_for(gear, name, [&] { return field.text(); });
 }
 
+CorrelatedNormals scattering_normals(const GearSet& gear) {
+  std::vector<RankCorrelation> pairs;
+  const auto index_of = [&](const std::string& path) {
+    const auto at = std::ranges::find(gear.scatter, path, &InputScatter::path);
+    return static_cast<std::size_t>(at - gear.scatter.begin());
+  };
+  for (const InputCorrelation& pair : gear.correlation)
+    pairs.push_back({index_of(pair.path), index_of(pair.with), pair.rank_correlation});
+  std::optional<CorrelatedNormals> normals = CorrelatedNormals::of(gear.scatter.size(), pairs);
+  if (!normals)
+    throw InputError("correlation",
+                     "the rank correlations contradict each other, because their matrix is not "
+                     "positive definite; bring them closer to 0");
+  return *std::move(normals);
+}
+
 KinematicError kinematic_error_of(const GearSet& gear) {
   std::vector<ErrorOrder> orders = gear.kinematic_error;
   if (gear.error_table)
@@ -90,12 +107,14 @@ void drop_lost_paths(GearSet& gear, const GearSet& before) {
   if (gear.range.empty() && gear.scatter.empty()) return;
   const auto now = numbers_of(gear);
   const auto then = numbers_of(before);
+  const auto lost = [&](std::string_view path) {
+    const auto number = now.find(path);
+    const auto old = then.find(path);
+    return number == now.end() || old == then.end() || number->second != old->second;
+  };
   for_each_path_list(gear, [&](std::string_view, auto& entries) {
-    std::erase_if(entries, [&](const auto& entry) {
-      const auto number = now.find(entry.path);
-      const auto old = then.find(entry.path);
-      return number == now.end() || old == then.end() || number->second != old->second;
-    });
+    std::erase_if(entries,
+                  [&](const auto& entry) { return std::ranges::any_of(entry.paths(), lost); });
   });
 }
 
@@ -106,7 +125,10 @@ void set_number(GearSet& gear, std::string_view path, double value) {
     number = value;
   });
   for_each_path_list(gear, [&](std::string_view, auto& entries) {
-    std::erase_if(entries, [&](const auto& entry) { return entry.path == path; });
+    std::erase_if(entries, [&](const auto& entry) {
+      const auto paths = entry.paths();
+      return std::ranges::find(paths, path) != paths.end();
+    });
   });
   if (!changed) return;
   for (auto& [name, material] : gear.material) {

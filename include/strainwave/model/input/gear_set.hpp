@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/correlated_normals.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/circular_spline.hpp"
 #include "strainwave/model/input/compliance_table.hpp"
@@ -148,6 +149,7 @@ struct GearSet {
   std::optional<Tolerance> tolerance;             ///< tolerances of the parts; absent: defaults
   std::vector<InputRange> range;                  ///< inputs that are known only within limits
   std::vector<InputScatter> scatter;              ///< inputs that scatter, for combined uncertainty
+  std::vector<InputCorrelation> correlation;      ///< of inputs that scatter
   std::optional<ArticleOverrides> article;
   /// The tables that cracks name, by name; the reader of the file fills them
   /// (io/compliance_table_file.hpp).
@@ -243,6 +245,11 @@ struct GearSet {
                 .doc = "inputs that scatter, for sensitivity --scatter and for accuracy",
                 .in_template = InTemplate::commented},
           &GearSet::scatter);
+    field(Field{.name = "correlation",
+                .unit = "",
+                .doc = "rank correlations of inputs that scatter",
+                .in_template = InTemplate::commented},
+          &GearSet::correlation);
     field(Field{.name = "article",
                 .unit = "",
                 .doc = "printed values of the article; read by the method as-printed only",
@@ -286,11 +293,12 @@ void for_each_crack(Gear& gear, const F& f) {
       gear, [&](std::string_view name, auto& member) { for_each_crack(name, member.crack, f); });
 }
 
-/// Calls f(name, entries) for each list of the drive whose entries name a number by their `path`.
+/// Calls f(name, entries) for each list of the drive whose entries name numbers by their `paths`.
 template <class Gear, class F>
 void for_each_path_list(Gear& gear, const F& f) {
   f("range", gear.range);
   f("scatter", gear.scatter);
+  f("correlation", gear.correlation);
 }
 
 /// Removes the entries of the lists of for_each_path_list whose numbers are no longer in the drive
@@ -305,6 +313,13 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           const FieldPath& field);
 
+/// The standard normal variables of the inputs that scatter, in the order of the file, with the
+/// correlations that the file gives.
+///
+/// Implements theory manual eq. (UQ-8).
+/// @throws InputError  if no numbers can have these correlations
+[[nodiscard]] CorrelatedNormals scattering_normals(const GearSet& gear);
+
 /// The kinematic error of a drive: the orders of the file, and the lines of its table (MO-56).
 [[nodiscard]] KinematicError kinematic_error_of(const GearSet& gear);
 
@@ -315,8 +330,8 @@ void check(const GearSet& gear);
 
 /// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  A path is
 /// plain text, so "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material
-/// records which of its numbers were changed.  The range and the scatter of the number are removed,
-/// because its value is now known.
+/// records which of its numbers were changed.  The range, the scatter and the correlations of the
+/// number are removed, because its value is now known.
 /// @throws InputError  if no number has the path; the message names near paths
 void set_number(GearSet& gear, std::string_view path, double value);
 

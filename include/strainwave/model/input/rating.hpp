@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "strainwave/core/fields.hpp"
 
@@ -128,6 +129,10 @@ struct InputRange {
   std::string upper;  ///< as lower; > lower
   Knowledge knowledge = Knowledge::typical;
   std::string source;
+
+  static constexpr std::array<std::string_view, 1> kPathKeys = {"path"};
+  /// Paths of the numbers that the entry names, in the order of `kPathKeys`.
+  [[nodiscard]] std::array<std::string_view, 1> paths() const { return {path}; }
 
   template <class Visitor>
   static void describe(Visitor&& field) {

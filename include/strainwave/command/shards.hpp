@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "strainwave/command/command.hpp"
+#include "strainwave/core/shared_rows.hpp"
+
+/// @file
+/// Studies in shards: each process computes a share of the rows of a study and writes a shard,
+/// which also contains the drive and the options.  `merged` makes the answer from all shards, with
+/// the same bytes as one process that computes all rows.
+
+namespace strainwave {
+
+/// The study that a shard is a part of.
+struct SharedStudy {
+  std::string program;
+  std::string version;
+  std::string revision;
+  /// What the digits of the numbers depend on beside the program: the processor's instructions and
+  /// the mathematical library.
+  std::string code_path;
+  std::string command;
+  /// Names and texts, as they were set, apart from `threads`, which no answer depends on.
+  std::vector<std::pair<std::string, std::string>> options;
+  OptionTexts texts;       ///< that options name
+  std::string drive_name;  ///< empty without a drive
+  std::string drive_text;
+  Attachments::Texts attachments;  ///< of the drive
+};
+
+/// The computed rows of one share of a study.
+struct Shard {
+  SharedStudy study;
+  Share share;
+  std::size_t rows = 0;  ///< of the whole study
+  std::string bytes;     ///< of the rows of this share (core/records.hpp)
+};
+
+/// Reads "3/16".
+/// @throws OptionError  if the text does not name one of at most 100000 equal parts
+[[nodiscard]] Share parse_share(std::string_view text);
+
+/// The study that a command line asks for.
+/// @param attachments  texts that the drive named while it was read
+[[nodiscard]] SharedStudy shared_study(const Command& command, const Drive* drive,
+                                       Attachments::Texts attachments, const OptionValues& options,
+                                       const OptionTexts& texts);
+
+/// Computes a share of the rows of a study.
+/// @throws OptionError  if the command shares no study, or not with these options
+/// @throws  as `run`
+[[nodiscard]] Shard computed_shard(const Command& command,
+                                   const std::shared_ptr<const Drive>& drive,
+                                   const OptionValues& options, SharedStudy study,
+                                   const Share& share, const Progress& progress = {},
+                                   const Host& host = {});
+
+/// The file of a shard: a line that names the format, a line with the study as JSON, and the bytes
+/// of the rows.
+[[nodiscard]] std::string shard_text(const Shard& shard);
+
+/// Whether a text begins like the file of a shard.
+[[nodiscard]] bool begins_as_shard(std::string_view text);
+
+/// Reads the file of a shard.
+/// @param name  of the file in messages
+/// @throws InputError  if the text is not a shard, or is damaged
+[[nodiscard]] Shard parse_shard(std::string_view text, const std::string& name);
+
+/// The first difference between two studies, such as "option seed is 1 and 2"; empty if they are
+/// the same.
+[[nodiscard]] std::string difference(const SharedStudy& one, const SharedStudy& other);
+
+/// The answer of a study from all its shards, in any order.
+/// @param shards  names and shards
+/// @throws InputError  if a share is missing or given twice, or two shards are parts of different
+///                     studies, or the shards are of another version or code path than this program
+/// @throws  as `run`
+[[nodiscard]] Answer merged(std::span<const Command> table,
+                            const std::vector<std::pair<std::string, Shard>>& shards,
+                            const Progress& progress = {}, const Host& host = {});
+
+/// The command `merge` of a table.  Its texts are shards.
+/// @param table  the table whose studies the command merges
+[[nodiscard]] Command merge_command(std::span<const Command> (*table)());
+
+}  // namespace strainwave

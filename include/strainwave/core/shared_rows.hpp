@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "strainwave/core/parallel.hpp"
+#include "strainwave/core/progress.hpp"
+#include "strainwave/core/records.hpp"
+
+/// @file
+/// A long study is a loop over rows that do not depend on each other, and a summary of all rows.
+/// Several processes may share the loop: each computes a part of the rows and keeps their bytes,
+/// and one reads all of them and makes the summary.
+
+namespace strainwave {
+
+/// Part `part` of `parts` equal parts of a study, counted from 1.
+struct Share {
+  int part = 1;
+  int parts = 1;
+
+  friend bool operator==(const Share&, const Share&) = default;
+};
+
+/// The rows [first, last) of a study.
+struct RowRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  friend bool operator==(const RowRange&, const RowRange&) = default;
+};
+
+/// The rows of a share.  The shares of a study have the same length, or differ by one row.
+[[nodiscard]] constexpr RowRange rows_of(const Share& share, std::size_t rows) {
+  const auto part = static_cast<std::size_t>(share.part);
+  const auto parts = static_cast<std::size_t>(share.parts);
+  // rows*part/parts without overflow
+  const auto up_to = [&](std::size_t k) { return rows / parts * k + rows % parts * k / parts; };
+  return {up_to(part - 1), up_to(part)};
+}
+
+/// The rows of a share were computed, so this process has no summary to make.  It does not derive
+/// from Error, because code that treats an Error as one refused case among many must not catch it.
+class ShareDone : public std::runtime_error {
+ public:
+  ShareDone() : std::runtime_error("the rows of this share are computed") {}
+};
+
+/// What the loop of a shared study does: compute one share and keep it, or read all shares.
+class SharedRows {
+ public:
+  /// Computes a share.
+  explicit SharedRows(Share share) : share_(share) {}
+  /// Reads shares.
+  /// @param bytes  of all rows, in the order of the rows
+  SharedRows(std::size_t rows, std::string bytes)
+      : rows_(rows), bytes_(std::move(bytes)), reads_(true) {}
+
+  /// Whether the rows are read.
+  [[nodiscard]] bool reads() const { return reads_; }
+  [[nodiscard]] const Share& share() const { return share_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }  ///< of the whole study
+  /// Of the computed rows, or of all rows that are read.
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+  /// Keeps the rows of the share.
+  void keep(std::size_t rows, std::string bytes) {
+    rows_ = rows;
+    bytes_ = std::move(bytes);
+  }
+
+ private:
+  Share share_;
+  std::size_t rows_ = 0;
+  std::string bytes_;
+  bool reads_ = false;
+};
+
+/// The rows of a study, by a loop that processes may share.
+///
+/// The row of an index must depend on the index only.  `Row` is a number, or has an `archive`
+/// function (core/records.hpp).
+/// @param shared  null: this process computes all rows
+/// @param make    () -> evaluator of one thread, a function (index, row) that fills the row
+/// @throws ShareDone  after the rows of a share were computed and kept
+/// @throws BrokenRecord  if the bytes that are read are not those of n rows
+/// @throws  as for_each_index
+template <class Row, class Make>
+[[nodiscard]] std::vector<Row> shared_rows(std::size_t n, const Parallel& parallel,
+                                           const Progress& progress, SharedRows* shared,
+                                           const Make& make) {
+  if (shared != nullptr && shared->reads()) {
+    if (shared->rows() != n) throw BrokenRecord();
+    std::vector<Row> rows(n);
+    RecordReader from(shared->bytes());
+    for (Row& row : rows) from(row);
+    if (!from.at_end()) throw BrokenRecord();
+    return rows;
+  }
+  const RowRange mine = shared != nullptr ? rows_of(shared->share(), n) : RowRange{0, n};
+  std::vector<Row> rows(mine.last - mine.first);
+  for_each_index(rows.size(), parallel, progress, [&] {
+    return [&, evaluate = make()](std::size_t i) mutable { evaluate(mine.first + i, rows[i]); };
+  });
+  if (shared != nullptr) {
+    RecordWriter to;
+    for (Row& row : rows) to(row);
+    shared->keep(n, std::move(to).bytes());
+    throw ShareDone();
+  }
+  return rows;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/command/shards.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gnu/libc-version.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+
+#include "strainwave/core/sha256.hpp"
+#include "strainwave/core/version.hpp"
+
+namespace strainwave {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kShardFormat = "strainwave-shard/1";
+constexpr int kMostShares = 100'000;
+
+/// What decides which variants of the mathematical functions run.
+std::string code_path() {
+  std::string path = "other processor";
+#ifdef __x86_64__
+  path = "x86-64";
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2") != 0) path += " avx2";
+  if (__builtin_cpu_supports("fma") != 0) path += " fma";
+#endif
+  return fmt::format("{}, glibc {}", path, gnu_get_libc_version());
+}
+
+Json json_of(const SharedStudy& study) {
+  Json options = Json::array();
+  for (const auto& [name, text] : study.options) options.push_back({name, text});
+  return {{"program", study.program},   {"version", study.version},
+          {"revision", study.revision}, {"code_path", study.code_path},
+          {"command", study.command},   {"options", std::move(options)},
+          {"texts", Json(study.texts)}, {"drive_name", study.drive_name},
+          {"drive", study.drive_text},  {"attachments", Json(study.attachments)}};
+}
+
+SharedStudy study_of(const Json& json) {
+  SharedStudy study{.program = json.at("program"),
+                    .version = json.at("version"),
+                    .revision = json.at("revision"),
+                    .code_path = json.at("code_path"),
+                    .command = json.at("command"),
+                    .options = {},
+                    .texts = {},
+                    .drive_name = json.at("drive_name"),
+                    .drive_text = json.at("drive"),
+                    .attachments = {}};
+  for (const Json& option : json.at("options"))
+    study.options.emplace_back(option.at(0), option.at(1));
+  for (const auto& [name, text] : json.at("texts").items()) study.texts[name] = text;
+  for (const auto& [name, text] : json.at("attachments").items()) study.attachments[name] = text;
+  return study;
+}
+
+std::string words_of(const Share& share) { return fmt::format("{}/{}", share.part, share.parts); }
+
+/// All texts of an option in a study, such as "1"; empty if it was not given.
+std::string given(const SharedStudy& study, const std::string& option) {
+  std::vector<std::string> texts;
+  for (const auto& [name, text] : study.options)
+    if (name == option) texts.push_back(text);
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string option_difference(const SharedStudy& one, const SharedStudy& other) {
+  const auto differs = [&](const std::string& name) {
+    const auto words = [](const std::string& text) {
+      return text.empty() ? "left out" : shown(text);
+    };
+    const std::string a = given(one, name);
+    const std::string b = given(other, name);
+    return a == b ? std::string()
+                  : fmt::format("the option {} is {} in one and {} in the other", name, words(a),
+                                words(b));
+  };
+  for (const SharedStudy* const study : {&one, &other})
+    for (const auto& [name, text] : study->options)
+      if (std::string found = differs(name); !found.empty()) return found;
+  return one.options == other.options ? "" : "the options have another order";
+}
+
+/// Checks that the shares are all parts of one division, each once.
+void require_complete(const std::vector<std::pair<std::string, Shard>>& shards) {
+  const auto& [first_name, first] = shards.front();
+  std::vector<const std::string*> file(static_cast<std::size_t>(first.share.parts), nullptr);
+  for (const auto& [name, shard] : shards) {
+    if (shard.share.parts != first.share.parts)
+      throw InputError(name, fmt::format("is share {}, but {} is share {}; merge the shares of one "
+                                         "division",
+                                         words_of(shard.share), first_name, words_of(first.share)));
+    const std::string*& of_part = file[static_cast<std::size_t>(shard.share.part - 1)];
+    if (of_part != nullptr)
+      throw InputError(name, fmt::format("is share {}, and so is {}; give each share once",
+                                         words_of(shard.share), *of_part));
+    of_part = &name;
+  }
+  std::vector<std::size_t> missing;
+  for (std::size_t k = 0; k < file.size(); ++k)
+    if (file[k] == nullptr) missing.push_back(k + 1);
+  if (missing.empty()) return;
+  constexpr std::size_t kShown = 8;
+  const std::size_t more = missing.size() - std::min(missing.size(), kShown);
+  missing.resize(missing.size() - more);
+  throw InputError("shards",
+                   fmt::format("{} of {} are missing{}; compute them with --shard {}/{} and so on",
+                               fmt::join(missing, ", "), first.share.parts,
+                               more > 0 ? fmt::format(", and {} more", more) : std::string(),
+                               missing.front(), first.share.parts));
+}
+
+struct MergeOptions {
+  std::vector<std::string> shards;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "shards",
+           .unit = "",
+           .doc = "files that --shard wrote, in any order",
+           .positional = true,
+           .names = "shard"},
+          &MergeOptions::shards);
+  }
+};
+
+/// The result of `merge`, which is that of another command.
+struct OtherResult {
+  template <class Visitor>
+  static void describe(Visitor&&) {}
+};
+
+ResultEvidence evidence_of(const OtherResult&) { return {}; }
+
+/// Never called, because the answer of the merged command writes its documents.
+std::string no_document(const OtherResult&) { return {}; }
+
+}  // namespace
+
+Share parse_share(std::string_view text) {
+  Share share;
+  const char* const end = text.data() + text.size();
+  const auto part = std::from_chars(text.data(), end, share.part);
+  const bool slash = part.ec == std::errc() && part.ptr != end && *part.ptr == '/';
+  const auto parts = slash ? std::from_chars(part.ptr + 1, end, share.parts) : part;
+  if (!slash || parts.ec != std::errc() || parts.ptr != end)
+    throw OptionError("shard", fmt::format("is {}; it must be a share such as 3/16", shown(text)));
+  if (share.parts < 1 || share.parts > kMostShares || share.part < 1 || share.part > share.parts)
+    throw OptionError(
+        "shard", fmt::format("is {}; the first number must be from 1 to the second, and the second "
+                             "from 1 to {}",
+                             shown(text), kMostShares));
+  return share;
+}
+
+SharedStudy shared_study(const Command& command, const Drive* drive, Attachments::Texts attachments,
+                         const OptionValues& options, const OptionTexts& texts) {
+  auto kept = options.texts();
+  std::erase_if(kept, [](const auto& option) { return option.first == "threads"; });
+  return {.program = std::string(command.program),
+          .version = std::string(version()),
+          .revision = std::string(git_revision()),
+          .code_path = code_path(),
+          .command = std::string(command.name),
+          .options = std::move(kept),
+          .texts = texts,
+          .drive_name = drive != nullptr ? drive->name : std::string(),
+          .drive_text = drive != nullptr ? drive->text : std::string(),
+          .attachments = std::move(attachments)};
+}
+
+Shard computed_shard(const Command& command, const std::shared_ptr<const Drive>& drive,
+                     const OptionValues& options, SharedStudy study, const Share& share,
+                     const Progress& progress, const Host& host) {
+  if (command.shares.empty())
+    throw OptionError("shard", fmt::format("is not known to {}", command.name));
+  SharedRows rows(share);
+  Host shares{.ranks = host.ranks,
+              .shared = &rows,
+              .units = host.units,
+              .beside = host.beside,
+              .open = host.open};
+  try {
+    (void)run(command, drive, options, study.texts, progress, shares);
+  } catch (const ShareDone&) {
+    return {.study = std::move(study), .share = share, .rows = rows.rows(), .bytes = rows.bytes()};
+  }
+  throw OptionError(
+      "shard", fmt::format("divides {}, and there are none with these options", command.shares));
+}
+
+std::string shard_text(const Shard& shard) {
+  const RowRange range = rows_of(shard.share, shard.rows);
+  Json head = {{"share", {shard.share.part, shard.share.parts}},
+               {"rows", shard.rows},
+               {"first", range.first},
+               {"last", range.last},
+               {"bytes", shard.bytes.size()},
+               {"sha256", sha256_hex(shard.bytes)}};
+  head.update(json_of(shard.study));
+  return fmt::format("{}\n{}\n", kShardFormat,
+                     head.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+         shard.bytes;
+}
+
+bool begins_as_shard(std::string_view text) {
+  return text.substr(0, text.find('\n')) == kShardFormat;
+}
+
+Shard parse_shard(std::string_view text, const std::string& name) {
+  const std::size_t first = text.find('\n');
+  if (!begins_as_shard(text))
+    throw InputError(name, fmt::format("is not a shard; its first line must be {}", kShardFormat));
+  const std::size_t second = text.find('\n', first + 1);
+  Shard shard;
+  std::size_t size = 0;
+  std::string digest;
+  try {
+    const Json head = Json::parse(text.substr(first + 1, second - first - 1));
+    shard.study = study_of(head);
+    shard.share = {head.at("share").at(0), head.at("share").at(1)};
+    shard.rows = head.at("rows");
+    size = head.at("bytes");
+    digest = head.at("sha256");
+  } catch (const Json::exception&) {
+    throw InputError(name, "is a damaged shard; compute it again");
+  }
+  shard.bytes = second == std::string_view::npos ? "" : text.substr(second + 1);
+  if (shard.bytes.size() != size || sha256_hex(shard.bytes) != digest || shard.share.part < 1 ||
+      shard.share.part > shard.share.parts || shard.share.parts > kMostShares)
+    throw InputError(name, "is a damaged shard; compute it again");
+  return shard;
+}
+
+std::string difference(const SharedStudy& one, const SharedStudy& other) {
+  const auto differs = [](std::string_view what, const std::string& a, const std::string& b) {
+    return a == b
+               ? std::string()
+               : fmt::format("the {} is {} in one and {} in the other", what, shown(a), shown(b));
+  };
+  for (const auto& [what, member] : {std::pair{"program", &SharedStudy::program},
+                                     {"version", &SharedStudy::version},
+                                     {"revision", &SharedStudy::revision},
+                                     {"command", &SharedStudy::command},
+                                     {"name of the drive", &SharedStudy::drive_name},
+                                     {"code path", &SharedStudy::code_path}})
+    if (std::string found = differs(what, one.*member, other.*member); !found.empty()) return found;
+  if (std::string found = option_difference(one, other); !found.empty()) return found;
+  if (one.drive_text != other.drive_text) return "the text of the drive differs";
+  if (one.attachments != other.attachments) return "a file that the drive names differs";
+  if (one.texts != other.texts) return "a file that an option names differs";
+  return {};
+}
+
+Answer merged(std::span<const Command> table,
+              const std::vector<std::pair<std::string, Shard>>& shards, const Progress& progress,
+              const Host& host) {
+  if (shards.empty()) throw OptionError("shards", "must be given; name the files of all shards");
+  const auto& [first_name, first] = shards.front();
+  const SharedStudy& study = first.study;
+  const Command& command = command_named(table, study.command);
+  const SharedStudy here = shared_study(command, nullptr, {}, OptionValues(command.options), {});
+  for (const auto& [name, shard] : shards) {
+    if (const std::string found = difference(study, shard.study); !found.empty())
+      throw InputError(name,
+                       fmt::format("is a shard of another study than {}: {}", first_name, found));
+    if (shard.rows != first.rows)
+      throw InputError(name, fmt::format("is a shard of {} rows, but {} of {}", shard.rows,
+                                         first_name, first.rows));
+  }
+  for (const auto& [what, member] : {std::pair{"version", &SharedStudy::version},
+                                     {"revision", &SharedStudy::revision},
+                                     {"code path", &SharedStudy::code_path}})
+    if (study.*member != here.*member)
+      throw InputError(first_name,
+                       fmt::format("has the {} {}, and this program has {}; merge the shards where "
+                                   "both are the same, because digits may differ",
+                                   what, shown(study.*member), shown(here.*member)));
+  require_complete(shards);
+  std::vector<const Shard*> in_order(shards.size());
+  for (const auto& [name, shard] : shards)
+    in_order[static_cast<std::size_t>(shard.share.part - 1)] = &shard;
+  std::string bytes;
+  for (const Shard* const shard : in_order) bytes += shard->bytes;
+  SharedRows rows(first.rows, std::move(bytes));
+  OptionValues options(command.options);
+  for (const auto& [name, text] : study.options) options.set(name, text);
+  std::shared_ptr<const Drive> drive;
+  if (!study.drive_text.empty())
+    drive = read_drive(study.drive_text, study.drive_name, Attachments(study.attachments));
+  try {
+    return run(command, drive, options, study.texts, progress,
+               {.ranks = host.ranks,
+                .shared = &rows,
+                .units = host.units,
+                .columns = host.columns,
+                .beside = host.beside,
+                .open = host.open});
+  } catch (const BrokenRecord&) {
+    throw InputError("shards", "have rows of another form than this program; compute all again");
+  }
+}
+
+Command merge_command(std::span<const Command> (*table)()) {
+  Command row = command<MergeOptions, OtherResult>({
+      .name = "merge",
+      .summary = "Merge the shards of a study into the answer of one run",
+      .description =
+          "Reads the files that --shard wrote for all shares of a study, in any order and from any "
+          "machine, and gives the answer that one run without --shard gives, to the byte. A shard "
+          "contains the drive and the options, so no other file is needed. Shards of another "
+          "drive, version, option, seed or code path are refused by name; the code path is what "
+          "the last digits depend on, the instructions of the processor and the mathematical "
+          "library.",
+      .example = "strainwave merge part-*.shard --format json --output study.json",
+      .takes = Takes::nothing,
+      .function = [](const Request&, const MergeOptions&) { return OtherResult(); },
+      .documents = {{{.name = kDefaultDocument}, no_document},
+                    {{.name = "text", .format = Format::text}, no_document},
+                    {{.name = "csv", .format = Format::csv}, no_document},
+                    {{.name = "markdown", .format = Format::markdown}, no_document},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw the study as an SVG file, if its command does"},
+                     no_document}},
+  });
+  row.instead = [table](const OptionValues& options, const OptionTexts& texts,
+                        const Progress& progress, const Host& host) {
+    std::vector<std::pair<std::string, Shard>> shards;
+    for (const auto& [option, name] : options.texts()) {
+      const auto text = texts.find(name);
+      if (text == texts.end()) throw OptionError(option, "names a text that is not attached");
+      const bool twice =
+          std::ranges::any_of(shards, [&](const auto& one) { return one.first == name; });
+      if (twice) throw InputError(name, "is given twice; give each shard once");
+      shards.emplace_back(name, parse_shard(text->second, name));
+    }
+    return merged(table(), shards, progress, host);
+  };
+  return row;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/crack_group/straight_cracks.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+constexpr Complex kI{0.0, 1.0};
+
+/// Sums over the row of 1/w and 1/w^2, or these numbers themselves (CG-2).
+struct Sums {
+  Complex first;
+  Complex second;
+};
+
+Sums sums_of(const Complex& w, const std::optional<double>& period) {
+  if (!period) return {1.0 / w, 1.0 / (w * w)};
+  const double k = pi / *period;
+  // Far above or below the row the sine overflows; cot tends to -i or i there.
+  if (std::abs(w.imag()) * k > 300) return {w.imag() > 0 ? -kI * k : kI * k, 0.0};
+  const Complex s = std::sin(k * w);
+  return {k * std::cos(k * w) / s, k * k / (s * s)};
+}
+
+/// Points and weights of Gauss-Chebyshev quadrature (CG-3).
+struct Points {
+  explicit Points(int n) : density(n), force(n - 1) {
+    for (int k = 0; k < n; ++k) density[k] = std::cos((2 * k + 1) * pi / (2 * n));
+    for (int r = 1; r < n; ++r) force[r - 1] = std::cos(r * pi / n);
+  }
+  Eigen::VectorXd density;  ///< where the densities are unknown
+  Eigen::VectorXd force;    ///< where the tractions are given
+};
+
+/// Value at the end +1 of a polynomial from its values at the density points (CG-5).
+double at_end(const Eigen::VectorXd& values) {
+  const auto n = values.size();
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double angle = static_cast<double>(2 * k + 1) * pi / static_cast<double>(4 * n);
+    sum += std::sin(static_cast<double>(2 * n - 1) * angle) / std::sin(angle) * values[k];
+  }
+  return sum / static_cast<double>(n);
+}
+
+/// The stress in the axes of a crack: normal and shear in the plane, and out of the plane (CG-1).
+struct Tractions {
+  double normal = 0.0;
+  double shear = 0.0;
+  double out = 0.0;
+};
+
+Tractions tractions_of(const SheetStress& s, double angle) {
+  const Complex turned = std::exp(2.0 * kI * angle) * Complex(s.yy - s.xx, 2 * s.xy);
+  return {.normal = (s.xx + s.yy + turned.real()) / 2,
+          .shear = turned.imag() / 2,
+          .out = s.yz * std::cos(angle) - s.xz * std::sin(angle)};
+}
+
+/// The densities of all cracks at their points, for one order.
+class Densities {
+ public:
+  Densities(std::span<const StraightCrack> cracks, int order, const std::optional<double>& period)
+      : cracks_(cracks),
+        n_(order),
+        points_(order),
+        period_(period),
+        closed_(cracks.size(), false) {}
+
+  /// Solves for the densities, and closes cracks that would overlap at their middles (CG-4).
+  void solve(const SheetStress& stress) {
+    for (std::size_t pass = 0; pass <= cracks_.size(); ++pass) {
+      solve_plane(stress);
+      bool changed = false;
+      for (std::size_t j = 0; j < cracks_.size(); ++j)
+        if (!closed_[j] && opening_at_middle(j) < -kRounding * density_of(j))
+          changed = closed_[j] = true;
+      if (!changed) break;
+    }
+    solve_out_of_plane(stress);
+  }
+
+  [[nodiscard]] GroupedCrack crack(std::size_t j, const SheetStress& stress) const {
+    const auto segment = [&](const Eigen::VectorXd& of) -> Eigen::VectorXd {
+      return of.segment(static_cast<Eigen::Index>(j) * n_, n_);
+    };
+    const Eigen::VectorXd normal = segment(normal_);
+    const Eigen::VectorXd shear = segment(shear_);
+    const Eigen::VectorXd out = segment(out_);
+    const double root = std::sqrt(pi * cracks_[j].half_length);
+    GroupedCrack result;
+    result.closed = closed_[j];
+    // (CG-5)
+    result.ahead = {.mode_1 = 2 * pi * root * at_end(normal),
+                    .mode_2 = 2 * pi * root * at_end(shear),
+                    .mode_3 = pi * root * at_end(out)};
+    result.behind = {.mode_1 = -2 * pi * root * at_end(normal.reverse()),
+                     .mode_2 = -2 * pi * root * at_end(shear.reverse()),
+                     .mode_3 = -pi * root * at_end(out.reverse())};
+    // (CG-6): the opening is the integral of the density, so its mean is the first moment.
+    const double a = cracks_[j].half_length;
+    const double moment = pi / n_ * a * a;
+    const Tractions t = tractions_of(stress, cracks_[j].angle);
+    result.work =
+        moment *
+        (8 * pi * (t.normal * points_.density.dot(normal) + t.shear * points_.density.dot(shear)) +
+         4 * pi * t.out * points_.density.dot(out));
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Complex place(std::size_t j, double s) const {
+    return cracks_[j].centre + s * cracks_[j].half_length * std::exp(kI * cracks_[j].angle);
+  }
+
+  /// Share of the densities below which an opening is rounding.
+  static constexpr double kRounding = 1e-10;
+
+  /// The largest density of a crack.
+  [[nodiscard]] double density_of(std::size_t j) const {
+    const auto first = static_cast<Eigen::Index>(j) * n_;
+    return std::max(normal_.segment(first, n_).cwiseAbs().maxCoeff(),
+                    shear_.segment(first, n_).cwiseAbs().maxCoeff());
+  }
+
+  /// Opening of the faces at the middle, but for a positive factor.
+  [[nodiscard]] double opening_at_middle(std::size_t j) const {
+    // The density is a polynomial over a root.  The part of the opening from one end to the middle
+    // is that of its odd Chebyshev terms.
+    double opening = 0.0;
+    for (int m = 1; m < n_; m += 2) {
+      double coefficient = 0.0;
+      for (int k = 0; k < n_; ++k)
+        coefficient += 2.0 / n_ * normal_[static_cast<Eigen::Index>(j) * n_ + k] *
+                       std::cos(m * (2 * k + 1) * pi / (2 * n_));
+      // Integral of T_m/sqrt(1 - s^2) from 0 to 1.
+      opening += coefficient * std::sin(m * pi / 2) / m;
+    }
+    return opening;
+  }
+
+  /// Influence of a unit real and a unit imaginary density of a crack at s on the traction of
+  /// another at t: normal + i shear (CG-2).
+  struct Influence {
+    Complex of_normal;
+    Complex of_shear;
+    double out = 0.0;
+  };
+  [[nodiscard]] Influence influence(std::size_t on, double t, std::size_t by, double s) const {
+    const Complex w = place(on, t) - place(by, s);
+    const Sums sums = sums_of(w, period_);
+    const Complex turn_on = std::exp(kI * cracks_[on].angle);
+    const Complex turn_by = std::exp(kI * cracks_[by].angle);
+    const auto plane = [&](const Complex& density) {  // conj(density) is normal + i shear
+      const Complex gamma = turn_by * std::conj(density);
+      return gamma * sums.first + std::conj(gamma * sums.first) +
+             turn_on * turn_on *
+                 ((std::conj(gamma) - gamma) * sums.first +
+                  2.0 * kI * w.imag() * gamma * sums.second);
+    };
+    return {.of_normal = plane(1.0), .of_shear = plane(kI), .out = (turn_on * sums.first).real()};
+  }
+
+  void solve_plane(const SheetStress& stress) {
+    const auto count = static_cast<Eigen::Index>(cracks_.size());
+    const Eigen::Index size = 2 * n_ * count;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+    // Unknowns and equations of a crack: n of normal, then n of shear; the last of each n equations
+    // closes the crack at its ends.
+    for (std::size_t i = 0; i < cracks_.size(); ++i) {
+      const auto row = 2 * n_ * static_cast<Eigen::Index>(i);
+      const Tractions t = tractions_of(stress, cracks_[i].angle);
+      for (int r = 0; r + 1 < n_; ++r) {
+        if (!closed_[i]) right[row + r] = -t.normal;
+        right[row + n_ + r] = -t.shear;
+        for (std::size_t j = 0; j < cracks_.size(); ++j) {
+          const auto column = 2 * n_ * static_cast<Eigen::Index>(j);
+          const double weight = pi / n_ * cracks_[j].half_length;
+          for (int k = 0; k < n_; ++k) {
+            const Influence at = influence(i, points_.force[r], j, points_.density[k]);
+            if (!closed_[i]) {
+              matrix(row + r, column + k) = weight * at.of_normal.real();
+              matrix(row + r, column + n_ + k) = weight * at.of_shear.real();
+            }
+            matrix(row + n_ + r, column + k) = weight * at.of_normal.imag();
+            matrix(row + n_ + r, column + n_ + k) = weight * at.of_shear.imag();
+          }
+        }
+      }
+      for (int k = 0; k < n_; ++k) {
+        if (!closed_[i]) matrix(row + n_ - 1, row + k) = 1.0;
+        matrix(row + 2 * n_ - 1, row + n_ + k) = 1.0;
+      }
+      if (closed_[i])  // the faces cannot part
+        for (int k = 0; k < n_; ++k) matrix(row + k, row + k) = 1.0;
+    }
+    const Eigen::VectorXd solved = matrix.partialPivLu().solve(right);
+    normal_.resize(n_ * count);
+    shear_.resize(n_ * count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      normal_.segment(j * n_, n_) = solved.segment(2 * j * n_, n_);
+      shear_.segment(j * n_, n_) = solved.segment(2 * j * n_ + n_, n_);
+    }
+  }
+
+  void solve_out_of_plane(const SheetStress& stress) {
+    const auto size = n_ * static_cast<Eigen::Index>(cracks_.size());
+    out_ = Eigen::VectorXd::Zero(size);
+    if (stress.xz == 0 && stress.yz == 0) return;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+    for (std::size_t i = 0; i < cracks_.size(); ++i) {
+      const auto row = n_ * static_cast<Eigen::Index>(i);
+      const Tractions t = tractions_of(stress, cracks_[i].angle);
+      for (int r = 0; r + 1 < n_; ++r) {
+        right[row + r] = -t.out;
+        for (std::size_t j = 0; j < cracks_.size(); ++j) {
+          const double weight = pi / n_ * cracks_[j].half_length;
+          for (int k = 0; k < n_; ++k)
+            matrix(row + r, n_ * static_cast<Eigen::Index>(j) + k) =
+                weight * influence(i, points_.force[r], j, points_.density[k]).out;
+        }
+      }
+      for (int k = 0; k < n_; ++k) matrix(row + n_ - 1, row + k) = 1.0;
+    }
+    out_ = matrix.partialPivLu().solve(right);
+  }
+
+  std::span<const StraightCrack> cracks_;
+  int n_;
+  Points points_;
+  std::optional<double> period_;
+  std::vector<bool> closed_;
+  Eigen::VectorXd normal_;
+  Eigen::VectorXd shear_;
+  Eigen::VectorXd out_;
+};
+
+/// All cracks of a group for one order.
+std::vector<GroupedCrack> cracks_of(std::span<const StraightCrack> cracks,
+                                    const SheetStress& stress, int order,
+                                    const std::optional<double>& period) {
+  Densities densities(cracks, order, period);
+  densities.solve(stress);
+  std::vector<GroupedCrack> result;
+  for (std::size_t j = 0; j < cracks.size(); ++j) result.push_back(densities.crack(j, stress));
+  return result;
+}
+
+/// Work of a crack alone (CG-6).
+double work_alone(const StraightCrack& crack, const SheetStress& stress) {
+  const Tractions t = tractions_of(stress, crack.angle);
+  const double open = t.normal > 0 ? t.normal * t.normal : 0.0;
+  return 2 * pi * crack.half_length * crack.half_length *
+         (open + t.shear * t.shear + t.out * t.out);
+}
+
+SheetStress reversed(const SheetStress& s) {
+  return {.xx = -s.xx, .yy = -s.yy, .xy = -s.xy, .xz = -s.xz, .yz = -s.yz};
+}
+
+double cross(const Complex& a, const Complex& b) {
+  return a.real() * b.imag() - a.imag() * b.real();
+}
+
+/// Distance of a point from a segment.
+double distance_to(const Complex& point, const Complex& from, const Complex& to) {
+  const Complex along = to - from;
+  const double share =
+      std::clamp(((point - from) * std::conj(along)).real() / std::norm(along), 0.0, 1.0);
+  return std::abs(point - from - share * along);
+}
+
+void require_apart(std::span<const StraightCrack> cracks, const std::optional<double>& period) {
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double reach = std::abs(cracks[i].centre - cracks[j].centre) + cracks[i].half_length +
+                           cracks[j].half_length;
+      const int images = period ? static_cast<int>(std::ceil(reach / *period)) : 0;
+      for (int k = -images; k <= images; ++k) {
+        if (i == j && k == 0) continue;
+        StraightCrack moved = cracks[j];
+        if (period) moved.centre += k * *period;
+        if (distance(cracks[i], moved) <= 1e-9 * cracks[i].half_length)
+          throw InputError("cracks",
+                           i == j ? fmt::format("crack {} touches the next one of its row", i)
+                                  : fmt::format("cracks {} and {} cross or touch", j, i));
+      }
+    }
+}
+
+}  // namespace
+
+double distance(const StraightCrack& one, const StraightCrack& other) {
+  const auto ends = [](const StraightCrack& crack) {
+    const Complex half = crack.half_length * std::exp(kI * crack.angle);
+    return std::pair{crack.centre - half, crack.centre + half};
+  };
+  const auto [a, b] = ends(one);
+  const auto [c, d] = ends(other);
+  const bool crosses = cross(b - a, c - a) * cross(b - a, d - a) < 0 &&
+                       cross(d - c, a - c) * cross(d - c, b - c) < 0;
+  if (crosses) return 0.0;
+  return std::min(
+      {distance_to(a, c, d), distance_to(b, c, d), distance_to(c, a, b), distance_to(d, a, b)});
+}
+
+CrackGroup crack_group(std::span<const StraightCrack> cracks, const SheetStress& stress,
+                       const GroupOptions& options) {
+  constexpr int kLeastOrder = 4;
+  constexpr int kMostOrder = 400;
+  require(options.order >= kLeastOrder && options.order <= kMostOrder, "order", options.order, "1",
+          fmt::format(">= {} and <= {}", kLeastOrder, kMostOrder));
+  if (options.period) require(*options.period > 0, "period", *options.period, "m", "> 0");
+  for (const StraightCrack& crack : cracks)
+    require(crack.half_length > 0, "half_length", crack.half_length, "m", "> 0");
+  require_apart(cracks, options.period);
+  CrackGroup group{.cracks = cracks_of(cracks, stress, options.order, options.period)};
+  const std::vector<GroupedCrack> coarse =
+      cracks_of(cracks, stress, std::max(kLeastOrder, 2 * options.order / 3), options.period);
+  double largest = 0.0;
+  double change = 0.0;
+  double work = 0.0;
+  double alone = 0.0;
+  double whole = 0.0;  // of both senses of the stress
+  for (std::size_t j = 0; j < cracks.size(); ++j) {
+    for (const auto tip : {&GroupedCrack::behind, &GroupedCrack::ahead})
+      for (const auto mode : {&TipFactors::mode_1, &TipFactors::mode_2, &TipFactors::mode_3}) {
+        const double K = group.cracks[j].*tip.*mode;
+        largest = std::max(largest, std::abs(K));
+        change = std::max(change, std::abs(K - coarse[j].*tip.*mode));
+      }
+    work += group.cracks[j].work;
+    alone += work_alone(cracks[j], stress);
+    whole += std::max(work_alone(cracks[j], stress), work_alone(cracks[j], reversed(stress)));
+  }
+  if (largest > 0) group.error = change / largest;
+  constexpr double kRounding = 1e-20;
+  if (alone > kRounding * whole) group.compliance_ratio = work / alone;
+  return group;
+}
+
+}  // namespace strainwave
