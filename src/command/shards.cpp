@@ -336,12 +336,12 @@ Command merge_command(std::span<const Command> (*table)()) {
   row.instead = [table](const OptionValues& options, const OptionTexts& texts,
                         const Progress& progress, const Host& host) {
     std::vector<std::pair<std::string, Shard>> shards;
-    for (const auto& [option, name] : options.texts()) {
+    for (const auto& option : options.texts()) {
+      const std::string& name = option.second;
       const auto text = texts.find(name);
-      if (text == texts.end()) throw OptionError(option, "names a text that is not attached");
-      const bool twice =
-          std::ranges::any_of(shards, [&](const auto& one) { return one.first == name; });
-      if (twice) throw InputError(name, "is given twice; give each shard once");
+      if (text == texts.end()) throw OptionError(option.first, "names a text that is not attached");
+      if (std::ranges::any_of(shards, [&](const auto& one) { return one.first == name; }))
+        throw InputError(name, "is given twice; give each shard once");
       shards.emplace_back(name, parse_shard(text->second, name));
     }
     return merged(table(), shards, progress, host);

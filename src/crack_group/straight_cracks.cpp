@@ -68,15 +68,76 @@ Tractions tractions_of(const SheetStress& s, double angle) {
           .out = s.yz * std::cos(angle) - s.xz * std::sin(angle)};
 }
 
+/// Solves a system whose blocks on the diagonal are those of single cracks.
+///
+/// GMRES with these blocks as preconditioner needs the fewer steps, the less the cracks influence
+/// each other: about ten for gaps of half a length.  A system of one or two cracks, and one that
+/// does not converge, is factored.
+Eigen::VectorXd solved_by_blocks(const Eigen::MatrixXd& matrix, Eigen::Index block,
+                                 const Eigen::VectorXd& right) {
+  constexpr int kMostSteps = 120;
+  constexpr double kTolerance = 1e-14;  // of the right-hand side
+  const Eigen::Index blocks = matrix.rows() / block;
+  const double size = right.norm();
+  if (size == 0) return right;
+  if (blocks <= 2) return matrix.partialPivLu().solve(right);
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> alone;
+  for (Eigen::Index j = 0; j < blocks; ++j)
+    alone.emplace_back(matrix.block(j * block, j * block, block, block));
+  const auto preconditioned = [&](const Eigen::VectorXd& of) {
+    Eigen::VectorXd result(of.size());
+    for (Eigen::Index j = 0; j < blocks; ++j)
+      result.segment(j * block, block) =
+          alone[static_cast<std::size_t>(j)].solve(of.segment(j * block, block));
+    return result;
+  };
+  // Orthonormal basis of the Krylov space of matrix times preconditioner, and the triangle of its
+  // least squares by Givens rotations.
+  Eigen::MatrixXd basis(right.size(), kMostSteps + 1);
+  Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(kMostSteps + 1, kMostSteps);
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(kMostSteps + 1);
+  std::vector<Eigen::JacobiRotation<double>> turns;
+  basis.col(0) = right / size;
+  rest[0] = size;
+  for (int step = 0; step < kMostSteps; ++step) {
+    Eigen::VectorXd next = matrix * preconditioned(basis.col(step));
+    for (int pass = 0; pass < 2; ++pass)  // twice, against rounding
+      for (int i = 0; i <= step; ++i) {
+        const double along = basis.col(i).dot(next);
+        triangle(i, step) += along;
+        next -= along * basis.col(i);
+      }
+    const double left = next.norm();
+    for (int i = 0; i < step; ++i) {
+      const double upper = triangle(i, step);
+      const double lower = triangle(i + 1, step);
+      const auto& turn = turns[static_cast<std::size_t>(i)];
+      triangle(i, step) = turn.c() * upper + turn.s() * lower;
+      triangle(i + 1, step) = -turn.s() * upper + turn.c() * lower;
+    }
+    const double length = std::hypot(triangle(step, step), left);
+    turns.emplace_back(triangle(step, step) / length, left / length);
+    triangle(step, step) = length;
+    rest[step + 1] = -turns.back().s() * rest[step];
+    rest[step] *= turns.back().c();
+    if (std::abs(rest[step + 1]) <= kTolerance * size) {
+      const Eigen::VectorXd weights = triangle.topLeftCorner(step + 1, step + 1)
+                                          .triangularView<Eigen::Upper>()
+                                          .solve(rest.head(step + 1));
+      return preconditioned(basis.leftCols(step + 1) * weights);
+    }
+    basis.col(step + 1) = next / left;
+  }
+  return matrix.partialPivLu().solve(right);
+}
+
 /// The densities of all cracks at their points, for one order.
 class Densities {
  public:
   Densities(std::span<const StraightCrack> cracks, int order, const std::optional<double>& period)
-      : cracks_(cracks),
-        n_(order),
-        points_(order),
-        period_(period),
-        closed_(cracks.size(), false) {}
+      : cracks_(cracks), n_(order), points_(order), period_(period), closed_(cracks.size(), false) {
+    for (const StraightCrack& crack : cracks) turn_.push_back(std::exp(kI * crack.angle));
+  }
 
   /// Solves for the densities, and closes cracks that would overlap at their middles (CG-4).
   void solve(const SheetStress& stress) {
@@ -121,7 +182,7 @@ class Densities {
 
  private:
   [[nodiscard]] Complex place(std::size_t j, double s) const {
-    return cracks_[j].centre + s * cracks_[j].half_length * std::exp(kI * cracks_[j].angle);
+    return cracks_[j].centre + s * cracks_[j].half_length * turn_[j];
   }
 
   /// Share of the densities below which an opening is rounding.
@@ -150,26 +211,25 @@ class Densities {
     return opening;
   }
 
-  /// Influence of a unit real and a unit imaginary density of a crack at s on the traction of
+  /// Influence of a unit real and a unit imaginary density of a crack on the traction of
   /// another at t: normal + i shear (CG-2).
   struct Influence {
     Complex of_normal;
     Complex of_shear;
     double out = 0.0;
   };
-  [[nodiscard]] Influence influence(std::size_t on, double t, std::size_t by, double s) const {
-    const Complex w = place(on, t) - place(by, s);
+  /// @param w  from the place of the density to that of the traction
+  [[nodiscard]] Influence influence(std::size_t on, std::size_t by, const Complex& w) const {
     const Sums sums = sums_of(w, period_);
-    const Complex turn_on = std::exp(kI * cracks_[on].angle);
-    const Complex turn_by = std::exp(kI * cracks_[by].angle);
-    const auto plane = [&](const Complex& density) {  // conj(density) is normal + i shear
-      const Complex gamma = turn_by * std::conj(density);
-      return gamma * sums.first + std::conj(gamma * sums.first) +
-             turn_on * turn_on *
-                 ((std::conj(gamma) - gamma) * sums.first +
-                  2.0 * kI * w.imag() * gamma * sums.second);
+    const Complex twice = turn_[on] * turn_[on];
+    const auto plane = [&](const Complex& gamma) {  // conj(density) is normal + i shear
+      const Complex first = gamma * sums.first;
+      return 2 * first.real() + twice * ((std::conj(gamma) - gamma) * sums.first +
+                                         2.0 * kI * w.imag() * gamma * sums.second);
     };
-    return {.of_normal = plane(1.0), .of_shear = plane(kI), .out = (turn_on * sums.first).real()};
+    return {.of_normal = plane(turn_[by]),
+            .of_shear = plane(-kI * turn_[by]),
+            .out = (turn_[on] * sums.first).real()};
   }
 
   void solve_plane(const SheetStress& stress) {
@@ -185,11 +245,12 @@ class Densities {
       for (int r = 0; r + 1 < n_; ++r) {
         if (!closed_[i]) right[row + r] = -t.normal;
         right[row + n_ + r] = -t.shear;
+        const Complex here = place(i, points_.force[r]);
         for (std::size_t j = 0; j < cracks_.size(); ++j) {
           const auto column = 2 * n_ * static_cast<Eigen::Index>(j);
           const double weight = pi / n_ * cracks_[j].half_length;
           for (int k = 0; k < n_; ++k) {
-            const Influence at = influence(i, points_.force[r], j, points_.density[k]);
+            const Influence at = influence(i, j, here - place(j, points_.density[k]));
             if (!closed_[i]) {
               matrix(row + r, column + k) = weight * at.of_normal.real();
               matrix(row + r, column + n_ + k) = weight * at.of_shear.real();
@@ -206,7 +267,7 @@ class Densities {
       if (closed_[i])  // the faces cannot part
         for (int k = 0; k < n_; ++k) matrix(row + k, row + k) = 1.0;
     }
-    const Eigen::VectorXd solved = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd solved = solved_by_blocks(matrix, 2 * n_, right);
     normal_.resize(n_ * count);
     shear_.resize(n_ * count);
     for (Eigen::Index j = 0; j < count; ++j) {
@@ -226,16 +287,17 @@ class Densities {
       const Tractions t = tractions_of(stress, cracks_[i].angle);
       for (int r = 0; r + 1 < n_; ++r) {
         right[row + r] = -t.out;
+        const Complex here = place(i, points_.force[r]);
         for (std::size_t j = 0; j < cracks_.size(); ++j) {
           const double weight = pi / n_ * cracks_[j].half_length;
           for (int k = 0; k < n_; ++k)
             matrix(row + r, n_ * static_cast<Eigen::Index>(j) + k) =
-                weight * influence(i, points_.force[r], j, points_.density[k]).out;
+                weight * influence(i, j, here - place(j, points_.density[k])).out;
         }
       }
       for (int k = 0; k < n_; ++k) matrix(row + n_ - 1, row + k) = 1.0;
     }
-    out_ = matrix.partialPivLu().solve(right);
+    out_ = solved_by_blocks(matrix, n_, right);
   }
 
   std::span<const StraightCrack> cracks_;
@@ -243,6 +305,7 @@ class Densities {
   Points points_;
   std::optional<double> period_;
   std::vector<bool> closed_;
+  std::vector<Complex> turn_;  ///< exp(i angle) of each crack
   Eigen::VectorXd normal_;
   Eigen::VectorXd shear_;
   Eigen::VectorXd out_;

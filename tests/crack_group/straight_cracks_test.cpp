@@ -246,6 +246,35 @@ TEST(CrackGroup, BehaviourErrorIsStated) {
   }
 }
 
+// Kind: reference.  Distances by hand: end to inside, end to end, side by side, crossing.
+TEST(CrackGroup, ReferenceDistances) {
+  const StraightCrack flat{{1, 2}, 2, 0};
+  EXPECT_NEAR(distance(flat, {{2, 3.5}, 1, pi / 2}), 0.5, 1e-14);  // above its inside
+  EXPECT_NEAR(distance({{2, 3.5}, 1, pi / 2}, flat), 0.5, 1e-14);
+  EXPECT_NEAR(distance(flat, {{7, 6}, 1, 0}), 5, 1e-14);  // 3-4-5 from its end
+  EXPECT_NEAR(distance(flat, {{1.5, 1}, 2, 0}), 1, 1e-14);
+  EXPECT_EQ(distance(flat, {{2, 2.5}, 1, pi / 2}), 0);
+  EXPECT_NEAR(distance(flat, {{2, 3}, 1, pi / 2}), 0, 1e-14);  // touches
+}
+
+// Kind: cross-check.  A group of cracks that is solved step by step agrees with the same cracks as
+// two, which are factored: the third is too small to matter.
+TEST(CrackGroup, CrosscheckOfTheTwoSolvers) {
+  const std::vector<StraightCrack> two = {{{0, 0}, 1, 0.3}, {{1.6, 0.9}, 0.8, -0.6}};
+  std::vector<StraightCrack> three = two;
+  three.push_back({{0.4, 40}, 1e-6, 0.1});
+  const SheetStress stress{.xx = 0.5, .yy = 1, .xy = 0.2, .xz = 0.3, .yz = 1};
+  const CrackGroup by_factor = crack_group(two, stress);
+  const CrackGroup by_steps = crack_group(three, stress);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const TipFactors& one = by_factor.cracks[j].ahead;
+    const TipFactors& other = by_steps.cracks[j].ahead;
+    test::expect_relative(other.mode_1, one.mode_1, 1e-11);
+    test::expect_relative(other.mode_2, one.mode_2, 1e-11);
+    test::expect_relative(other.mode_3, one.mode_3, 1e-11);
+  }
+}
+
 TEST(CrackGroup, InputCracksThatCannotBe) {
   const auto refusal = [](const std::vector<StraightCrack>& cracks, GroupOptions options = {}) {
     return test::broken_rule([&] { return crack_group(cracks, {.yy = 1}, options); });
