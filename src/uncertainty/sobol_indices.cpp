@@ -144,31 +144,29 @@ SobolStudy sobol_indices(const std::function<NormalFunction()>& make, const Inpu
   const std::size_t size = points / replicates;
   const SobolPoints sobol(2 * inputs, size);
   const Parallel parallel{.block = 16, .threads = options.threads};
-  const Rows rows(shared_rows<BasePoint>(
-                      points, parallel, progress, options.shared,
-                      [&] {
-                        return [&, function = make(), a = std::vector<double>(inputs),
-                                b = std::vector<double>(inputs), mixed = std::vector<double>()](
-                                   std::size_t n, BasePoint& point) mutable {
-                          const std::uint64_t scrambling = splitmix64(options.seed, n / size);
-                          for (std::size_t i = 0; i < inputs; ++i) {
-                            // Neighbouring dimensions fill their plane best, and the shares rest on
-                            // the planes of (a, b).
-                            a[i] = normal_quantile(sobol.at(n % size, 2 * i, scrambling));
-                            b[i] = normal_quantile(sobol.at(n % size, 2 * i + 1, scrambling));
-                          }
-                          point.values.resize((groups.size() + 2) * outputs);
-                          const auto row = [&](std::size_t which) {
-                            return std::span(point.values).subspan(which * outputs, outputs);
-                          };
-                          point.whole = function(a, row(kA)) && function(b, row(kB));
-                          for (std::size_t g = 0; point.whole && g < groups.size(); ++g) {
-                            mixed = a;
-                            for (const std::size_t i : groups[g]) mixed[i] = b[i];
-                            point.whole = function(mixed, row(kMixed + g));
-                          }
-                        };
-                      }),
+  const auto make_point = [&] {
+    return [&, function = make(), a = std::vector<double>(inputs), b = std::vector<double>(inputs),
+            mixed = std::vector<double>()](std::size_t n, BasePoint& point) mutable {
+      const std::uint64_t scrambling = splitmix64(options.seed, n / size);
+      for (std::size_t i = 0; i < inputs; ++i) {
+        // Neighbouring dimensions fill their plane best, and the shares rest on the planes of (a,
+        // b).
+        a[i] = normal_quantile(sobol.at(n % size, 2 * i, scrambling));
+        b[i] = normal_quantile(sobol.at(n % size, 2 * i + 1, scrambling));
+      }
+      point.values.resize((groups.size() + 2) * outputs);
+      const auto row = [&](std::size_t which) {
+        return std::span(point.values).subspan(which * outputs, outputs);
+      };
+      point.whole = function(a, row(kA)) && function(b, row(kB));
+      for (std::size_t g = 0; point.whole && g < groups.size(); ++g) {
+        mixed = a;
+        for (const std::size_t i : groups[g]) mixed[i] = b[i];
+        point.whole = function(mixed, row(kMixed + g));
+      }
+    };
+  };
+  const Rows rows(shared_rows<BasePoint>(points, parallel, progress, options.shared, make_point),
                   outputs);
   SobolStudy study{.output = {}, .evaluations = points * (groups.size() + 2)};
   for (std::size_t n = 0; n < points; ++n) study.left_out += rows.whole(n) ? 0 : 1;

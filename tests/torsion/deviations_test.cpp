@@ -16,6 +16,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/torsion/curve_derivatives.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
+#include "support/expect.hpp"
 #include "torsion/solved_drive.hpp"
 
 namespace strainwave {
@@ -111,7 +112,9 @@ TEST(Deviations, IdentityInPlaceOfOthers) {
       const double twist = twists(direct, {{torque}}).front();
       EXPECT_EQ(twists(other.with_deviations(deviations), {{torque}}).front(), twist);
       EXPECT_NE(twists(drive, {{torque}}).front(), twist);
-      EXPECT_EQ(twists(other.with_deviations({}), {{torque}}), twists(drive, {{torque}}));
+      // The cam was found in other steps, so the states agree to the tolerance of the forces.
+      test::expect_relative(twists(other.with_deviations({}), {{torque}}).front(),
+                            twists(drive, {{torque}}).front(), 1e-10);
       EXPECT_EQ(twists(direct.without_cracks(), {{torque}}), twists(sound, {{torque}}));
     }
     EXPECT_EQ(direct.cam_amplitude(), drive.cam_amplitude());
