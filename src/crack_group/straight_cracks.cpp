@@ -234,20 +234,21 @@ class Densities {
 
   void solve_plane(const SheetStress& stress) {
     const auto count = static_cast<Eigen::Index>(cracks_.size());
-    const Eigen::Index size = 2 * n_ * count;
+    const Eigen::Index block = Eigen::Index{2} * n_;  // of one crack
+    const Eigen::Index size = block * count;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
     // Unknowns and equations of a crack: n of normal, then n of shear; the last of each n equations
     // closes the crack at its ends.
     for (std::size_t i = 0; i < cracks_.size(); ++i) {
-      const auto row = 2 * n_ * static_cast<Eigen::Index>(i);
+      const auto row = block * static_cast<Eigen::Index>(i);
       const Tractions t = tractions_of(stress, cracks_[i].angle);
       for (int r = 0; r + 1 < n_; ++r) {
         if (!closed_[i]) right[row + r] = -t.normal;
         right[row + n_ + r] = -t.shear;
         const Complex here = place(i, points_.force[r]);
         for (std::size_t j = 0; j < cracks_.size(); ++j) {
-          const auto column = 2 * n_ * static_cast<Eigen::Index>(j);
+          const auto column = block * static_cast<Eigen::Index>(j);
           const double weight = pi / n_ * cracks_[j].half_length;
           for (int k = 0; k < n_; ++k) {
             const Influence at = influence(i, j, here - place(j, points_.density[k]));
@@ -262,12 +263,12 @@ class Densities {
       }
       for (int k = 0; k < n_; ++k) {
         if (!closed_[i]) matrix(row + n_ - 1, row + k) = 1.0;
-        matrix(row + 2 * n_ - 1, row + n_ + k) = 1.0;
+        matrix(row + block - 1, row + n_ + k) = 1.0;
       }
       if (closed_[i])  // the faces cannot part
         for (int k = 0; k < n_; ++k) matrix(row + k, row + k) = 1.0;
     }
-    const Eigen::VectorXd solved = solved_by_blocks(matrix, 2 * n_, right);
+    const Eigen::VectorXd solved = solved_by_blocks(matrix, block, right);
     normal_.resize(n_ * count);
     shear_.resize(n_ * count);
     for (Eigen::Index j = 0; j < count; ++j) {
