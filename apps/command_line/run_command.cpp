@@ -331,6 +331,20 @@ ExitCode run_several(const Given& given, const std::vector<std::string>& files, 
   return worst_of(answers);
 }
 
+/// The progress that a line shows, and that an interrupt stops.
+/// @param interrupt  null if nothing stops the work
+Progress shown_progress(const Program& program, ProgressLine& line, const Interrupt* interrupt) {
+  return Progress(
+      [&line, interrupt](double share) {
+        line.at(share);
+        return interrupt == nullptr || (*interrupt)(share);
+      },
+      [&line, &program](const std::string& words) {
+        line.clear();
+        if (program.ranks == nullptr || program.ranks->first()) warn(program, words);
+      });
+}
+
 /// Whether the file has this share of the study already.
 /// @throws UsageError  if the file is something else
 bool has_shard(const std::string& path, const SharedStudy& study, const Share& share) {
@@ -381,15 +395,7 @@ ExitCode run_shard(const Given& given, const Asked& asked) {
   require_writable(path);
   const Interrupt interrupt;
   ProgressLine line(std::string(given.program.name), progress_style(given));
-  const Progress progress(
-      [&](double done) {
-        line.at(done);
-        return interrupt(done);
-      },
-      [&](const std::string& words) {
-        line.clear();
-        warn(given.program, words);
-      });
+  const Progress progress = shown_progress(given.program, line, &interrupt);
   const Shard shard = computed_shard(given.command, asked.drive, asked.options, study, share,
                                      progress, {.beside = attachments_beside, .open = opened});
   line.clear();
@@ -455,15 +461,7 @@ ExitCode run_command(Given given) {
   std::optional<Interrupt> interrupt;
   if (given.program.ranks == nullptr) interrupt.emplace();
   ProgressLine line(std::string(given.program.name), progress_style(given));
-  const Progress progress(
-      [&](double share) {
-        line.at(share);
-        return !interrupt || (*interrupt)(share);
-      },
-      [&](const std::string& words) {
-        line.clear();
-        if (ranks.first()) warn(given.program, words);
-      });
+  const Progress progress = shown_progress(given.program, line, interrupt ? &*interrupt : nullptr);
   // Make all documents before writing any file, so a failure leaves no file behind.
   std::optional<Answer> answer;
   std::vector<OutputFile> files;

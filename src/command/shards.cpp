@@ -7,17 +7,25 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
 
 #include "strainwave/core/sha256.hpp"
 #include "strainwave/core/version.hpp"
 
 namespace strainwave {
-namespace {
 
-using Json = nlohmann::ordered_json;
+template <class Archive>
+void archive(Archive& to, SharedStudy& study) {
+  to(study.program, study.version, study.revision, study.code_path, study.command, study.options,
+     study.texts, study.drive_name, study.drive_text, study.attachments);
+}
+
+template <class Archive>
+void archive(Archive& to, Shard& shard) {
+  to(shard.study, shard.share.part, shard.share.parts, shard.rows, shard.bytes);
+}
+
+namespace {
 
 constexpr std::string_view kShardFormat = "strainwave-shard/1";
 constexpr int kMostShares = 100'000;
@@ -34,32 +42,8 @@ std::string code_path() {
   return fmt::format("{}, glibc {}", path, gnu_get_libc_version());
 }
 
-Json json_of(const SharedStudy& study) {
-  Json options = Json::array();
-  for (const auto& [name, text] : study.options) options.push_back({name, text});
-  return {{"program", study.program},   {"version", study.version},
-          {"revision", study.revision}, {"code_path", study.code_path},
-          {"command", study.command},   {"options", std::move(options)},
-          {"texts", Json(study.texts)}, {"drive_name", study.drive_name},
-          {"drive", study.drive_text},  {"attachments", Json(study.attachments)}};
-}
-
-SharedStudy study_of(const Json& json) {
-  SharedStudy study{.program = json.at("program"),
-                    .version = json.at("version"),
-                    .revision = json.at("revision"),
-                    .code_path = json.at("code_path"),
-                    .command = json.at("command"),
-                    .options = {},
-                    .texts = {},
-                    .drive_name = json.at("drive_name"),
-                    .drive_text = json.at("drive"),
-                    .attachments = {}};
-  for (const Json& option : json.at("options"))
-    study.options.emplace_back(option.at(0), option.at(1));
-  for (const auto& [name, text] : json.at("texts").items()) study.texts[name] = text;
-  for (const auto& [name, text] : json.at("attachments").items()) study.attachments[name] = text;
-  return study;
+bool is_share(const Share& share) {
+  return share.parts <= kMostShares && share.part >= 1 && share.part <= share.parts;
 }
 
 std::string words_of(const Share& share) { return fmt::format("{}/{}", share.part, share.parts); }
@@ -153,7 +137,7 @@ Share parse_share(std::string_view text) {
   const auto parts = slash ? std::from_chars(part.ptr + 1, end, share.parts) : part;
   if (!slash || parts.ec != std::errc() || parts.ptr != end)
     throw OptionError("shard", fmt::format("is {}; it must be a share such as 3/16", shown(text)));
-  if (share.parts < 1 || share.parts > kMostShares || share.part < 1 || share.part > share.parts)
+  if (!is_share(share))
     throw OptionError(
         "shard", fmt::format("is {}; the first number must be from 1 to the second, and the second "
                              "from 1 to {}",
@@ -197,18 +181,11 @@ Shard computed_shard(const Command& command, const std::shared_ptr<const Drive>&
       "shard", fmt::format("divides {}, and there are none with these options", command.shares));
 }
 
-std::string shard_text(const Shard& shard) {
-  const RowRange range = rows_of(shard.share, shard.rows);
-  Json head = {{"share", {shard.share.part, shard.share.parts}},
-               {"rows", shard.rows},
-               {"first", range.first},
-               {"last", range.last},
-               {"bytes", shard.bytes.size()},
-               {"sha256", sha256_hex(shard.bytes)}};
-  head.update(json_of(shard.study));
-  return fmt::format("{}\n{}\n", kShardFormat,
-                     head.dump(-1, ' ', false, Json::error_handler_t::replace)) +
-         shard.bytes;
+std::string shard_text(Shard shard) {
+  RecordWriter to;
+  to(shard);
+  const std::string record = std::move(to).bytes();
+  return fmt::format("{}\n{}\n", kShardFormat, sha256_hex(record)) + record;
 }
 
 bool begins_as_shard(std::string_view text) {
@@ -221,22 +198,16 @@ Shard parse_shard(std::string_view text, const std::string& name) {
     throw InputError(name, fmt::format("is not a shard; its first line must be {}", kShardFormat));
   const std::size_t second = text.find('\n', first + 1);
   Shard shard;
-  std::size_t size = 0;
-  std::string digest;
   try {
-    const Json head = Json::parse(text.substr(first + 1, second - first - 1));
-    shard.study = study_of(head);
-    shard.share = {head.at("share").at(0), head.at("share").at(1)};
-    shard.rows = head.at("rows");
-    size = head.at("bytes");
-    digest = head.at("sha256");
-  } catch (const Json::exception&) {
+    if (second == std::string_view::npos) throw BrokenRecord();
+    const std::string_view record = text.substr(second + 1);
+    if (text.substr(first + 1, second - first - 1) != sha256_hex(record)) throw BrokenRecord();
+    RecordReader from(record);
+    from(shard);
+    if (!from.at_end() || !is_share(shard.share)) throw BrokenRecord();
+  } catch (const BrokenRecord&) {
     throw InputError(name, "is a damaged shard; compute it again");
   }
-  shard.bytes = second == std::string_view::npos ? "" : text.substr(second + 1);
-  if (shard.bytes.size() != size || sha256_hex(shard.bytes) != digest || shard.share.part < 1 ||
-      shard.share.part > shard.share.parts || shard.share.parts > kMostShares)
-    throw InputError(name, "is a damaged shard; compute it again");
   return shard;
 }
 

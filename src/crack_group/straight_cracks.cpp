@@ -139,20 +139,36 @@ class Densities {
     for (const StraightCrack& crack : cracks) turn_.push_back(std::exp(kI * crack.angle));
   }
 
-  /// Solves for the densities, and closes cracks that would overlap at their middles (CG-4).
+  /// Solves for the densities, and finds the cracks that are closed (CG-4).
   void solve(const SheetStress& stress) {
-    for (std::size_t pass = 0; pass <= cracks_.size(); ++pass) {
+    // Each crack alone tells where to begin.  Most groups need one or two passes.
+    const std::size_t most = 4 * cracks_.size() + 4;
+    for (std::size_t j = 0; j < cracks_.size(); ++j)
+      closed_[j] = tractions_of(stress, cracks_[j].angle).normal < -kRounding * largest_of(stress);
+    for (std::size_t pass = 0; pass < most; ++pass) {
       solve_plane(stress);
       bool changed = false;
-      for (std::size_t j = 0; j < cracks_.size(); ++j)
-        if (!closed_[j] && opening_at_middle(j) < -kRounding * density_of(j))
-          changed = closed_[j] = true;
-      if (!changed) break;
+      for (std::size_t j = 0; j < cracks_.size(); ++j) {
+        const bool wrong = closed_[j] ? pull_at_middle(j, stress) > kRounding * largest_of(stress)
+                                      : opening_at_middle(j) < -kRounding * density_of(j);
+        if (wrong) closed_[j] = !closed_[j];
+        changed = changed || wrong;
+      }
+      settled_ = !changed;
+      if (settled_) break;
     }
     solve_out_of_plane(stress);
   }
+  /// Whether `solve` found which cracks are closed.
+  [[nodiscard]] bool settled() const { return settled_; }
 
-  [[nodiscard]] GroupedCrack crack(std::size_t j, const SheetStress& stress) const {
+  /// Solves for another stress with the same closed cracks.
+  void solve_in_this_state(const SheetStress& stress) {
+    solve_plane(stress);
+    solve_out_of_plane(stress);
+  }
+
+  [[nodiscard]] GroupedCrack crack(std::size_t j) const {
     const auto segment = [&](const Eigen::VectorXd& of) -> Eigen::VectorXd {
       return of.segment(static_cast<Eigen::Index>(j) * n_, n_);
     };
@@ -169,15 +185,24 @@ class Densities {
     result.behind = {.mode_1 = -2 * pi * root * at_end(normal.reverse()),
                      .mode_2 = -2 * pi * root * at_end(shear.reverse()),
                      .mode_3 = -pi * root * at_end(out.reverse())};
-    // (CG-6): the opening is the integral of the density, so its mean is the first moment.
-    const double a = cracks_[j].half_length;
-    const double moment = pi / n_ * a * a;
-    const Tractions t = tractions_of(stress, cracks_[j].angle);
-    result.work =
-        moment *
-        (8 * pi * (t.normal * points_.density.dot(normal) + t.shear * points_.density.dot(shear)) +
-         4 * pi * t.out * points_.density.dot(out));
     return result;
+  }
+
+  /// Work of a stress on the faces of a crack, for which `solve` was called last.
+  struct Work {
+    double in_plane = 0.0;
+    double out_of_plane = 0.0;
+  };
+  [[nodiscard]] Work work(std::size_t j, const SheetStress& stress) const {
+    const auto first = static_cast<Eigen::Index>(j) * n_;
+    // (CG-6): the opening is the integral of the density, so its integral is the first moment.
+    const double a = cracks_[j].half_length;
+    const auto moment = [&](const Eigen::VectorXd& of) {
+      return pi / n_ * a * a * points_.density.dot(of.segment(first, n_));
+    };
+    const Tractions t = tractions_of(stress, cracks_[j].angle);
+    return {.in_plane = 8 * pi * (t.normal * moment(normal_) + t.shear * moment(shear_)),
+            .out_of_plane = 4 * pi * t.out * moment(out_)};
   }
 
  private:
@@ -185,8 +210,27 @@ class Densities {
     return cracks_[j].centre + s * cracks_[j].half_length * turn_[j];
   }
 
-  /// Share of the densities below which an opening is rounding.
+  /// Share of densities or stresses below which an opening or a pull is rounding.
   static constexpr double kRounding = 1e-10;
+
+  static double largest_of(const SheetStress& s) {
+    return std::max({std::abs(s.xx), std::abs(s.yy), std::abs(s.xy)});
+  }
+
+  /// Normal stress on the closed faces of a crack near its middle; > 0 pulls.
+  [[nodiscard]] double pull_at_middle(std::size_t i, const SheetStress& stress) const {
+    const Complex here = place(i, points_.force[n_ / 2 - 1]);
+    double pull = tractions_of(stress, cracks_[i].angle).normal;
+    for (std::size_t j = 0; j < cracks_.size(); ++j) {
+      const double weight = pi / n_ * cracks_[j].half_length;
+      for (int k = 0; k < n_; ++k) {
+        const Influence at = influence(i, j, here - place(j, points_.density[k]));
+        const Eigen::Index of = static_cast<Eigen::Index>(j) * n_ + k;
+        pull += weight * (at.of_normal.real() * normal_[of] + at.of_shear.real() * shear_[of]);
+      }
+    }
+    return pull;
+  }
 
   /// The largest density of a crack.
   [[nodiscard]] double density_of(std::size_t j) const {
@@ -195,7 +239,7 @@ class Densities {
                     shear_.segment(first, n_).cwiseAbs().maxCoeff());
   }
 
-  /// Opening of the faces at the middle, but for a positive factor.
+  /// A positive multiple of the opening of the faces at the middle.
   [[nodiscard]] double opening_at_middle(std::size_t j) const {
     // The density is a polynomial over a root.  The part of the opening from one end to the middle
     // is that of its odd Chebyshev terms.
@@ -306,33 +350,42 @@ class Densities {
   Points points_;
   std::optional<double> period_;
   std::vector<bool> closed_;
+  bool settled_ = false;
   std::vector<Complex> turn_;  ///< exp(i angle) of each crack
   Eigen::VectorXd normal_;
   Eigen::VectorXd shear_;
   Eigen::VectorXd out_;
 };
 
-/// All cracks of a group for one order.
-std::vector<GroupedCrack> cracks_of(std::span<const StraightCrack> cracks,
-                                    const SheetStress& stress, int order,
-                                    const std::optional<double>& period) {
-  Densities densities(cracks, order, period);
-  densities.solve(stress);
+/// All cracks of a group.
+std::vector<GroupedCrack> cracks_of(const Densities& densities, std::size_t count) {
   std::vector<GroupedCrack> result;
-  for (std::size_t j = 0; j < cracks.size(); ++j) result.push_back(densities.crack(j, stress));
+  for (std::size_t j = 0; j < count; ++j) result.push_back(densities.crack(j));
   return result;
 }
 
-/// Work of a crack alone (CG-6).
-double work_alone(const StraightCrack& crack, const SheetStress& stress) {
-  const Tractions t = tractions_of(stress, crack.angle);
-  const double open = t.normal > 0 ? t.normal * t.normal : 0.0;
-  return 2 * pi * crack.half_length * crack.half_length *
-         (open + t.shear * t.shear + t.out * t.out);
-}
-
-SheetStress reversed(const SheetStress& s) {
-  return {.xx = -s.xx, .yy = -s.yy, .xy = -s.xy, .xz = -s.xz, .yz = -s.yz};
+/// Sets work and ratios of a group whose densities are those of `of` (CG-6).
+/// @param stress  that decided which cracks are closed
+void set_compliance(CrackGroup& group, const Densities& densities,
+                    std::span<const StraightCrack> cracks, const SheetStress& stress,
+                    const SheetStress& of) {
+  double alone = 0.0;
+  double alone_out = 0.0;
+  double open_or_closed = 0.0;  // the same as `alone` if all cracks were open
+  for (std::size_t j = 0; j < cracks.size(); ++j) {
+    const auto work = densities.work(j, of);
+    group.work += work.in_plane;
+    group.work_out_of_plane += work.out_of_plane;
+    const Tractions t = tractions_of(of, cracks[j].angle);
+    const double square = 2 * pi * cracks[j].half_length * cracks[j].half_length;
+    const bool open = tractions_of(stress, cracks[j].angle).normal > 0;
+    alone += square * ((open ? t.normal * t.normal : 0.0) + t.shear * t.shear);
+    alone_out += square * t.out * t.out;
+    open_or_closed += square * (t.normal * t.normal + t.shear * t.shear);
+  }
+  constexpr double kRounding = 1e-20;
+  if (alone > kRounding * open_or_closed) group.compliance_ratio = group.work / alone;
+  if (alone_out > 0) group.compliance_ratio_out_of_plane = group.work_out_of_plane / alone_out;
 }
 
 double cross(const Complex& a, const Complex& b) {
@@ -345,24 +398,6 @@ double distance_to(const Complex& point, const Complex& from, const Complex& to)
   const double share =
       std::clamp(((point - from) * std::conj(along)).real() / std::norm(along), 0.0, 1.0);
   return std::abs(point - from - share * along);
-}
-
-void require_apart(std::span<const StraightCrack> cracks, const std::optional<double>& period) {
-  for (std::size_t i = 0; i < cracks.size(); ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      const double reach = std::abs(cracks[i].centre - cracks[j].centre) + cracks[i].half_length +
-                           cracks[j].half_length;
-      const int images = period ? static_cast<int>(std::ceil(reach / *period)) : 0;
-      for (int k = -images; k <= images; ++k) {
-        if (i == j && k == 0) continue;
-        StraightCrack moved = cracks[j];
-        if (period) moved.centre += k * *period;
-        if (distance(cracks[i], moved) <= 1e-9 * cracks[i].half_length)
-          throw InputError("cracks",
-                           i == j ? fmt::format("crack {} touches the next one of its row", i)
-                                  : fmt::format("cracks {} and {} cross or touch", j, i));
-      }
-    }
 }
 
 }  // namespace
@@ -381,6 +416,23 @@ double distance(const StraightCrack& one, const StraightCrack& other) {
       {distance_to(a, c, d), distance_to(b, c, d), distance_to(c, a, b), distance_to(d, a, b)});
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> touching_cracks(
+    std::span<const StraightCrack> cracks, const std::optional<double>& period) {
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double reach = std::abs(cracks[i].centre - cracks[j].centre) + cracks[i].half_length +
+                           cracks[j].half_length;
+      const int images = period ? static_cast<int>(std::ceil(reach / *period)) : 0;
+      for (int k = -images; k <= images; ++k) {
+        if (i == j && k == 0) continue;
+        StraightCrack moved = cracks[j];
+        if (period) moved.centre += k * *period;
+        if (distance(cracks[i], moved) <= 1e-9 * cracks[i].half_length) return std::pair{j, i};
+      }
+    }
+  return std::nullopt;
+}
+
 CrackGroup crack_group(std::span<const StraightCrack> cracks, const SheetStress& stress,
                        const GroupOptions& options) {
   constexpr int kLeastOrder = 4;
@@ -390,29 +442,30 @@ CrackGroup crack_group(std::span<const StraightCrack> cracks, const SheetStress&
   if (options.period) require(*options.period > 0, "period", *options.period, "m", "> 0");
   for (const StraightCrack& crack : cracks)
     require(crack.half_length > 0, "half_length", crack.half_length, "m", "> 0");
-  require_apart(cracks, options.period);
-  CrackGroup group{.cracks = cracks_of(cracks, stress, options.order, options.period)};
-  const std::vector<GroupedCrack> coarse =
-      cracks_of(cracks, stress, std::max(kLeastOrder, 2 * options.order / 3), options.period);
+  if (const auto touching = touching_cracks(cracks, options.period)) {
+    const auto [j, i] = *touching;
+    throw InputError("cracks", i == j ? fmt::format("crack {} touches the next one of its row", i)
+                                      : fmt::format("cracks {} and {} cross or touch", j, i));
+  }
+  Densities densities(cracks, options.order, options.period);
+  densities.solve(stress);
+  CrackGroup group{.cracks = cracks_of(densities, cracks.size()), .settled = densities.settled()};
+  Densities coarse(cracks, std::max(kLeastOrder, 2 * options.order / 3), options.period);
+  coarse.solve(stress);
   double largest = 0.0;
   double change = 0.0;
-  double work = 0.0;
-  double alone = 0.0;
-  double whole = 0.0;  // of both senses of the stress
   for (std::size_t j = 0; j < cracks.size(); ++j) {
+    const GroupedCrack of_coarse = coarse.crack(j);
     for (const auto tip : {&GroupedCrack::behind, &GroupedCrack::ahead})
       for (const auto mode : {&TipFactors::mode_1, &TipFactors::mode_2, &TipFactors::mode_3}) {
         const double K = group.cracks[j].*tip.*mode;
         largest = std::max(largest, std::abs(K));
-        change = std::max(change, std::abs(K - coarse[j].*tip.*mode));
+        change = std::max(change, std::abs(K - of_coarse.*tip.*mode));
       }
-    work += group.cracks[j].work;
-    alone += work_alone(cracks[j], stress);
-    whole += std::max(work_alone(cracks[j], stress), work_alone(cracks[j], reversed(stress)));
   }
   if (largest > 0) group.error = change / largest;
-  constexpr double kRounding = 1e-20;
-  if (alone > kRounding * whole) group.compliance_ratio = work / alone;
+  if (options.compliance_of) densities.solve_in_this_state(*options.compliance_of);
+  set_compliance(group, densities, cracks, stress, options.compliance_of.value_or(stress));
   return group;
 }
 

@@ -44,17 +44,14 @@ PlacedCracks placed_cracks(const Flexspline& fs, WallSection section, double rad
 }
 
 void require_apart(const PlacedCracks& placed, double round) {
-  for (std::size_t i = 0; i < placed.cracks.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      for (const double turn : {-round, 0.0, round}) {
-        StraightCrack moved = placed.cracks[j];
-        moved.centre += turn;
-        if (distance(placed.cracks[i], moved) <= 1e-9 * placed.cracks[i].half_length)
-          throw InputError(placed.paths[i],
-                           fmt::format("crosses or touches {}; move one of them by position or "
-                                       "distance, or give one crack in place of both",
-                                       placed.paths[j]));
-      }
+  const auto touching = touching_cracks(placed.cracks, round);
+  if (!touching) return;
+  const auto [j, i] = *touching;
+  throw InputError(placed.paths[i],
+                   i == j ? std::string("reaches round the whole wall; give a shorter crack")
+                          : fmt::format("crosses or touches {}; move one of them by position or "
+                                        "distance, or replace both by one crack",
+                                        placed.paths[j]));
 }
 
 /// How much a group differs from its cracks alone, under one sense of the torque.
@@ -64,6 +61,7 @@ struct Influence {
   std::size_t of = 0;         ///< the crack that has it
   double least_factor = 1.0;  ///< the smallest such ratio over the cracks [-]
   bool acts = false;          ///< whether a crack opens or slides
+  bool settled = false;       ///< whether each crack is open or closed as a whole
 
   [[nodiscard]] double largest_change() const {
     return std::max({std::abs(compliance - 1), std::abs(factor - 1), std::abs(least_factor - 1)});
@@ -76,15 +74,20 @@ double whole(const GroupedCrack& crack) {
                   std::hypot(crack.ahead.mode_1, crack.ahead.mode_2));
 }
 
+/// @param stress   of the load, which decides which cracks are closed
+/// @param torsion  its part by the torque, whose compliance counts
 Influence influence_of(const std::vector<StraightCrack>& cracks, const SheetStress& stress,
-                       double round) {
+                       const SheetStress& torsion, double round) {
   constexpr int kOrder = 24;
   constexpr int kFineOrder = 60;  // of cracks that nearly touch
   constexpr double kGood = 1e-3;
-  CrackGroup group = crack_group(cracks, stress, {.order = kOrder, .period = round});
-  if (group.error > kGood)
-    group = crack_group(cracks, stress, {.order = kFineOrder, .period = round});
-  Influence influence{.compliance = group.compliance_ratio};
+  GroupOptions options{.order = kOrder, .period = round, .compliance_of = torsion};
+  CrackGroup group = crack_group(cracks, stress, options);
+  if (group.error > kGood) {
+    options.order = kFineOrder;
+    group = crack_group(cracks, stress, options);
+  }
+  Influence influence{.compliance = group.compliance_ratio, .settled = group.settled};
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     const double alone =
         whole(crack_group(std::span(&cracks[i], 1), stress, {.order = 8}).cracks.front());
@@ -107,8 +110,7 @@ std::string words_of(std::string_view sense, const Influence& influence,
   if (!influence.acts) return fmt::format("under {} none of them opens or slides", sense);
   return fmt::format(
       "under {} they add {:.3f} times the sum of their compliances, and K is {:.3f} to {:.3f} "
-      "times "
-      "that of a crack alone, the most at {}",
+      "times that of a crack alone, the most at {}",
       sense, influence.compliance, influence.least_factor, influence.factor, paths[influence.of]);
 }
 
@@ -128,13 +130,17 @@ std::size_t note_interaction(const GearSet& gear, const CrackLoads<double>& load
   require_apart(placed, round);
   if (placed.cracks.size() > kMostCracks) return 0;
   const double area = round * wall.thickness;
-  const auto stress = [&](double torque) {
-    return SheetStress{.yy = gear.load.axial_force / area,
-                       .xy = torque * fs.stress_nonuniformity / (area * wall.mean_radius)};
+  const double shear =
+      std::abs(gear.load.torque) * fs.stress_nonuniformity / (area * wall.mean_radius);
+  const auto under = [&](double sense) {
+    const SheetStress torsion{.xy = sense * shear};
+    SheetStress stress = torsion;
+    stress.yy = gear.load.axial_force / area;
+    return influence_of(placed.cracks, stress, torsion, round);
   };
-  const double T = std::abs(gear.load.torque);
-  const Influence positive = influence_of(placed.cracks, stress(T), round);
-  const Influence negative = influence_of(placed.cracks, stress(-T), round);
+  const Influence positive = under(+1);
+  const Influence negative = under(-1);
+  if (!positive.settled || !negative.settled) return 0;  // faces that touch in part: cannot tell
   constexpr double kSmall = 0.05;
   const double change = std::max(positive.acts ? positive.largest_change() : 0.0,
                                  negative.acts ? negative.largest_change() : 0.0);

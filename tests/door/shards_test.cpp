@@ -208,12 +208,34 @@ TEST_F(OtherShards, InputDamagedFilesAreRefused) {
   const std::string damaged = "a.shard: is a damaged shard; compute it again";
   EXPECT_EQ(refusal("strainwave-shard/1"), damaged);
   EXPECT_EQ(refusal("strainwave-shard/1\n{}\n"), damaged);
+  for (const std::size_t at : {std::size_t{30}, text.size() / 2}) {  // the digest, and the drive
+    std::string changed = text;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    EXPECT_EQ(refusal(changed), damaged) << at;
+  }
   EXPECT_EQ(refusal(text.substr(0, text.size() - 1)), damaged);
   EXPECT_EQ(refusal(text.substr(0, 200)), damaged);
   EXPECT_EQ(refusal(text + "x"), damaged);
   std::string flipped = text;
   flipped.back() = static_cast<char>(flipped.back() ^ 1);
   EXPECT_EQ(refusal(flipped), damaged);
+  Shard none = three()[0].second;
+  none.share = {0, 3};
+  EXPECT_EQ(refusal(shard_text(none)), damaged);
+}
+
+// Kind: identity.  A file keeps every byte of the texts, those that are no UTF-8 too.
+TEST_F(OtherShards, IdentityOfAFile) {
+  Shard shard = three()[1].second;
+  shard.study.attachments["table \xFF.csv"] = std::string("\xE9\0\n# caf\xE9", 9);
+  shard.study.texts["b"] = "\x80";
+  const Shard read = parse_shard(shard_text(shard), "a.shard");
+  EXPECT_EQ(read.study.attachments, shard.study.attachments);
+  EXPECT_EQ(read.study.texts, shard.study.texts);
+  EXPECT_EQ(difference(read.study, shard.study), "");
+  EXPECT_EQ(read.bytes, shard.bytes);
+  EXPECT_EQ(read.share, shard.share);
+  EXPECT_EQ(read.rows, shard.rows);
 }
 
 // Kind: behaviour.  Rows of another form, whose digest is right, are refused.

@@ -1195,6 +1195,21 @@ TEST(CrackInteraction, BehaviourWhenANoteIsMade) {
   EXPECT_EQ(test::count_notes(flexspline_compliance(three).notes, "crack.superposed"), 1);
 }
 
+// Kind: identity.  The ratio of compliances is that of the torque: an axial force that leaves the
+// cracks open does not change it, but it changes the ratio of K.
+TEST(CrackInteraction, IdentityUnderAnAxialForce) {
+  GearSet gear = with_two_cracks(pi / 4, 8 * mm, 2 * mm);
+  const auto ratio = [](const std::string& text) {
+    return between(text, "under T > 0 they add ", " times the sum");
+  };
+  const std::string without = interaction_of(gear);
+  gear.load.axial_force = 5000.0;
+  const std::string with = interaction_of(gear);
+  EXPECT_EQ(ratio(with), ratio(without));
+  EXPECT_NE(between(with, "and K is ", " times that"),
+            between(without, "and K is ", " times that"));
+}
+
 TEST(CrackInteraction, InputCracksThatCrossAreRefusedByName) {
   const auto refusal = [](double round, double along) {
     return test::broken_rule(
@@ -1203,7 +1218,7 @@ TEST(CrackInteraction, InputCracksThatCrossAreRefusedByName) {
   const std::string crossing =
       "flexspline.crack[1]: crosses or touches flexspline.crack[0]; move one of them by position "
       "or "
-      "distance, or give one crack in place of both";
+      "distance, or replace both by one crack";
   const double step = 10 * mm / std::numbers::sqrt2;
   EXPECT_EQ(refusal(-step / 2, step / 2), crossing);                    // in one line, overlapping
   EXPECT_EQ(refusal(2 * pi * kRadius - step / 2, step / 2), crossing);  // once round the axis

@@ -61,9 +61,9 @@ struct Shard {
                                    const Share& share, const Progress& progress = {},
                                    const Host& host = {});
 
-/// The file of a shard: a line that names the format, a line with the study as JSON, and the bytes
-/// of the rows.
-[[nodiscard]] std::string shard_text(const Shard& shard);
+/// The file of a shard: a line that names the format, a line with the SHA-256 of the rest, and the
+/// shard as a record (core/records.hpp), which keeps every byte of the texts.
+[[nodiscard]] std::string shard_text(Shard shard);
 
 /// Whether a text begins like the file of a shard.
 [[nodiscard]] bool begins_as_shard(std::string_view text);
@@ -73,7 +73,8 @@ struct Shard {
 /// @throws InputError  if the text is not a shard, or is damaged
 [[nodiscard]] Shard parse_shard(std::string_view text, const std::string& name);
 
-/// The first difference between two studies, such as "option seed is 1 and 2"; empty if they are
+/// The first difference between two studies, such as "the option seed is 1 in one and 2 in the
+/// other"; empty if they are
 /// the same.
 [[nodiscard]] std::string difference(const SharedStudy& one, const SharedStudy& other);
 

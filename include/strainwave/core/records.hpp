@@ -5,12 +5,13 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -63,6 +64,16 @@ class RecordWriter {
   template <class Value, std::size_t n>
   void put(std::array<Value, n>& values) {
     for (Value& value : values) put(value);
+  }
+  template <class First, class Second>
+  void put(std::pair<First, Second>& values) {
+    put(values.first);
+    put(values.second);
+  }
+  template <class Key, class Value, class Less>
+  void put(std::map<Key, Value, Less>& values) {
+    std::vector<std::pair<Key, Value>> entries(values.begin(), values.end());
+    put(entries);
   }
   template <class Value>
   void put(std::optional<Value>& value) {
@@ -123,6 +134,18 @@ class RecordReader {
   template <class Value, std::size_t n>
   void get(std::array<Value, n>& values) {
     for (Value& value : values) get(value);
+  }
+  template <class First, class Second>
+  void get(std::pair<First, Second>& values) {
+    get(values.first);
+    get(values.second);
+  }
+  template <class Key, class Value, class Less>
+  void get(std::map<Key, Value, Less>& values) {
+    std::vector<std::pair<Key, Value>> entries;
+    get(entries);
+    values.clear();
+    values.insert(entries.begin(), entries.end());
   }
   template <class Value>
   void get(std::optional<Value>& value) {

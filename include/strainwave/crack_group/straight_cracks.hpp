@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -44,45 +43,59 @@ struct GroupedCrack {
   TipFactors ahead = {};   ///< of the tip at centre + a exp(i angle)
   /// Whether the stress presses the faces together over the whole crack, so that they touch.
   bool closed = false;
-  /// Work of the stress of the sheet on the opening and sliding of the faces, times the plane
-  /// modulus E' [Pa^2*m^2]; of mode 3 times E'/(2(1 + nu)) G^-1, that is, with 1/G = 2/E'.
-  double work = 0.0;
 };
 
 struct GroupOptions {
   int order = 40;                  ///< points on each crack; 4 to 400
   std::optional<double> period{};  ///< of a row along x [m]; absent: no row
+  /// Stress whose compliance is asked for; the faces that touch stay those under the stress of the
+  /// group.  Absent: that stress itself.
+  std::optional<SheetStress> compliance_of{};
 };
 
 /// A group of cracks under one stress of the sheet.
 struct CrackGroup {
   std::vector<GroupedCrack> cracks;
+  /// Whether each crack is either open or closed at its middle.  False: no such state was found,
+  /// because faces touch over a part of their length; the answer must not be used.
+  bool settled = false;
   /// Largest change of a stress intensity factor from two thirds of the points, over the largest
   /// factor of the group [-].
   double error = 0.0;
-  /// Sum of `work` over that of the same cracks alone [-]; 1 if no crack opens or slides.  The
-  /// compliance that the group adds is this number times the sum of the compliances that the cracks
-  /// add alone.
+  /// Work of the stress of the sheet on the opening and sliding of all faces, modes 1 and 2, times
+  /// the plane modulus E' [Pa^2*m^2]; twice the energy that the cracks add, times E'.
+  double work = 0.0;
+  /// The same work out of the plane, mode 3, times twice the shear modulus [Pa^2*m^2].
+  double work_out_of_plane = 0.0;
+  /// Compliance that the group adds in its plane, over the sum of the compliances that its cracks
+  /// add alone [-]; 1 if no crack opens or slides alone.
   double compliance_ratio = 1.0;
+  /// The same out of the plane [-].
+  double compliance_ratio_out_of_plane = 1.0;
 };
 
 /// Stress intensity factors and compliance of cracks that influence each other.
 ///
 /// Implements theory manual eqs. (CG-1) to (CG-6): densities of dislocations on the cracks, by
-/// Gauss-Chebyshev quadrature.  A crack that the stress of the group would press together at its
-/// middle is closed; closed faces slide without friction.  With a period, each crack is one of an
-/// infinite row along x.
+/// Gauss-Chebyshev quadrature.  A crack whose faces would overlap at its middle is closed, and one
+/// whose closed faces would pull at each other there is open; closed faces slide without friction.
+/// With a period, each crack is one of an infinite row along x.
 ///
 /// Accuracy: six digits for gaps of at least 0.2 a with 60 points; `error` tells.  The sheet is
 /// infinite and flat.
 ///
 /// @param cracks  must not cross or touch each other, nor their neighbours of the row
-/// @throws InputError  if a crack has no length, the order is out of range, or two cracks cross
+/// @throws InputError  if a crack has no length, the order is out of range, or two cracks touch
 [[nodiscard]] CrackGroup crack_group(std::span<const StraightCrack> cracks,
                                      const SheetStress& stress, const GroupOptions& options = {});
 
-/// Smallest distance between two cracks, or between a crack and the next ones of its row [m]; 0 if
-/// they cross.
+/// Two cracks that cross or touch, by their indices, the smaller first; the same index twice if a
+/// crack touches the next one of its row.  Absent if all cracks are apart.
+/// @param period  of the row along x [m]; absent: no row
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> touching_cracks(
+    std::span<const StraightCrack> cracks, const std::optional<double>& period = {});
+
+/// Smallest distance between two cracks [m]; 0 if they cross.
 [[nodiscard]] double distance(const StraightCrack& one, const StraightCrack& other);
 
 }  // namespace strainwave
