@@ -227,6 +227,30 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
   return chosen();
 }
 
+/// The words with the other spelling of a command, such as "grow --fit", turned into its name.
+std::vector<std::string> with_main_spelling(const Program& program,
+                                            std::span<const std::string> given) {
+  std::vector<std::string> words(given.begin(), given.end());
+  for (const Command& command : program.table) {
+    const std::size_t blank = command.also.find(' ');
+    if (blank == std::string_view::npos || words.empty() ||
+        words.front() != command.also.substr(0, blank))
+      continue;
+    const std::string option(command.also.substr(blank + 1));
+    for (auto word = words.begin() + 1; word != words.end(); ++word) {
+      if (*word == option)
+        words.erase(word);
+      else if (word->starts_with(option + "="))
+        word->erase(0, option.size() + 1);
+      else
+        continue;
+      words.front() = command.name;
+      return words;
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 int run_command_line(const Program& program, std::span<const std::string> words) {
@@ -242,7 +266,7 @@ int run_command_line(const Program& program, std::span<const std::string> words)
     });
   };
   try {
-    return ranks.last_code(parse_and_run(program, words), nullptr);
+    return ranks.last_code(parse_and_run(program, with_main_spelling(program, words)), nullptr);
   } catch (const OtherRankError&) {
     return ranks.last_code(kInternal, nullptr);
   } catch (const UsageError& error) {

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 __all__ = [
     "DriveCommands",
     "duty",
+    "fit",
     "sif_list",
     "sif_show",
     "sif_eval",
@@ -49,6 +50,48 @@ def duty(*, rainflow: Optional[Named] = None, column: Optional[Named] = None,
     given: dict[str, Any] = {"rainflow": rainflow, "column": column, "residue": residue,
                              "classes": classes}
     answer: results.duty.DutyResult = run(None, "duty", given, texts, progress)
+    return answer
+
+
+def fit(data: Named, *, stress_range: Optional[Named] = None, plate_width: Optional[Named] = None,
+        judge: Optional[Named] = None, size: Optional[Sequence[Named]] = None,
+        known: Optional[Sequence[Named]] = None, parts: Optional[Named] = None,
+        knots: Optional[int] = None, confidence: Optional[float] = None,
+        draws: Optional[int] = None, seed: Optional[int] = None, threads: Optional[int] = None,
+        texts: Optional[Mapping[str, str]] = None,
+        progress: ShownProgress = None) -> results.fit.FitResult:
+    """Fit a law of crack growth and its scatter to measured specimens.
+
+    Args:
+        data: CSV with sizes such as "crack_length [mm]" in the first column and the cycles of one
+            specimen in each other column; or with the columns specimen, crack_length, cycles and,
+            without --stress-range, delta_K
+        stress_range: range of the stress on a plate with a crack in its middle, a number with its
+            unit; sizes are then half lengths
+        plate_width: width of the plate, a number with its unit; left out for a wide plate
+        judge: CSV of other specimens, of the same test, whose cycles are predicted; each specimen
+            of the data by a fit to all others if left out
+        size: size whose cycles are predicted, a number with its unit; once or more; five sizes over
+            the records if left out
+        known: also predict the cycles left, with the own record of a specimen up to this size, a
+            number with its unit; once or more
+        parts: parts of the scatter, separated by commas: level and slope differ from specimen to
+            specimen; correlated and white vary along the path of a crack
+        knots: points of the median rate; 2 give Paris' law; left out, the number from 2 to 8 with
+            the least information criterion
+        confidence: probability of a band
+        draws: drawn paths of growth for a band
+        seed: seed of the draws
+        threads: number of threads; 0 for all of the machine; the answer does not depend on it
+        texts: texts that options name, by their names; an option may also be a pathlib.Path, whose
+            file is read
+        progress: True for a line of progress, or a function that receives the completed fraction
+    """
+    given: dict[str, Any] = {"data": data, "stress_range": stress_range, "plate_width": plate_width,
+                             "judge": judge, "size": size, "known": known, "parts": parts,
+                             "knots": knots, "confidence": confidence, "draws": draws, "seed": seed,
+                             "threads": threads}
+    answer: results.fit.FitResult = run(None, "fit", given, texts, progress)
     return answer
 
 

@@ -11,6 +11,7 @@ Command calibrate_command();
 Command catalogue_command();
 Command diff_command();
 Command duty_command();
+Command fit_command();
 Command frf_command();
 Command grow_command();
 Command life_command();
@@ -44,6 +45,7 @@ std::span<const Command> commands() {
       duty_command(),
       life_command(),
       grow_command(),
+      fit_command(),
       oval_command(),
       turn_command(),
       transmission_command(),

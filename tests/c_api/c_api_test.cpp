@@ -240,6 +240,9 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"duty", {"", R"({"rainflow": "joint_history.csv", "column": "torque"})"}},
       {"life", {"life_size25.toml", ""}},
       {"grow", {"growing_shaft.toml", R"({"until": "300 h"})"}},
+      {"fit",
+       {"",
+        R"({"data": "growth_specimens.csv", "stress_range": "60 MPa", "plate_width": "100 mm", "knots": 2, "draws": 200})"}},
       {"modes", {"joint_size25.toml", ""}},
       {"frf", {"joint_size25.toml", ""}},
       {"accuracy", {"joint_size25.toml", ""}},
@@ -288,6 +291,7 @@ TEST(CApi, BehaviourEveryCommandAnswersAsTheFacade) {
     const std::string toml = file.empty() ? "" : file_text(file);
     const OptionTexts texts = {{"article.toml", file_text("article.toml")},
                                {"through_crack.toml", file_text("through_crack.toml")},
+                               {"growth_specimens.csv", file_text("growth_specimens.csv")},
                                {"joint_history.csv", file_text("joint_history.csv")}};
     const AnswerHandle answer =
         answer_of(file.empty() ? DriveHandle() : read(toml), command.name, options, texts);

@@ -57,8 +57,8 @@ inline const std::multimap<std::string, std::string, std::less<>>& trial_options
 /// The texts that they name.
 inline OptionTexts trial_texts() {
   OptionTexts texts;
-  for (const char* const name :
-       {"article.toml", "through_crack.toml", "joint_history.csv", "spline_teeth.csv"})
+  for (const char* const name : {"article.toml", "through_crack.toml", "joint_history.csv",
+                                 "spline_teeth.csv", "growth_specimens.csv"})
     texts[name] = contents(std::filesystem::path(STRAINWAVE_EXAMPLES) / name);
   return texts;
 }

@@ -265,6 +265,9 @@ struct Command {
   /// there is none.
   std::string_view not_in_tables;
   Takes takes = Takes::drive;
+  /// Another spelling on a command line: a command and an option of it whose value is the first
+  /// positional argument of this command, such as "grow --fit".  Empty: there is none.
+  std::string_view also;
   OptionsType options;
   std::vector<Document> documents;  ///< the first is the default
 
@@ -301,6 +304,7 @@ struct CommandOf {
   std::string_view shares = {};
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
+  std::string_view also = {};
   std::function<Result(const Request& request, const Options& options)> function;
   std::vector<DocumentOf<Result>> documents;
 };
@@ -323,6 +327,7 @@ template <class Options, class Result>
       .shares = of.shares,
       .not_in_tables = of.not_in_tables,
       .takes = of.takes,
+      .also = of.also,
       .options = options_type<Options>(),
       .documents = {},
       .run = [](const Command& self, const Request& request,

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
         diff as diff,
         duty as duty,
         explain as explain,
+        fit as fit,
         frf as frf,
         grow as grow,
         life as life,

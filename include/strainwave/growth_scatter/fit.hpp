@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strainwave/growth_scatter/scatter_model.hpp"
+
+/// @file
+/// The law of growth and its scatter that make measured records most likely.
+
+namespace strainwave {
+
+/// Largest number of knots of the median rate.
+inline constexpr int kMostKnots = 12;
+
+struct GrowthFitSettings {
+  ScatterParts parts;
+  std::optional<int> knots = {};  ///< 2 to kMostKnots; absent: the number with the least criterion
+  /// Parameters from which the search begins; absent: several guesses from the records.
+  std::optional<ScatterParameters> start = {};
+};
+
+/// One number of knots that was tried.
+struct KnotTrial {
+  int knots = 0;
+  double log_likelihood = 0.0;
+  double criterion = 0.0;  ///< Bayesian information criterion [-]; eq. (GS-9)
+};
+
+/// A fitted law with its scatter.
+struct GrowthFit {
+  MeanGrowth mean;
+  std::vector<double> rate_covariance;  ///< of MeanGrowth::rates, row by row [-]
+  ScatterParts parts;
+  ScatterParameters parameters;  ///< normalised: level, slope, wander, white >= 0
+  /// Standard errors of the parameters that act, from the curvature of the likelihood; absent for a
+  /// parameter that the records do not determine
+  std::array<std::optional<double>, ScatterParameters::kCount> errors = {};
+  double log_likelihood = 0.0;
+  bool converged = false;
+  std::string reason;  ///< how the search ended
+  int iterations = 0;
+  std::vector<KnotTrial> trials;
+};
+
+/// Fits the median rate and the scatter to records by maximum likelihood.
+///
+/// Implements theory manual eqs. (GS-5) to (GS-9).  Newton's method with exact first derivatives;
+/// a step that does not raise the likelihood is shortened.
+/// @throws InputError   if no part of the scatter can explain a single step, `slope` acts without
+///                      `level`, the number of knots is out of range, or the specimens have fewer
+///                      steps than the law has constants
+/// @throws SolverError  if no parameters allow the records
+[[nodiscard]] GrowthFit fit_growth(const std::vector<GrowthSpecimen>& specimens,
+                                   const GrowthFitSettings& settings = {});
+
+}  // namespace strainwave

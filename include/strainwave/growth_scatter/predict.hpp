@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "strainwave/growth_scatter/fit.hpp"
+
+/// @file
+/// Cycles that a further specimen will need, from a fitted scatter and, if there is one, from the
+/// beginning of its own record.
+
+namespace strainwave {
+
+/// Standard normal numbers for the steps of any specimen: the same for all, so that predictions
+/// differ by their records only.
+class GrowthDraws {
+ public:
+  /// @param draws  at least 2
+  /// @param steps  most steps of a specimen
+  GrowthDraws(std::size_t draws, std::size_t steps, std::uint64_t seed);
+
+  [[nodiscard]] std::size_t draws() const { return draws_; }
+  [[nodiscard]] std::size_t steps() const { return steps_; }
+  /// Numbers of all draws for one of the inputs: 0 to kState - 1 for the state, then two for each
+  /// step.
+  [[nodiscard]] std::span<const double> input(std::size_t number) const {
+    return std::span(numbers_).subspan(number * draws_, draws_);
+  }
+  static constexpr std::size_t kState = kMostKnots + 3;
+
+ private:
+  std::size_t draws_;
+  std::size_t steps_;
+  std::vector<double> numbers_;
+};
+
+/// Drawn cycles from a first size to each of several sizes.
+struct DrawnCycles {
+  double from = 0.0;                        ///< size at which the count begins [m]
+  std::vector<std::vector<double>> cycles;  ///< of each size, then of each draw [-]; empty if the
+                                            ///< size lies outside of the record
+};
+
+/// Draws the growth of a specimen.
+///
+/// The state of a specimen is its rates at the knots, its own level and slope, and the correlated
+/// part.  A filter takes the steps of the record up to `known` into account; the rest is drawn.
+/// Implements theory manual eqs. (GS-6), (GS-10).  The parameters of the scatter are taken as
+/// exact.
+/// @param specimen  gives the steps; its cycles are used up to `known` only
+/// @param known     size up to which the record is known [m]; absent: nothing is
+/// @param from      size from which cycles are counted [m]; not smaller than `known`
+/// @param sizes     sizes whose cycles are drawn [m]
+/// @throws InputError  if `from` is not inside of the record
+[[nodiscard]] DrawnCycles draw_growth(const GrowthFit& fit, const GrowthSpecimen& specimen,
+                                      std::optional<double> known, double from,
+                                      const std::vector<double>& sizes, const GrowthDraws& draws);
+
+}  // namespace strainwave
