@@ -14,7 +14,8 @@ from support import CLI, DATA, EXAMPLES, main, trials
 
 COMMANDS = {command["name"]: command for command in _library.commands()}
 POSITIONAL = {"require": "requirements", "sif show": "name", "sif eval": "name", "sif plot": "name",
-              "material show": "name", "explain": "word"}
+              "material show": "name", "explain": "word",
+              "fit": "data"}
 SLOW = {"torsion", "accuracy", "backbone", "simulate", "validate", "calibrate", "transmission", "frf",
         "modes", "report", "turn", "oval", "life", "grow", "solve"}
 

@@ -28,8 +28,8 @@ ScatterParameters parameters_in(const test::CsvRow& row) {
           in.at("wander"), in.at("log_length"), in.at("white")};
 }
 
-// Kind: reference (GS-4) to (GS-7), tools/reference/growth_scatter.py.  The filter against full
-// covariance matrices.  Tolerance: digits of the table.
+// Kind: reference (GS-3), (GS-4), (GS-5), (GS-6), (GS-7), tools/reference/growth_scatter.py.  The
+// filter against full covariance matrices.  Tolerance: digits of the table.
 TEST(GrowthFit, ReferenceLikelihoodOfGivenParameters) {
   const GrowthData data(test::drawn_specimens());
   for (const test::CsvRow& row : test::read_reference_csv("growth_scatter")) {
@@ -43,9 +43,9 @@ TEST(GrowthFit, ReferenceLikelihoodOfGivenParameters) {
   }
 }
 
-// Kind: two roads.  The exact slopes against differences of the likelihood.  Tolerance: error of
+// Kind: crosscheck.  The exact slopes against differences of the likelihood.  Tolerance: error of
 // the differences.
-TEST(GrowthFit, TwoRoadsSlopesOfTheLikelihood) {
+TEST(GrowthFit, CrosscheckSlopesOfTheLikelihood) {
   const GrowthData data(test::drawn_specimens());
   const MeanGrowth mean = equal_knots(data, 4);
   const std::array<double, 6> at = {0.07, -0.12, 0.2, 0.13, -1.7, 0.09};
@@ -174,8 +174,8 @@ TEST(GrowthFit, BehaviourSeveralDesigns) {
   EXPECT_TRUE(fit_growth(specimens, {.parts = {}, .knots = 2}).converged);
 }
 
-// Kind: refusal.  Every rule, broken once.
-TEST(GrowthFit, RefusalWhatCannotBeFitted) {
+// Kind: input.  Every rule, broken once.
+TEST(GrowthFit, InputWhatCannotBeFitted) {
   const std::vector<GrowthSpecimen> all = test::drawn_specimens();
   const auto says = [&](const std::vector<GrowthSpecimen>& specimens, const ScatterParts& parts,
                         std::optional<int> knots, const char* words) {

@@ -132,8 +132,8 @@ TEST(PredictGrowth, ReferenceLearningTheCorrelatedPart) {
   EXPECT_NEAR(deviation_log(drawn), deviation, kError * deviation);
 }
 
-// Kind: refusal.  A size outside of the record; a record that is known to its end.
-TEST(PredictGrowth, RefusalNothingToPredict) {
+// Kind: input.  A size outside of the record; a record that is known to its end.
+TEST(PredictGrowth, InputNothingToPredict) {
   const GrowthFit fit = known_law({.white = 0.1});
   const GrowthSpecimen s = deviating(fit, {0, 0});
   const GrowthDraws draws(100, 2, 1);

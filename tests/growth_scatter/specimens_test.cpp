@@ -71,8 +71,8 @@ TEST(Specimens, BehaviourCyclesBetweenReadings) {
   EXPECT_FALSE(cycles_at(s, 0.041));
 }
 
-// Kind: refusal.  Every rule of a record, broken once.
-TEST(Specimens, RefusalBrokenRecords) {
+// Kind: input.  Every rule of a record, broken once.
+TEST(Specimens, InputBrokenRecords) {
   const auto says = [](const std::string& message, const char* words) {
     EXPECT_NE(message.find(words), std::string::npos) << message;
     EXPECT_NE(message.find("plate 3"), std::string::npos) << message;

@@ -66,8 +66,8 @@ TEST(GrowthFitReport, BehaviourWideAndLongFiles) {
   test::expect_relative(measured[0].ranges[0], 6e6, 1e-14);
 }
 
-// Kind: refusal.  Files name line, column, value and rule.
-TEST(GrowthFitReport, RefusalBrokenFiles) {
+// Kind: input.  Files name line, column, value and rule.
+TEST(GrowthFitReport, InputBrokenFiles) {
   const auto says = [](const std::string& message, std::initializer_list<const char*> words) {
     for (const char* const word : words)
       EXPECT_NE(message.find(word), std::string::npos) << message << " lacks " << word;
@@ -81,8 +81,10 @@ TEST(GrowthFitReport, RefusalBrokenFiles) {
   says(refusal_of_file("crack_length [mm]\n1\n"), {"has one column"});
   says(refusal_of_file("crack_length,one\n1,2\n"), {"crack_length", "unit"});
   says(refusal_of_file("crack_length [mm],one [h]\n1,2\n"), {"[h]", "[cycle]"});
-  says(refusal_of_file(std::string(kHead) + "1,0,5\n"), {"cracks.csv", "specimen one", "at least two"});
-  says(refusal_of_file(std::string(kHead) + "1,0,5\n60,100,80\n"), {"cracks.csv", "specimen one", "half of the width"});
+  says(refusal_of_file(std::string(kHead) + "1,0,5\n"),
+       {"cracks.csv", "specimen one", "at least two"});
+  says(refusal_of_file(std::string(kHead) + "1,0,5\n60,100,80\n"),
+       {"cracks.csv", "specimen one", "half of the width"});
   says(refusal_of_file(std::string(kHead) + "1,0,5\n2,100,80\n", false),
        {"no ranges", "delta_K", "stress range"});
   says(refusal_of_file("specimen,cycles,crack_length [mm]\n1,0,1\n1,5,1\n"),
@@ -162,8 +164,8 @@ TEST(GrowthFitReport, BehaviourNotes) {
   EXPECT_EQ(growth_fit_report({all[0], all[1]}, asked).checks[0].specimens, 2);
 }
 
-// Kind: refusal.  A size in no record; a single specimen; a confidence out of range.
-TEST(GrowthFitReport, RefusalOfRequests) {
+// Kind: input.  A size in no record; a single specimen; a confidence out of range.
+TEST(GrowthFitReport, InputOfRequests) {
   const std::vector<GrowthSpecimen> all = drawn();
   const auto refused = [&](const std::vector<GrowthSpecimen>& specimens, GrowthFitRequest asked,
                            const char* words) {
@@ -185,12 +187,12 @@ TEST(GrowthFitReport, RefusalOfRequests) {
           "> 0 and < 1");
 }
 
-// Kind: published data.  The 44 specimens of Virkler, Hillberry and Goel (AFFDL-TR-78-43), where
+// Kind: reference.  The 44 specimens of Virkler, Hillberry and Goel (AFFDL report 78-43), where
 // they are: facts of the file, and bands of each specimen by a fit to the 43 others.  Limits: a
 // right model has 34 to 44 inside with 99 %; bands at most 1.15 times as wide as those of a
 // log-normal fitted to the answers; narrower with the own record.  Nothing is tuned to these
 // specimens but the fit itself.
-TEST(GrowthFitReport, PublishedVirklerSpecimens) {
+TEST(GrowthFitReport, ReferenceVirklerSpecimens) {
   const char* const named = std::getenv("STRAINWAVE_VIRKLER");
   const std::string path = named != nullptr ? named
                                             : STRAINWAVE_TEST_DATA

@@ -197,7 +197,9 @@ Command grow_command() {
           "the law of their material, and says what ends the life, after how many hours, or that "
           "the cracks stand still and which loads would start them again. The stiffness, the "
           "natural frequency and the reserve against failure follow over time. The file must give "
-          "[duty] and a law of growth of each cracked material.",
+          "[duty] and a law of growth of each cracked material. `strainwave grow --fit DATA.csv` "
+          "is another command: it finds such a law with its scatter from measured specimens, as "
+          "`strainwave fit` does.",
       .example = "strainwave grow examples/growing_shaft.toml --plot growth.svg",
       .journal = "keep the steps in this file; if it has steps of the same run, go on from them",
       .journal_option = "resume",
