@@ -35,7 +35,7 @@ class Search {
   };
 
   /// Newton's method from a start; the curvature is that of differences of exact slopes.
-  Found from(const Values& start) const {
+  [[nodiscard]] Found from(const Values& start) const {
     constexpr int kMostSteps = 60;
     constexpr double kDecrement = 1e-8;  // of the likelihood; parameters are then right to 1e-4 sd
     Found found{.values = start, .likelihood = value(start), .curvature = {}};
@@ -66,16 +66,16 @@ class Search {
  private:
   static Eigen::Index index(std::size_t k) { return static_cast<Eigen::Index>(k); }
 
-  double value(const Values& v) const {
+  [[nodiscard]] double value(const Values& v) const {
     return data_.likelihood(mean_, ScatterParameters::of(v)).value;
   }
-  Eigen::VectorXd slope_at(const Values& v) const {
+  [[nodiscard]] Eigen::VectorXd slope_at(const Values& v) const {
     const Values all = data_.slope(mean_, ScatterParameters::of(v));
     Eigen::VectorXd slope(index(acting_.size()));
     for (std::size_t k = 0; k < acting_.size(); ++k) slope[index(k)] = all[acting_[k]];
     return slope;
   }
-  Eigen::MatrixXd curvature_at(const Values& v) const {
+  [[nodiscard]] Eigen::MatrixXd curvature_at(const Values& v) const {
     const Eigen::Index n = index(acting_.size());
     Eigen::MatrixXd curvature(n, n);
     for (std::size_t k = 0; k < acting_.size(); ++k) {
@@ -248,12 +248,10 @@ GrowthFit fit_growth(const std::vector<GrowthSpecimen>& specimens,
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(best_found.curvature);
   const double largest = axes.eigenvalues().cwiseAbs().maxCoeff();
   if (axes.eigenvalues().minCoeff() > 1e-9 * largest) {
-    const Eigen::MatrixXd covariance = best_found.curvature.inverse();
-    for (std::size_t k = 0, at = 0; k < kCount; ++k)
-      if (acting[k])
-        best.errors[k] =
-            std::sqrt(covariance(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(at))),
-        ++at;
+    const Eigen::VectorXd variances = best_found.curvature.inverse().diagonal();
+    Eigen::Index at = 0;
+    for (std::size_t k = 0; k < kCount; ++k)
+      if (acting[k]) best.errors[k] = std::sqrt(variances[at++]);
   }
   return best;
 }
