@@ -57,7 +57,8 @@ TEST(PredictGrowth, ReferenceLevelAlone) {
   const GrowthFit fit = known_law({.level = 0.2});
   const GrowthSpecimen s = deviating(fit, {0, 0, 0, 0, 0});
   const GrowthDraws draws(kPaths, 5, 7);
-  const auto drawn = draw_growth(fit, s, std::nullopt, 0.01, {0.012, 0.0125, 0.015}, draws).cycles;
+  const auto drawn =
+      draw_growth(fit, s, std::nullopt, 0.01, {0.012, 0.0125, s.sizes.back()}, draws).cycles;
   EXPECT_NEAR(mean_log(drawn[0]), std::log(s.cycles[2]), kError * 0.2);
   EXPECT_NEAR(mean_log(drawn[1]), std::log((s.cycles[2] + s.cycles[3]) / 2), kError * 0.2);
   EXPECT_NEAR(mean_log(drawn[2]), std::log(s.cycles[5]), kError * 0.2);
