@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "strainwave/core/enum_list.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 
@@ -120,22 +121,7 @@ GearSet with_factor(GearSet gear, Factor factor, double value) {
 }
 
 std::vector<Factor> parse_factors(std::string_view text) {
-  std::vector<Factor> factors;
-  while (true) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    std::string_view name = text.substr(0, comma);
-    while (name.starts_with(' ')) name.remove_prefix(1);
-    while (name.ends_with(' ')) name.remove_suffix(1);
-    const auto factor = enum_value<Factor>(name);
-    if (!factor)
-      throw InputError("factors", fmt::format("\"{}\" is not one of {}", shown(name),
-                                              fmt::join(EnumNames<Factor>::names, ", ")));
-    if (std::ranges::find(factors, *factor) != factors.end())
-      throw InputError("factors", fmt::format("{} is named twice; name it once", name));
-    factors.push_back(*factor);
-    if (comma == text.size()) return factors;
-    text.remove_prefix(comma + 1);
-  }
+  return parse_enum_list<Factor>("factors", text);
 }
 
 std::string factor_names(const std::vector<Factor>& factors) {

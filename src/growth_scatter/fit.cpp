@@ -16,6 +16,9 @@ namespace {
 constexpr std::size_t kCount = ScatterParameters::kCount;
 using Values = std::array<double, kCount>;
 
+/// Share of the largest curvature below which the likelihood counts as flat.
+constexpr double kNoCurvature = 1e-9;
+
 /// The search for the parameters that act, for one set of knots.
 class Search {
  public:
@@ -31,34 +34,40 @@ class Search {
     double likelihood = 0.0;
     Eigen::MatrixXd curvature;  ///< of minus the likelihood over the parameters that act
     bool converged = false;
-    int iterations = 0;
   };
 
-  /// Newton's method from a start; the curvature is that of differences of exact slopes.
-  [[nodiscard]] Found from(const Values& start) const {
+  /// Newton's method from a start; the curvature is that of differences of exact slopes.  It ends
+  /// where the likelihood is flat to the first order and does not bend upwards anywhere.
+  [[nodiscard]] Found from(const Values& start, const Progress& progress) const {
     constexpr int kMostSteps = 60;
     constexpr double kDecrement = 1e-8;  // of the likelihood; parameters are then right to 1e-4 sd
+    constexpr double kSaddle = 1e-4;     // of the largest curvature; the differences err by less
     Found found{.values = start, .likelihood = value(start), .curvature = {}};
-    for (; found.iterations < kMostSteps; ++found.iterations) {
+    for (int step_number = 0; step_number < kMostSteps; ++step_number) {
+      progress.at(static_cast<double>(step_number) / kMostSteps);
       const Eigen::VectorXd slope = slope_at(found.values);
       found.curvature = curvature_at(found.values);
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(found.curvature);
       // A direction of wrong or no curvature gets a safe one, so that the step leads uphill.
       const double largest = axes.eigenvalues().cwiseAbs().maxCoeff();
-      const Eigen::VectorXd curvatures = axes.eigenvalues().cwiseAbs().cwiseMax(1e-9 * largest);
+      const Eigen::VectorXd curvatures =
+          axes.eigenvalues().cwiseAbs().cwiseMax(kNoCurvature * largest);
       Eigen::VectorXd step =
           axes.eigenvectors() * (axes.eigenvectors().transpose() * slope).cwiseQuotient(curvatures);
-      const double gain = slope.dot(step);
-      if (gain < kDecrement) {
-        found.converged = true;
-        return found;
+      if (slope.dot(step) < kDecrement) {
+        if (axes.eigenvalues()[0] > -kSaddle * largest) {
+          found.converged = true;
+          return found;
+        }
+        // A saddle, such as a deviation of 0: both senses lead uphill.
+        step = axes.eigenvectors().col(0);
       }
       // Deviations are of the size 0.1, a logarithm of the size 1.
       double longest = 0.0;
       for (std::size_t k = 0; k < acting_.size(); ++k)
         longest = std::max(longest, std::abs(step[index(k)]) / (acting_[k] == 4 ? 1.0 : 0.2));
       if (longest > 1) step /= longest;
-      if (!climb(found, step, slope.dot(step))) return found;
+      if (!climb(found, step, std::max(0.0, slope.dot(step)))) return found;
     }
     return found;
   }
@@ -188,10 +197,33 @@ void check(const std::vector<GrowthSpecimen>& specimens, const GrowthFitSettings
                      "specimens or leave level and slope out");
 }
 
+/// Standard errors from the curvature, (GS-8).  A parameter that takes part in a direction without
+/// curvature has none; the errors of the others do not depend on such directions.
+void set_errors(GrowthFit& fit, const Eigen::MatrixXd& curvature) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(curvature);
+  const double flat = kNoCurvature * axes.eigenvalues().cwiseAbs().maxCoeff();
+  const auto acting = fit.parts.acting();
+  Eigen::Index at = 0;
+  for (std::size_t k = 0; k < kCount; ++k) {
+    if (!acting[k]) continue;
+    double variance = 0.0;
+    double undetermined = 0.0;
+    for (Eigen::Index j = 0; j < curvature.rows(); ++j) {
+      const double share = std::pow(axes.eigenvectors()(at, j), 2);
+      if (axes.eigenvalues()[j] > flat)
+        variance += share / axes.eigenvalues()[j];
+      else
+        undetermined += share;
+    }
+    if (undetermined < 1e-6) fit.errors[k] = std::sqrt(variance);
+    ++at;
+  }
+}
+
 }  // namespace
 
 GrowthFit fit_growth(const std::vector<GrowthSpecimen>& specimens,
-                     const GrowthFitSettings& settings) {
+                     const GrowthFitSettings& settings, const Progress& progress) {
   const GrowthData data(specimens);
   check(specimens, settings, data);
   const auto acting = settings.parts.acting();
@@ -211,8 +243,14 @@ GrowthFit fit_growth(const std::vector<GrowthSpecimen>& specimens,
     const MeanGrowth mean = knots_over(data, knots);
     const Search search(data, mean, settings.parts);
     std::optional<Search::Found> found;
-    for (const Values& start : starts) {
-      Search::Found from = search.from(start);
+    const double first = static_cast<double>(knots - fewest) / (most - fewest + 1);
+    const double last = static_cast<double>(knots - fewest + 1) / (most - fewest + 1);
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      const auto share = [&](std::size_t done) {
+        return std::lerp(first, last,
+                         static_cast<double>(done) / static_cast<double>(starts.size()));
+      };
+      Search::Found from = search.from(starts[k], progress.part(share(k), share(k + 1)));
       if (!found || from.likelihood > found->likelihood) found = std::move(from);
     }
     const KnotTrial trial{
@@ -240,19 +278,10 @@ GrowthFit fit_growth(const std::vector<GrowthSpecimen>& specimens,
   best.rate_covariance = at_best.covariance;
   best.log_likelihood = at_best.value;
   best.converged = best_found.converged;
-  best.iterations = best_found.iterations;
   best.reason = best.converged
                     ? "no change of the parameters raises the likelihood by more than 1e-8"
                     : "the likelihood cannot be raised further, but its slope is not zero";
-  // (GS-8): a parameter is told if the likelihood bends in its direction alone and with the others.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(best_found.curvature);
-  const double largest = axes.eigenvalues().cwiseAbs().maxCoeff();
-  if (axes.eigenvalues().minCoeff() > 1e-9 * largest) {
-    const Eigen::VectorXd variances = best_found.curvature.inverse().diagonal();
-    Eigen::Index at = 0;
-    for (std::size_t k = 0; k < kCount; ++k)
-      if (acting[k]) best.errors[k] = std::sqrt(variances[at++]);
-  }
+  set_errors(best, best_found.curvature);
   return best;
 }
 

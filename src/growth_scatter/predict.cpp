@@ -77,14 +77,18 @@ GrowthDraws::GrowthDraws(std::size_t draws, std::size_t steps, std::uint64_t see
       numbers_[input * draws + draw] = counter_normal(seed, draw, input);
 }
 
-DrawnCycles draw_growth(const GrowthFit& fit, const GrowthSpecimen& specimen,
-                        std::optional<double> known, double from, const std::vector<double>& sizes,
-                        const GrowthDraws& draws) {
+std::vector<std::vector<double>> draw_growth(const GrowthFit& fit, const GrowthSpecimen& specimen,
+                                             std::optional<double> known, double from,
+                                             const std::vector<double>& sizes,
+                                             const GrowthDraws& draws) {
   const ScatterParameters& p = fit.parameters;
   const std::vector<double>& a = specimen.sizes;
   if (!(from >= a.front() && from < a.back()))
     throw InputError(specimen.name,
                      fmt::format("has no crack of {:.6g} mm in its record", 1e3 * from));
+  if (specimen.steps() > draws.steps())
+    throw InputError(specimen.name, fmt::format("has {} steps, and numbers were drawn for {}",
+                                                specimen.steps(), draws.steps()));
   const auto middle = [&](std::size_t i) { return std::log(std::midpoint(a[i], a[i + 1])); };
   SpecimenState state = before_any_step(fit);
   std::size_t i = 0;
@@ -113,7 +117,7 @@ DrawnCycles draw_growth(const GrowthFit& fit, const GrowthSpecimen& specimen,
   }
   drawn = (root * drawn).colwise() + state.mean;
 
-  DrawnCycles result{.from = from, .cycles = std::vector<std::vector<double>>(sizes.size())};
+  std::vector<std::vector<double>> result(sizes.size());
   Eigen::ArrayXd count = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(n));
   const auto numbers = [&](std::size_t input) {
     return Eigen::Map<const Eigen::ArrayXd>(draws.input(input).data(),
@@ -137,7 +141,7 @@ DrawnCycles draw_growth(const GrowthFit& fit, const GrowthSpecimen& specimen,
       if (sizes[s] >= begin &&
           (sizes[s] < a[i + 1] || (sizes[s] == a[i + 1] && i + 1 == specimen.steps()))) {
         const Eigen::ArrayXd until = count + cycles * ((sizes[s] - begin) / length);
-        result.cycles[s].assign(until.begin(), until.end());
+        result[s].assign(until.begin(), until.end());
       }
     count += cycles * ((a[i + 1] - begin) / length);
   }

@@ -29,20 +29,31 @@ double MeanGrowth::log_rate(double log_range) const {
   return sum;
 }
 
-GrowthData::GrowthData(std::span<const GrowthSpecimen> specimens) : specimens_(specimens.size()) {
+ScatterParts ScatterParts::of(std::span<const ScatterPart> named) {
+  const auto has = [&](ScatterPart part) { return std::ranges::find(named, part) != named.end(); };
+  return {.level = has(ScatterPart::level),
+          .slope = has(ScatterPart::slope),
+          .correlated = has(ScatterPart::correlated),
+          .white = has(ScatterPart::white)};
+}
+
+GrowthData::GrowthData(std::span<const GrowthSpecimen> specimens) {
   if (specimens.empty()) throw InputError("specimens", "has no record; give at least one");
   lowest_ = log_range(specimens.front(), 0);
   highest_ = lowest_;
-  const GrowthSpecimen* first_of_design = nullptr;
-  std::vector<const GrowthSpecimen*> firsts;
+  for (const GrowthSpecimen& specimen : specimens) {
+    for (std::size_t i = 0; i < specimen.steps(); ++i) offset_ += log_rate(specimen, i);
+    steps_ += specimen.steps();
+  }
+  offset_ /= static_cast<double>(steps_);
+  std::vector<const GrowthSpecimen*> firsts;  // of each design
   for (const GrowthSpecimen& specimen : specimens) {
     const auto same = std::ranges::find_if(firsts, [&](const GrowthSpecimen* first) {
       return first->sizes == specimen.sizes && first->ranges == specimen.ranges;
     });
     const auto number = static_cast<std::size_t>(same - firsts.begin());
     if (same == firsts.end()) {
-      first_of_design = &specimen;
-      firsts.push_back(first_of_design);
+      firsts.push_back(&specimen);
       Design& design = designs_.emplace_back();
       for (std::size_t i = 0; i < specimen.steps(); ++i) {
         design.log_sizes.push_back(
@@ -54,8 +65,8 @@ GrowthData::GrowthData(std::span<const GrowthSpecimen> specimens) : specimens_(s
       }
     }
     std::vector<double>& record = designs_[number].records.emplace_back();
-    for (std::size_t i = 0; i < specimen.steps(); ++i) record.push_back(log_rate(specimen, i));
-    steps_ += specimen.steps();
+    for (std::size_t i = 0; i < specimen.steps(); ++i)
+      record.push_back(log_rate(specimen, i) - offset_);
   }
 }
 
@@ -98,7 +109,7 @@ GrowthLikelihood GrowthData::likelihood(const MeanGrowth& mean,
   result.value = -(log_variances + static_cast<double>(steps_) * std::log(2 * std::numbers::pi) +
                    squares - right.dot(rates)) /
                  2;  // (GS-5)
-  result.rates.assign(rates.begin(), rates.end());
+  for (const double rate : rates) result.rates.push_back(rate + offset_);
   result.covariance.assign(covariance.reshaped().begin(), covariance.reshaped().end());
   return result;
 }
@@ -120,7 +131,7 @@ std::array<double, ScatterParameters::kCount> GrowthData::slope(
   for (const Design& design : designs_) {
     std::vector<std::vector<double>> columns = design.records;
     for (std::size_t i = 0; i < design.lengths.size(); ++i) {
-      const double median = best.log_rate(design.log_ranges[i]);
+      const double median = best.log_rate(design.log_ranges[i]) - offset_;
       for (std::vector<double>& column : columns) column[i] -= median;
     }
     const auto records = static_cast<double>(columns.size());

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/shown_text.hpp"
 #include "strainwave/growth_scatter/scatter_model.hpp"
 
 namespace strainwave {

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "strainwave/chart/chart.hpp"
-#include "strainwave/core/shown_text.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"

@@ -52,53 +52,57 @@ std::vector<double> usual_sizes(const std::vector<GrowthSpecimen>& specimens) {
   return sizes;
 }
 
-/// One question: cycles to each size, without or with the beginning of the own record.
+/// Cycles to several sizes, without or with the beginning of the own record.
 struct Question {
   std::optional<double> known;
-  double size;
+  std::vector<double> sizes;
 };
 
-/// The answer for one specimen; absent if its record does not contain the sizes.
+/// The answer for one specimen and size.
 struct AnsweredBand {
   SpecimenBand band;
   std::optional<double> unknown_width;  ///< of the same cycles without the record
 };
+/// Answers of one specimen by question and size; absent where its record does not contain the
+/// sizes.
+using SpecimenAnswers = std::vector<std::vector<std::optional<AnsweredBand>>>;
 
 double width_of(std::vector<double> draws, double confidence) {
   const double low = quantile(draws, (1 - confidence) / 2);
   return quantile(draws, (1 + confidence) / 2) - low;
 }
 
-std::vector<std::optional<AnsweredBand>> bands_of(const GrowthFit& fit,
-                                                  const GrowthSpecimen& specimen,
-                                                  const std::vector<Question>& questions,
-                                                  double confidence, const GrowthDraws& draws) {
-  std::vector<std::optional<AnsweredBand>> answers(questions.size());
-  for (std::size_t q = 0; q < questions.size(); ++q) {
-    const Question& asked = questions[q];
+AnsweredBand band_of(const std::string& specimen, const Question& asked, double size, double cycles,
+                     std::vector<double> drawn, double confidence) {
+  AnsweredBand answer;
+  SpecimenBand& band = answer.band;
+  band = {.specimen = specimen, .known = asked.known, .size = size, .cycles = cycles};
+  const auto fewer = std::ranges::count_if(drawn, [&](double n) { return n < cycles; });
+  band.transform = (static_cast<double>(fewer) + 0.5) / (static_cast<double>(drawn.size()) + 1);
+  band.low = quantile(drawn, (1 - confidence) / 2);
+  band.median = quantile(drawn, 0.5);
+  band.high = quantile(drawn, (1 + confidence) / 2);
+  return answer;
+}
+
+SpecimenAnswers bands_of(const GrowthFit& fit, const GrowthSpecimen& specimen,
+                         const std::vector<Question>& questions, double confidence,
+                         const GrowthDraws& draws) {
+  SpecimenAnswers answers;
+  for (const Question& asked : questions) {
+    auto& of_question = answers.emplace_back(asked.sizes.size());
     const double from = asked.known.value_or(specimen.sizes.front());
-    const auto reached = cycles_at(specimen, asked.size);
     const auto begun = cycles_at(specimen, from);
-    if (!reached || !begun || !(asked.size > from)) continue;
-    std::vector<double> drawn = std::move(
-        draw_growth(fit, specimen, asked.known, from, {asked.size}, draws).cycles.front());
-    if (drawn.empty()) continue;
-    AnsweredBand answer;
-    SpecimenBand& band = answer.band;
-    band = {.specimen = specimen.name,
-            .known = asked.known,
-            .size = asked.size,
-            .cycles = *reached - *begun};
-    const auto fewer = std::ranges::count_if(drawn, [&](double n) { return n < band.cycles; });
-    band.transform = (static_cast<double>(fewer) + 0.5) / (static_cast<double>(drawn.size()) + 1);
-    band.low = quantile(drawn, (1 - confidence) / 2);
-    band.median = quantile(drawn, 0.5);
-    band.high = quantile(drawn, (1 + confidence) / 2);
-    if (asked.known)
-      answer.unknown_width = width_of(
-          draw_growth(fit, specimen, std::nullopt, from, {asked.size}, draws).cycles.front(),
-          confidence);
-    answers[q] = std::move(answer);
+    if (!begun || !(from < specimen.sizes.back())) continue;
+    const auto drawn = draw_growth(fit, specimen, asked.known, from, asked.sizes, draws);
+    const auto unknown =
+        asked.known ? draw_growth(fit, specimen, std::nullopt, from, asked.sizes, draws) : drawn;
+    for (std::size_t s = 0; s < asked.sizes.size(); ++s) {
+      if (drawn[s].empty() || !(asked.sizes[s] > from)) continue;
+      of_question[s] = band_of(specimen.name, asked, asked.sizes[s],
+                               *cycles_at(specimen, asked.sizes[s]) - *begun, drawn[s], confidence);
+      if (asked.known) of_question[s]->unknown_width = width_of(unknown[s], confidence);
+    }
   }
   return answers;
 }
@@ -114,9 +118,9 @@ void set_limits(BandCheck& check, double confidence) {
   while (check.most > 0 && cdf(complement(inside, check.most - 1)) <= kTail) --check.most;
 }
 
-BandCheck check_of(const Question& asked, const std::vector<AnsweredBand>& answers,
-                   double confidence) {
-  BandCheck check{.known = asked.known, .size = asked.size};
+BandCheck check_of(const std::optional<double>& known, double size,
+                   const std::vector<AnsweredBand>& answers, double confidence) {
+  BandCheck check{.known = known, .size = size};
   check.specimens = static_cast<int>(answers.size());
   const auto n = static_cast<double>(answers.size());
   double log_sum = 0.0;
@@ -137,7 +141,7 @@ BandCheck check_of(const Question& asked, const std::vector<AnsweredBand>& answe
     check.distance =
         std::max({check.distance, transforms[i] - rank / n, (rank + 1) / n - transforms[i]});
   }
-  if (asked.known) {
+  if (known) {
     check.width_over_unknown = unknown;
   } else if (answers.size() > 2) {
     for (const auto& [band, width] : answers)
@@ -148,6 +152,21 @@ BandCheck check_of(const Question& asked, const std::vector<AnsweredBand>& answe
     if (width > 0) check.width_over_lognormal = check.mean_width / width;
   }
   return check;
+}
+
+/// The fit to all specimens but one.  Nothing of the one enters but the start of the search.
+GrowthFit fit_without(const std::vector<GrowthSpecimen>& specimens, std::size_t one,
+                      GrowthFitSettings settings, const GrowthFit& to_all) {
+  std::vector<GrowthSpecimen> rest = specimens;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(one));
+  settings.start = to_all.parameters;
+  try {
+    return fit_growth(rest, settings);
+  } catch (const InputError& fault) {
+    throw InputError(fault.field(), fmt::format("has no fit without {}, which the others have to "
+                                                "predict ({}); give more records, or --judge",
+                                                specimens[one].name, fault.what()));
+  }
 }
 
 void add_notes(GrowthFitReport& report, const GrowthFit& fit) {
@@ -184,9 +203,7 @@ GrowthFitReport growth_fit_report(const std::vector<GrowthSpecimen>& specimens,
                                   const GrowthFitRequest& request, const Progress& progress) {
   require(request.confidence > 0 && request.confidence < 1, "confidence", request.confidence, "1",
           "> 0 and < 1");
-  progress.at(0.0);
-  const GrowthFit fit = fit_growth(specimens, request.fit);
-  progress.at(0.2);
+  const GrowthFit fit = fit_growth(specimens, request.fit, progress.part(0.0, 0.1));
   const bool others = !request.judged.empty();
   const std::vector<GrowthSpecimen>& judged = others ? request.judged : specimens;
   if (!others && specimens.size() < 2)
@@ -214,54 +231,62 @@ GrowthFitReport growth_fit_report(const std::vector<GrowthSpecimen>& specimens,
   report.equations = {"GS-1", "GS-2", "GS-3", "GS-4",  "GS-5", "GS-6",
                       "GS-7", "GS-8", "GS-9", "GS-10", "GS-11"};
 
-  std::vector<double> sizes = request.sizes.empty() ? usual_sizes(judged) : request.sizes;
-  std::vector<Question> questions;
-  for (const double size : sizes) questions.push_back({std::nullopt, size});
-  for (const double known : request.known)
+  const std::vector<double> sizes = request.sizes.empty() ? usual_sizes(judged) : request.sizes;
+  std::vector<Question> questions = {{std::nullopt, sizes}};
+  for (const double known : request.known) {
+    Question& question = questions.emplace_back(Question{known, {}});
     for (const double size : sizes)
-      if (size > known) questions.push_back({known, size});
+      if (size > known) question.sizes.push_back(size);
+    if (question.sizes.empty())
+      throw InputError("known",
+                       fmt::format("has {:.6g} mm, and no predicted size is larger; give a "
+                                   "smaller one, or a larger --size",
+                                   1e3 * known));
+  }
 
   std::size_t steps = 0;
   for (const GrowthSpecimen& s : judged) steps = std::max(steps, s.steps());
   const GrowthDraws draws(static_cast<std::size_t>(request.draws), steps, request.seed);
-  std::vector<std::vector<std::optional<AnsweredBand>>> answers(judged.size());
-  for_each_index(
-      judged.size(), {.block = 1, .threads = request.threads}, progress.part(0.2, 1.0), [&] {
-        return [&](std::size_t i) {
-          if (others) {
-            answers[i] = bands_of(fit, judged[i], questions, request.confidence, draws);
-            return;
-          }
-          std::vector<GrowthSpecimen> rest = specimens;
-          rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-          GrowthFitSettings settings = request.fit;
-          settings.knots = static_cast<int>(knots);
-          settings.start = fit.parameters;
-          if (rest.size() < 2) settings.parts.level = settings.parts.slope = false;
-          answers[i] =
-              bands_of(fit_growth(rest, settings), judged[i], questions, request.confidence, draws);
-        };
-      });
+  std::vector<SpecimenAnswers> answers(judged.size());
+  std::vector<std::string> not_converged(judged.size());
+  for_each_index(judged.size(), {.block = 1, .threads = request.threads}, progress.part(0.1, 1.0),
+                 [&] {
+                   return [&](std::size_t i) {
+                     if (others) {
+                       answers[i] = bands_of(fit, judged[i], questions, request.confidence, draws);
+                       return;
+                     }
+                     const GrowthFit rest = fit_without(specimens, i, request.fit, fit);
+                     if (!rest.converged) not_converged[i] = judged[i].name;
+                     answers[i] = bands_of(rest, judged[i], questions, request.confidence, draws);
+                   };
+                 });
+  for (const std::string& name : not_converged)
+    if (!name.empty() && report.unusable_because.empty())
+      report.unusable_because = fmt::format("the fit without {} did not converge", name);
 
   double covered = 0.0;
   int without_record = 0;
   for (std::size_t q = 0; q < questions.size(); ++q) {
-    std::vector<AnsweredBand> there;
-    for (const auto& of_specimen : answers)
-      if (of_specimen[q]) there.push_back(*of_specimen[q]);
-    if (there.empty())
-      throw InputError("sizes",
-                       fmt::format("has {:.6g} mm, which no record contains{}; give a size "
-                                   "inside of the records",
-                                   1e3 * questions[q].size,
-                                   questions[q].known ? " together with the known size" : ""));
-    report.checks.push_back(check_of(questions[q], there, request.confidence));
-    const BandCheck& check = report.checks.back();
-    if (!check.known) {
-      covered += static_cast<double>(check.inside) / check.specimens;
-      ++without_record;
+    const Question& asked = questions[q];
+    for (std::size_t k = 0; k < asked.sizes.size(); ++k) {
+      std::vector<AnsweredBand> there;
+      for (const SpecimenAnswers& of_specimen : answers)
+        if (of_specimen[q][k]) there.push_back(*of_specimen[q][k]);
+      if (there.empty())
+        throw InputError(
+            "size",
+            fmt::format("has {:.6g} mm, which no record contains{}; give a size inside of "
+                        "the records",
+                        1e3 * asked.sizes[k], asked.known ? " together with the known size" : ""));
+      report.checks.push_back(check_of(asked.known, asked.sizes[k], there, request.confidence));
+      const BandCheck& check = report.checks.back();
+      if (!check.known) {
+        covered += static_cast<double>(check.inside) / check.specimens;
+        ++without_record;
+      }
+      for (const AnsweredBand& answer : there) report.bands.push_back(answer.band);
     }
-    for (const AnsweredBand& answer : there) report.bands.push_back(answer.band);
   }
   if (without_record > 0) report.coverage = covered / without_record;
   add_notes(report, fit);

@@ -926,5 +926,17 @@ TEST_F(Program, BehaviourAnInterruptLeavesNoFileAndEndsWith130) {
   EXPECT_TRUE(waiting().empty()) << waiting();
 }
 
+// Kind: identity.  Both spellings of the command `fit` give the same bytes.
+TEST_F(Program, IdentityTheOtherSpellingOfACommand) {
+  const std::string data = quoted(STRAINWAVE_EXAMPLES "/growth_specimens.csv");
+  const std::string rest =
+      " --stress-range '60 MPa' --plate-width '100 mm' --knots 2 --draws 200 --format json";
+  const Outcome straight = run("fit " + data + rest);
+  EXPECT_EQ(straight.exit_code, 0) << straight.err;
+  EXPECT_EQ(run("grow --fit " + data + rest).out, straight.out);
+  EXPECT_EQ(run("grow --fit=" + data + rest).out, straight.out);
+  EXPECT_EQ(run("grow" + rest + " --fit " + data).out, straight.out);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -58,7 +58,7 @@ TEST(PredictGrowth, ReferenceLevelAlone) {
   const GrowthSpecimen s = deviating(fit, {0, 0, 0, 0, 0});
   const GrowthDraws draws(kPaths, 5, 7);
   const auto drawn =
-      draw_growth(fit, s, std::nullopt, 0.01, {0.012, 0.0125, s.sizes.back()}, draws).cycles;
+      draw_growth(fit, s, std::nullopt, 0.01, {0.012, 0.0125, s.sizes.back()}, draws);
   EXPECT_NEAR(mean_log(drawn[0]), std::log(s.cycles[2]), kError * 0.2);
   EXPECT_NEAR(mean_log(drawn[1]), std::log((s.cycles[2] + s.cycles[3]) / 2), kError * 0.2);
   EXPECT_NEAR(mean_log(drawn[2]), std::log(s.cycles[5]), kError * 0.2);
@@ -83,7 +83,7 @@ TEST(PredictGrowth, ReferenceVarianceOfAStep) {
   const double variance =
       std::pow(0.1 - 0.2 * x, 2) + std::pow(0.15 * x, 2) + 0.12 * 0.12 + 0.07 * 0.07 + law;
   const GrowthDraws draws(kPaths, 3, 11);
-  const auto drawn = draw_growth(fit, s, std::nullopt, 0.011, {0.012}, draws).cycles[0];
+  const auto drawn = draw_growth(fit, s, std::nullopt, 0.011, {0.012}, draws)[0];
   EXPECT_NEAR(mean_log(drawn), std::log(s.cycles[2] - s.cycles[1]), kError * std::sqrt(variance));
   EXPECT_NEAR(deviation_log(drawn), std::sqrt(variance), kError * std::sqrt(variance));
 }
@@ -94,7 +94,7 @@ TEST(PredictGrowth, ReferenceMemoryOfTheCorrelatedPart) {
   const GrowthFit fit = known_law({.wander = 0.2, .log_length = -1.5});
   const GrowthSpecimen s = deviating(fit, {0, 0, 0, 0});
   const GrowthDraws draws(kPaths, 4, 3);
-  const auto until = draw_growth(fit, s, std::nullopt, 0.01, {0.011, 0.013, 0.014}, draws).cycles;
+  const auto until = draw_growth(fit, s, std::nullopt, 0.01, {0.011, 0.013, 0.014}, draws);
   std::vector<double> both(kPaths);
   for (std::size_t d = 0; d < kPaths; ++d)
     both[d] = until[0][d] * (until[2][d] - until[1][d]);  // logarithms add
@@ -113,7 +113,7 @@ TEST(PredictGrowth, ReferenceLearningALevel) {
   const double own = 0.25 * 0.04 / (0.04 + 0.01 / n);
   const double left = 0.04 * 0.01 / (n * 0.04 + 0.01);
   const GrowthDraws draws(kPaths, 5, 5);
-  const auto drawn = draw_growth(fit, s, 0.013, 0.013, {0.014}, draws).cycles[0];
+  const auto drawn = draw_growth(fit, s, 0.013, 0.013, {0.014}, draws)[0];
   const double deviation = std::sqrt(left + 0.01);
   EXPECT_NEAR(mean_log(drawn), std::log(s.cycles[4] - s.cycles[3]) - own, kError * deviation);
   EXPECT_NEAR(deviation_log(drawn), deviation, kError * deviation);
@@ -126,14 +126,15 @@ TEST(PredictGrowth, ReferenceLearningTheCorrelatedPart) {
   const GrowthSpecimen s = deviating(fit, {0.1, 0.4, 0, 0});
   const double memory = std::exp(-std::log(12.5 / 11.5) / std::exp(-1.5));
   const GrowthDraws draws(kPaths, 4, 9);
-  const auto drawn = draw_growth(fit, s, 0.012, 0.012, {0.013}, draws).cycles[0];
+  const auto drawn = draw_growth(fit, s, 0.012, 0.012, {0.013}, draws)[0];
   const double deviation = 0.2 * std::sqrt(1 - memory * memory);
   EXPECT_NEAR(mean_log(drawn), std::log(s.cycles[3] - s.cycles[2]) - 0.4 * memory,
               kError * deviation);
   EXPECT_NEAR(deviation_log(drawn), deviation, kError * deviation);
 }
 
-// Kind: input.  A size outside of the record; a record that is known to its end.
+// Kind: input.  A size outside of the record; a record that is known to its
+// end; too few numbers.
 TEST(PredictGrowth, InputNothingToPredict) {
   const GrowthFit fit = known_law({.white = 0.1});
   const GrowthSpecimen s = deviating(fit, {0, 0});
@@ -141,7 +142,9 @@ TEST(PredictGrowth, InputNothingToPredict) {
   EXPECT_THROW((void)draw_growth(fit, s, std::nullopt, 0.009, {0.011}, draws), InputError);
   EXPECT_THROW((void)draw_growth(fit, s, std::nullopt, 0.012, {0.012}, draws), InputError);
   EXPECT_THROW((void)draw_growth(fit, s, 0.012, 0.0119, {0.012}, draws), InputError);
-  EXPECT_TRUE(draw_growth(fit, s, std::nullopt, 0.01, {0.02}, draws).cycles[0].empty());
+  EXPECT_THROW((void)draw_growth(fit, s, std::nullopt, 0.01, {0.011}, GrowthDraws(100, 1, 1)),
+               InputError);
+  EXPECT_TRUE(draw_growth(fit, s, std::nullopt, 0.01, {0.02}, draws)[0].empty());
 }
 
 }  // namespace

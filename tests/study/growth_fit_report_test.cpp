@@ -14,6 +14,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "support/expect.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -160,11 +161,10 @@ TEST(GrowthFitReport, BehaviourNotes) {
   const GrowthFitReport few = growth_fit_report({all[0], all[1], all[2]}, asked);
   EXPECT_TRUE(has(few, "growth_fit.few_specimens"));
   EXPECT_TRUE(has(few, "growth_fit.not_identified"));
-  // Two specimens: each is judged by the other alone.
-  EXPECT_EQ(growth_fit_report({all[0], all[1]}, asked).checks[0].specimens, 2);
 }
 
-// Kind: input.  A size in no record; a single specimen; a confidence out of range.
+// Kind: input.  A size in no record; a known size beyond all predicted ones; one or two
+// specimens; a confidence out of range.
 TEST(GrowthFitReport, InputOfRequests) {
   const std::vector<GrowthSpecimen> all = drawn();
   const auto refused = [&](const std::vector<GrowthSpecimen>& specimens, GrowthFitRequest asked,
@@ -183,6 +183,10 @@ TEST(GrowthFitReport, InputOfRequests) {
       {all[0]},
       {.fit = {.parts = {.level = false, .slope = false}}, .sizes = {}, .known = {}, .judged = {}},
       "no other can judge");
+  // One of two specimens cannot tell how specimens differ.
+  refused({all[0], all[1]}, {.fit = {}, .sizes = {}, .known = {}, .judged = {}},
+          "no fit without drawn_01");
+  refused(all, {.fit = {}, .sizes = {0.02}, .known = {0.02}, .judged = {}}, "no predicted size");
   refused(all, {.fit = {}, .sizes = {}, .known = {}, .confidence = 1.0, .judged = {}},
           "> 0 and < 1");
 }
@@ -190,8 +194,8 @@ TEST(GrowthFitReport, InputOfRequests) {
 // Kind: reference.  The 44 specimens of Virkler, Hillberry and Goel (AFFDL report 78-43), where
 // they are: facts of the file, and bands of each specimen by a fit to the 43 others.  Limits: a
 // right model has 34 to 44 inside with 99 %; bands at most 1.15 times as wide as those of a
-// log-normal fitted to the answers; narrower with the own record.  Nothing is tuned to these
-// specimens but the fit itself.
+// log-normal fitted to the answers; narrower with the own record.  The form of the scatter was
+// chosen on these specimens (GS-4), so this is no test of the form.
 TEST(GrowthFitReport, ReferenceVirklerSpecimens) {
   const char* const named = std::getenv("STRAINWAVE_VIRKLER");
   const std::string path = named != nullptr ? named
@@ -208,12 +212,12 @@ TEST(GrowthFitReport, ReferenceVirklerSpecimens) {
   double sum = 0.0;
   for (const GrowthSpecimen& s : specimens) sum += *cycles_at(s, 0.0498) / 44;
   test::expect_relative(sum, 259388.9318, 1e-9);
-  const GrowthFitReport report =
-      growth_fit_report(specimens, {.fit = {},
-                                    .sizes = {0.015, 0.02, 0.03, 0.04, 0.0498},
-                                    .known = {0.02, 0.03},
-                                    .draws = 2000,
-                                    .judged = {}});
+  const GrowthFitReport report = growth_fit_report(
+      specimens, {.fit = {.parts = {}, .knots = test::kSanitized ? std::optional(7) : std::nullopt},
+                  .sizes = {0.015, 0.02, 0.03, 0.04, 0.0498},
+                  .known = {0.02, 0.03},
+                  .draws = 2000,
+                  .judged = {}});
   test::expect_relative(report.pooled.exponent, 2.86132584, 1e-8);
   // C in mm and MPa*sqrt(mm) of the reader's facts: 1000 C 1000^(-m/2).
   EXPECT_NEAR(report.pooled.log_coefficient + (1 - report.pooled.exponent / 2) * std::log(1000.0),

@@ -5,6 +5,9 @@ Equations (GS-1), (GS-4), (GS-5), (GS-7) for the specimens of examples/growth_sp
 parameters, and at the most likely ones.  Independent of the C++: the product filters along a
 record and uses Newton's method; this program factors the full covariance and uses the simplex of
 Nelder and Mead.  `--specimens` prints that example, which is drawn from the model.
+`--forms FILE STRESS_RANGE WIDTH` (MPa, mm) compares forms of the scatter on measured specimens with
+six knots: memory in ln a or in a, with and without a slope of each specimen; and the deviation of
+ln N that each gives at some sizes with that of the specimens.
 """
 import csv
 import pathlib
@@ -131,9 +134,59 @@ def tables():
     return [table]
 
 
+def forms(path, stress_range, width):
+    table = np.array(list(csv.reader(line for line in open(path) if line[0] != "#"))[1:], float)
+    a, n = table[:, 0], table[:, 1:]
+    middle, length = (a[1:] + a[:-1]) / 2, np.diff(a)
+    lk = np.log(stress_range * np.sqrt(np.pi * middle / np.cos(np.pi * middle / width) / 1000))
+    y = np.log(length[:, None] / 1000 / np.diff(n, axis=0))
+    x = lk - (lk[0] + lk[-1]) / 2
+    B = weights(lk, np.linspace(lk[0], lk[-1], 6))
+    normals = np.random.default_rng(1).standard_normal((len(lk), 4000))
+    for memory, place, log_length in (("ln a", np.log(middle), -2.5), ("a", middle, 0.5)):
+        change = np.abs(place[:, None] - place[None, :])
+
+        def matrix(v):
+            b0, b1 = v[0] + v[1] * x, v[2] * x
+            return (np.outer(b0, b0) + np.outer(b1, b1) + v[3] ** 2 * np.exp(-change / np.exp(v[4]))
+                    + np.diag(v[5] ** 2 * WHITE_STEP / length))
+
+        def likelihood(v):
+            C = matrix(v)
+            inverse = np.linalg.inv(C)
+            rates = np.linalg.solve(B.T @ inverse @ B, B.T @ inverse @ y.mean(1))
+            r = y - (B @ rates)[:, None]
+            value = -0.5 * (y.shape[1] * (np.linalg.slogdet(C)[1] + len(lk) * np.log(2 * np.pi))
+                            + np.sum(r * (inverse @ r)))
+            return value, rates
+
+        for slope in (True, False):
+            free = [0, 1, 2, 3, 4, 5] if slope else [0, 3, 4, 5]
+
+            def of(values):
+                v = np.zeros(6)
+                v[free] = values
+                return v
+
+            start = np.array([0.08, 0.1, 0.05, 0.15, log_length, 0.07])[free]
+            for _ in range(2):
+                start = minimize(lambda v: -likelihood(of(v))[0], start, method="Nelder-Mead",
+                                 options=dict(xatol=1e-4, fatol=1e-3, maxiter=3000)).x
+            value, rates = likelihood(of(start))
+            drawn = (B @ rates)[:, None] + np.linalg.cholesky(matrix(of(start))) @ normals
+            cycles = np.cumsum(length[:, None] / 1000 * np.exp(-drawn), axis=0)
+            ratios = [np.std(np.log(cycles[i - 1])) / np.std(np.log(n[i] - n[0]), ddof=1)
+                      for i in np.searchsorted(a, np.linspace(a[0], a[-1], 6)[1:] - 1e-9)]
+            print(f"memory in {memory}, slope {slope}: log likelihood {value:.1f}; deviation of ln N "
+                  "over measured " + ", ".join(f"{ratio:.2f}" for ratio in ratios), flush=True)
+
+
 def main():
     if "--specimens" in sys.argv[1:]:
         specimens()
+        return
+    if "--forms" in sys.argv[1:]:
+        forms(sys.argv[2], float(sys.argv[3]), float(sys.argv[4]))
         return
     from reference_csv import publish
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/growth_scatter/scatter_model.hpp"
 
 /// @file
@@ -36,24 +37,26 @@ struct GrowthFit {
   ScatterParts parts;
   ScatterParameters parameters;  ///< normalised: level, slope, wander, white >= 0
   /// Standard errors of the parameters that act, from the curvature of the likelihood; absent for a
-  /// parameter that the records do not determine
+  /// parameter whose change leaves the likelihood as it is, such as the length of a correlated part
+  /// that vanishes
   std::array<std::optional<double>, ScatterParameters::kCount> errors = {};
   double log_likelihood = 0.0;
   bool converged = false;
   std::string reason;  ///< how the search ended
-  int iterations = 0;
   std::vector<KnotTrial> trials;
 };
 
 /// Fits the median rate and the scatter to records by maximum likelihood.
 ///
 /// Implements theory manual eqs. (GS-5) to (GS-9).  Newton's method with exact first derivatives;
-/// a step that does not raise the likelihood is shortened.
+/// a step that does not raise the likelihood is shortened, and a saddle is left.
 /// @throws InputError   if no part of the scatter can explain a single step, `slope` acts without
-///                      `level`, the number of knots is out of range, or the specimens have fewer
-///                      steps than the law has constants
+///                      `level`, `level` acts for one specimen, the number of knots is out of
+///                      range, all ranges are equal, or there are not more steps than constants
+/// @throws Stopped      if `progress` requests a stop
 /// @throws SolverError  if no parameters allow the records
 [[nodiscard]] GrowthFit fit_growth(const std::vector<GrowthSpecimen>& specimens,
-                                   const GrowthFitSettings& settings = {});
+                                   const GrowthFitSettings& settings = {},
+                                   const Progress& progress = {});
 
 }  // namespace strainwave

@@ -37,13 +37,6 @@ class GrowthDraws {
   std::vector<double> numbers_;
 };
 
-/// Drawn cycles from a first size to each of several sizes.
-struct DrawnCycles {
-  double from = 0.0;                        ///< size at which the count begins [m]
-  std::vector<std::vector<double>> cycles;  ///< of each size, then of each draw [-]; empty if the
-                                            ///< size lies outside of the record
-};
-
 /// Draws the growth of a specimen.
 ///
 /// The state of a specimen is its rates at the knots, its own level and slope, and the correlated
@@ -54,9 +47,14 @@ struct DrawnCycles {
 /// @param known     size up to which the record is known [m]; absent: nothing is
 /// @param from      size from which cycles are counted [m]; not smaller than `known`
 /// @param sizes     sizes whose cycles are drawn [m]
-/// @throws InputError  if `from` is not inside of the record
-[[nodiscard]] DrawnCycles draw_growth(const GrowthFit& fit, const GrowthSpecimen& specimen,
-                                      std::optional<double> known, double from,
-                                      const std::vector<double>& sizes, const GrowthDraws& draws);
+/// @param draws     for at least as many steps as the specimen has
+/// @return          drawn cycles of each size, then of each draw [-]; empty for a size that lies
+///                  before `from` or outside of the record
+/// @throws InputError  if `from` is not inside of the record, or it has more steps than `draws`
+[[nodiscard]] std::vector<std::vector<double>> draw_growth(const GrowthFit& fit,
+                                                           const GrowthSpecimen& specimen,
+                                                           std::optional<double> known, double from,
+                                                           const std::vector<double>& sizes,
+                                                           const GrowthDraws& draws);
 
 }  // namespace strainwave

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "strainwave/core/fields.hpp"
 #include "strainwave/growth_scatter/specimens.hpp"
 
 /// @file
@@ -48,6 +50,14 @@ struct ScatterParameters {
   }
 };
 
+/// A part of the scatter, as ScatterParts.
+enum class ScatterPart { level, slope, correlated, white };
+template <>
+struct EnumNames<ScatterPart> {
+  static constexpr std::array<std::string_view, 4> names = {"level", "slope", "correlated",
+                                                            "white"};
+};
+
 /// Which parts of the scatter act.
 struct ScatterParts {
   bool level = true;       ///< specimens differ by a factor
@@ -55,6 +65,8 @@ struct ScatterParts {
   bool correlated = true;  ///< the rate wanders along the path
   bool white = true;       ///< steps differ on their own
 
+  [[nodiscard]] static ScatterParts of(std::span<const ScatterPart> named);
+  /// Which of ScatterParameters::values act.
   [[nodiscard]] std::array<bool, ScatterParameters::kCount> acting() const {
     return {level, slope, slope, correlated, correlated, white};
   }
@@ -88,7 +100,6 @@ class GrowthData {
   /// @param specimens  at least one
   explicit GrowthData(std::span<const GrowthSpecimen> specimens);
 
-  [[nodiscard]] std::size_t specimens() const { return specimens_; }
   [[nodiscard]] std::size_t steps() const { return steps_; }
   /// Smallest and largest ln(Delta K), in MPa*sqrt(m).
   [[nodiscard]] double lowest() const { return lowest_; }
@@ -112,11 +123,11 @@ class GrowthData {
     std::vector<double> log_sizes;             // at the middle of each step
     std::vector<double> lengths;               // of each step [m]
     std::vector<double> log_ranges;            // of each step
-    std::vector<std::vector<double>> records;  // ln(da/dN) of each specimen
+    std::vector<std::vector<double>> records;  // ln(da/dN) of each specimen, less offset_
   };
   std::vector<Design> designs_;
-  std::size_t specimens_ = 0;
   std::size_t steps_ = 0;
+  double offset_ = 0.0;  // mean of ln(da/dN); without it the likelihood loses digits
   double lowest_ = 0.0;
   double highest_ = 0.0;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "strainwave/core/enum_list.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/growth_fit.hpp"
@@ -105,27 +106,6 @@ std::vector<double> sizes_of(const char* name, const std::vector<std::string>& t
   return sizes;
 }
 
-ScatterParts parts_of(const std::string& text) {
-  ScatterParts parts{.level = false, .slope = false, .correlated = false, .white = false};
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    const std::string word = text.substr(from, comma - from);
-    bool* const part = word == "level"        ? &parts.level
-                       : word == "slope"      ? &parts.slope
-                       : word == "correlated" ? &parts.correlated
-                       : word == "white"      ? &parts.white
-                                              : nullptr;
-    if (part == nullptr)
-      throw OptionError("parts", "has \"" + word +
-                                     "\"; the parts are level, slope, correlated and white, "
-                                     "separated by commas");
-    *part = true;
-    from = comma + 1;
-  }
-  return parts;
-}
-
 GrowthTest test_of(const FitOptions& o) {
   if (!o.stress_range) {
     if (o.plate_width) throw OptionError("plate-width", "needs --stress-range; give it too");
@@ -146,7 +126,8 @@ GrowthFitReport fitted(const Request& request, const FitOptions& o) {
                         "crack_length, cycles and delta_K");
     return read_specimens(file, test);
   };
-  GrowthFitRequest asked{.fit = {.parts = parts_of(o.parts), .knots = o.knots},
+  const auto parts = from_option([&] { return parse_enum_list<ScatterPart>("parts", o.parts); });
+  GrowthFitRequest asked{.fit = {.parts = ScatterParts::of(parts), .knots = o.knots},
                          .sizes = sizes_of("size", o.size),
                          .known = sizes_of("known", o.known),
                          .confidence = o.confidence,
