@@ -160,7 +160,8 @@ def sif_plot(name: Named, *, set: Optional[Sequence[Named]] = None,
     return answer
 
 
-def material_list(*, use: Optional[Literal["flexspline", "bearing", "shaft", "generic"]] = None,
+def material_list(*,
+                  use: Optional[Literal["flexspline", "bearing", "shaft", "generic", "ply"]] = None,
                   texts: Optional[Mapping[str, str]] = None,
                   progress: ShownProgress = None) -> results.material_list.MaterialListResult:
     """Print all steels, one line for each.
@@ -462,6 +463,47 @@ class DriveCommands:
         answer: results.grow.GrowResult = self._run("grow", given, texts, progress)
         return answer
 
+    def inspect(self, *, until: Optional[Named] = None, a50: Optional[Named] = None,
+                a90: Optional[Named] = None,
+                detection: Optional[Literal["log_logistic", "log_normal"]] = None,
+                false_calls: Optional[float] = None, see: Optional[Sequence[Named]] = None,
+                at: Optional[Sequence[Named]] = None, every: Optional[Named] = None,
+                first: Optional[Named] = None, risk: Optional[float] = None,
+                most: Optional[int] = None, draws: Optional[int] = None, seed: Optional[int] = None,
+                threads: Optional[int] = None, texts: Optional[Mapping[str, str]] = None,
+                progress: ShownProgress = None) -> results.inspect.InspectResult:
+        """Compute the risk of cracked drives over hours, and the inspections that lower it.
+
+        Args:
+            until: end of service, a time of duty with its unit; the life at the values of the file
+                if left out
+            a50: size of a crack that one inspection finds in half of the cases, a number with its
+                unit; no inspections if left out
+            a90: size that is found in nine of ten cases, a number with its unit
+            detection: form of the probability of detection over the size
+            false_calls: probability that an inspection finds a crack that is not there
+            see: path of a crack that the inspections can see, once for each; all cracks if left out
+            at: time of an inspection, with its unit, once for each
+            every: interval of the inspections, a time with its unit
+            first: first inspection of the intervals; one interval if left out
+            risk: wanted probability of failure up to the end of service; plans the fewest
+                inspections for it
+            most: largest number of inspections of a plan, at most 100
+            draws: number of drives drawn from [[scatter]], 20 to 1e7
+            seed: seed of the draws
+            threads: threads; 0: as many as the machine runs; the answer does not depend on them
+            texts: texts that options name, by their names; an option may also be a pathlib.Path,
+                whose file is read
+            progress: True for a line of progress, or a function that receives the completed
+                fraction
+        """
+        given: dict[str, Any] = {"until": until, "a50": a50, "a90": a90, "detection": detection,
+                                 "false_calls": false_calls, "see": see, "at": at, "every": every,
+                                 "first": first, "risk": risk, "most": most, "draws": draws, "seed": seed,
+                                 "threads": threads}
+        answer: results.inspect.InspectResult = self._run("inspect", given, texts, progress)
+        return answer
+
     def oval(self, *, torque: Optional[Sequence[Named]] = None,
              nonlinear: Optional[Literal["auto", "on", "off"]] = None,
              texts: Optional[Mapping[str, str]] = None,
@@ -504,6 +546,20 @@ class DriveCommands:
         given: dict[str, Any] = {"crack": crack, "torque": torque, "half_length": half_length,
                                  "depth": depth, "angles": angles}
         answer: results.turn.TurnResult = self._run("turn", given, texts, progress)
+        return answer
+
+    def laminate(self, *, texts: Optional[Mapping[str, str]] = None,
+                 progress: ShownProgress = None) -> results.laminate.LaminateResult:
+        """Compute the laminates of a flexspline: stiffness, torsion, first failure.
+
+        Args:
+            texts: texts that options name, by their names; an option may also be a pathlib.Path,
+                whose file is read
+            progress: True for a line of progress, or a function that receives the completed
+                fraction
+        """
+        given: dict[str, Any] = {}
+        answer: results.laminate.LaminateResult = self._run("laminate", given, texts, progress)
         return answer
 
     def transmission(self, *, torque: Optional[Named] = None,

@@ -8,6 +8,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 namespace article {
@@ -208,7 +209,7 @@ CrackedRace cracked_race(const GearSet& gear, const RaceSurfaceCrack& crack) {
           .contact_factor = *crack.contact_factor,
           .contact_semi_major = a_contact / mm,
           .contact_semi_minor = b_contact / mm,
-          .youngs_modulus = material.youngs_modulus / MPa};
+          .youngs_modulus = material.youngs_modulus.value() / MPa};
 }
 
 Cam cam(const GearSet& gear) {
@@ -255,7 +256,7 @@ Member wave_generator(const GearSet& gear, const RaceSurfaceCrack* crack) {
 
 SoundCup sound_cup(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
-  const Material& material = material_of(gear, fs.material, "flexspline.material");
+  const Material& material = only_material(gear, fs);
   const double k = fs.shape_factor.value_or(fs.shape == FlexsplineShape::cup ? 0.83 : 1.0);
   return {.shape_coefficient = k,
           .structure_coefficient = k,
@@ -267,14 +268,14 @@ SoundCup sound_cup(const GearSet& gear) {
 
 CrackedWall cracked_wall(const GearSet& gear, const WallThroughCrack& crack) {
   const Flexspline& fs = *gear.flexspline;
-  const Material& material = material_of(gear, fs.material, "flexspline.material");
+  const Material& material = only_material(gear, fs);
   const double r_m = (gear.drive.pitch_diameter - fs.ring_thickness()) / 2;
   return {.half_length = crack.half_length / mm,
           .mean_radius = overrides(gear).mean_radius.value_or(r_m) / mm,
           .wall_thickness = fs.ring_thickness() / mm,
           .stress_nonuniformity = fs.stress_nonuniformity,
           .dynamic_load = fs.dynamic_load,
-          .youngs_modulus = material.youngs_modulus / MPa};
+          .youngs_modulus = material.youngs_modulus.value() / MPa};
 }
 
 Member flexspline(const GearSet& gear, const WallThroughCrack* crack) {
@@ -331,7 +332,7 @@ CrackedShaft cracked_shaft(const GearSet& gear, const AnnularCrack& crack) {
           .diameter = d_s,
           .M_p = overrides(gear).M_p.value_or(axial_coefficient(x)),
           .M_M = overrides(gear).M_M.value_or(torsion_coefficient(x)),
-          .youngs_modulus = material.youngs_modulus / MPa,
+          .youngs_modulus = material.youngs_modulus.value() / MPa,
           .shear_modulus = elastic_constants(material).G / MPa};
 }
 

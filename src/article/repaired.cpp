@@ -10,6 +10,7 @@
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 // If a printed equation is right, the function of as_printed.hpp is called in SI units, because a
 // right equation is valid in every system of units.
@@ -45,7 +46,7 @@ CrackedRace race_of(const GearSet& gear, const RaceSurfaceCrack& crack) {
       .contact_factor = *crack.contact_factor,
       .contact_semi_major = a_contact,
       .contact_semi_minor = b_contact,
-      .youngs_modulus = material_of(gear, wg.material, "wave_generator.material").youngs_modulus};
+      .youngs_modulus = material_of(gear, wg.material, "wave_generator.material").youngs_modulus.value()};
 }
 
 /// Radial compliance that the race crack adds [m/N],
@@ -100,7 +101,7 @@ Member repaired_wave_generator(const GearSet& gear, const RaceSurfaceCrack* crac
 Member repaired_flexspline(const GearSet& gear, const WallThroughCrack* crack) {
   if (!gear.flexspline) return absent_member("flexspline");
   const Flexspline& fs = *gear.flexspline;
-  const Material& material = material_of(gear, fs.material, "flexspline.material");
+  const Material& material = only_material(gear, fs);
   Member member;
   member.equations = {"AR-6"};
   const double k = fs.shape_factor.value_or(fs.shape == FlexsplineShape::cup ? 0.83 : 1.0);
@@ -116,12 +117,13 @@ Member repaired_flexspline(const GearSet& gear, const WallThroughCrack* crack) {
       member.notes.push_back(not_read("flexspline.crack[0].shell_correction", "AR-5",
                                       "the article takes the wall as a flat plate"));
     const double r_m = (gear.drive.pitch_diameter - fs.ring_thickness()) / 2;
-    member.added = wall_crack_compliance({.half_length = crack->half_length,
-                                          .mean_radius = r_m,
-                                          .wall_thickness = fs.ring_thickness(),
-                                          .stress_nonuniformity = fs.stress_nonuniformity,
-                                          .dynamic_load = fs.dynamic_load,
-                                          .youngs_modulus = material.youngs_modulus});  // (AR-5)
+    member.added =
+        wall_crack_compliance({.half_length = crack->half_length,
+                               .mean_radius = r_m,
+                               .wall_thickness = fs.ring_thickness(),
+                               .stress_nonuniformity = fs.stress_nonuniformity,
+                               .dynamic_load = fs.dynamic_load,
+                               .youngs_modulus = material.youngs_modulus.value()});  // (AR-5)
     const double tau = wall_shear(std::abs(gear.load.torque), r_m, fs.ring_thickness());
     const auto [K_I, K_II] = wall_stress_intensity(tau, crack->angle, crack->half_length);
     member.crack = crack_report("flexspline.crack[0]", WallThroughCrack::kKind, member.added,

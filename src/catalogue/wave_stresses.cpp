@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "strainwave/catalogue/proportions.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/torsion/diaphragm_stress.hpp"
 
 namespace strainwave {
@@ -28,14 +29,13 @@ double ring_thickness(const BentWall& wall, double outer_radius, double stress) 
 WaveStresses wave_stresses(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   const BearingRing& ring = *gear.wave_generator->bearing->outer_ring;
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, fs.material, "flexspline.material"));
+  const ElasticConstants steel = elastic_constants(only_material(gear, fs));
   const BentWall wide{.modulus = steel.plane_strain_modulus(),
                       .waves = gear.drive.wave_number,
                       .displacement = gear.drive.radial_displacement};
   BentWall narrow = wide;
   narrow.modulus =
-      material_of(gear, gear.wave_generator->material, "wave_generator.material").youngs_modulus;
+      material_of(gear, gear.wave_generator->material, "wave_generator.material").youngs_modulus.value();
   return {.outer_ring = ring_stress(narrow, ring.mean_radius, ring.thickness),
           .rim = ring_stress(wide, (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2,
                              fs.rim->wall_thickness),

@@ -14,6 +14,8 @@ Command duty_command();
 Command fit_command();
 Command frf_command();
 Command grow_command();
+Command inspect_command();
+Command laminate_command();
 Command life_command();
 Command material_list_command();
 Command material_show_command();
@@ -40,41 +42,25 @@ Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),
-      torsion_command(),
-      duty_command(),
-      life_command(),
-      grow_command(),
-      fit_command(),
-      oval_command(),
-      turn_command(),
-      transmission_command(),
-      modes_command(),
-      frf_command(),
-      simulate_command(),
-      backbone_command(),
-      accuracy_command(),
-      require_command(),
-      report_command(),
-      sensitivity_command(),
-      reliability_command(),
-      sweep_command(),
-      solve_command(),
-      sif_list_command(),
-      sif_show_command(),
-      sif_eval_command(),
-      sif_plot_command(),
-      material_list_command(),
-      material_show_command(),
-      catalogue_command(),
-      validate_command(),
-      calibrate_command(),
-      audit_command(),
-      new_command(),
-      schema_command(commands),
-      explain_command(commands),
-      units_command(),
-      diff_command(),
+      stiffness_command(),      torsion_command(),
+      duty_command(),           life_command(),
+      grow_command(),           fit_command(),
+      inspect_command(),
+      oval_command(),           turn_command(),
+      laminate_command(),       transmission_command(),
+      modes_command(),          frf_command(),
+      simulate_command(),       backbone_command(),
+      accuracy_command(),       require_command(),
+      report_command(),         sensitivity_command(),
+      reliability_command(),    sweep_command(),
+      solve_command(),          sif_list_command(),
+      sif_show_command(),       sif_eval_command(),
+      sif_plot_command(),       material_list_command(),
+      material_show_command(),  catalogue_command(),
+      validate_command(),       calibrate_command(),
+      audit_command(),          new_command(),
+      schema_command(commands), explain_command(commands),
+      units_command(),          diff_command(),
   };
   return table;
 }

@@ -58,6 +58,11 @@ const char* const kOrder =
 const char* const kNoField =
     "Assess the crack by finite elements of the part, because no field of the file can give this "
     "stress.";
+const char* const kLaminate =
+    "no failure assessment is derived for a crack in a laminate, and the bending of its plies by "
+    "the assembly is left out";
+const char* const kMeasuredToughness =
+    "Compare the energy release rate of the crack with a measured toughness of the laminate.";
 const char* const kOnlyRisesWithTorque =
     "Assess the crack by finite elements of the part. No driver makes this crack acceptable, "
     "because every stress of a driver, also a given one, counts as proportional to the torque, and "
@@ -146,6 +151,9 @@ class Maker {
           made.path = path;
           made.kind = std::decay_t<decltype(crack)>::kKind;
           if constexpr (requires { member.material; }) made.material = member.material;
+          if constexpr (requires { crack.section; })
+            made.material = material_name(*gear_.flexspline, crack.section);
+          made.material = solid_name(gear_, made.material);
           made.wave_number = gear_.drive.wave_number;
           fill(made, crack, loaded);
           if constexpr (requires { crack.turn_table; })
@@ -333,8 +341,12 @@ class Maker {
     const LongWall wall = long_wall(crack.section);
     take_basics(made, loaded);
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
-    const AssemblyStress bending = assembly_of(made, wall, crack.angle);
+    const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
+    if (made.moduli.anisotropic) {
+      leave_unknown(made, kLaminate, kMeasuredToughness);
+      use(made, {"LA-9"});
+    }
     made.front = [states = BothStates(loaded.solution), bending](const CrackSize& size,
                                                                  Faces faces) {
       const double root = std::sqrt(pi * size.size);
@@ -381,11 +393,11 @@ class Maker {
   void fill(DriveCrack& made, const WallSurfaceCrack& crack,
             const LoadedCrack<sif::SurfaceCrack<2>>& loaded) const {
     const LongWall wall = long_wall(crack.section);
-    const double nu = loads_.flexspline_steel().nu;
+    const double nu = loads_.wall_steel(crack.section).nu;
     const double t = wall.thickness;
     take_basics(made, loaded);
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
-    const AssemblyStress bending = assembly_of(made, wall, crack.angle);
+    const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
     made.front = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size, Faces faces) {
       const double a = size.size;
@@ -460,7 +472,7 @@ class Maker {
 
   void fill(DriveCrack& made, const DiaphragmGroove& groove, const LoadedGroove&) const {
     const Diaphragm& diaphragm = *gear_.flexspline->diaphragm;
-    const ElasticConstants steel = loads_.flexspline_steel();
+    const ElasticConstants steel = loads_.diaphragm_steel();
     made.moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G};
     // The law is linear between the stations, so the worst place is at an end or at a station.
     std::vector<std::array<double, 2>> places;  // radius, thickness
@@ -519,15 +531,18 @@ class Maker {
     return gear_.flexspline->crack_free != CrackFree::factor && section == WallSection::rim;
   }
 
-  [[nodiscard]] AssemblyStress assembly_of(DriveCrack& made, const LongWall& wall,
-                                           double angle) const {
+  [[nodiscard]] AssemblyStress assembly_of(DriveCrack& made, WallSection section,
+                                           const LongWall& wall, double angle) const {
     if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring without bending it
+    if (made.moduli.anisotropic) return {};
+    const ElasticConstants steel = loads_.wall_steel(section);
     made.assembly = true;
     made.turning = TurningLoad::wave;
     made.notes.push_back(kAssembly);
     use(made, {"ST-17", "FA-12"});
-    made.assembly_peak = assembly_stress(gear_, wall.mean_radius, wall.thickness, 0.0).normal;
-    return assembly_stress(gear_, wall.mean_radius, wall.thickness, angle);
+    made.assembly_peak =
+        assembly_stress(gear_.drive, steel, wall.mean_radius, wall.thickness, 0.0).normal;
+    return assembly_stress(gear_.drive, steel, wall.mean_radius, wall.thickness, angle);
   }
 
   // --- Wave generator ---------------------------------------------------------------------------

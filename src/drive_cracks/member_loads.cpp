@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 
@@ -25,8 +26,7 @@ double bending_to_shape(const Transmission& drive, const ElasticConstants& steel
 
 double ovalisation_stress(const GearSet& gear) {
   const Wall<double> wall = tooth_ring(Lift<double>(), gear);
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, gear.flexspline->material, "flexspline.material"));
+  const ElasticConstants steel = elastic_constants(only_material(gear, *gear.flexspline));
   return bending_to_shape(gear.drive, steel, wall.mean_radius, wall.thickness);  // (ST-17)
 }
 
@@ -34,11 +34,15 @@ AssemblyStress assembly_stress(const GearSet& gear, double mean_radius, double t
                                double angle) {
   if (!gear.flexspline)
     throw InputError("flexspline", "must be given, because its assembly stress is needed");
+  return assembly_stress(gear.drive, elastic_constants(only_material(gear, *gear.flexspline)),
+                         mean_radius, thickness, angle);
+}
+
+AssemblyStress assembly_stress(const Transmission& drive, const ElasticConstants& steel,
+                               double mean_radius, double thickness, double angle) {
   require(mean_radius > 0, "mean_radius", mean_radius, "m", "mean_radius > 0");
   require(thickness > 0, "thickness", thickness, "m", "thickness > 0");
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, gear.flexspline->material, "flexspline.material"));
-  const double hoop = bending_to_shape(gear.drive, steel, mean_radius, thickness);  // (ST-17)
+  const double hoop = bending_to_shape(drive, steel, mean_radius, thickness);  // (ST-17)
   const double s = std::sin(angle);
   const double c = std::cos(angle);
   return {.normal = hoop * (c * c + steel.nu * s * s),

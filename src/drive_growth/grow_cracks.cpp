@@ -17,6 +17,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
+#include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
@@ -361,6 +362,10 @@ class Growing {
         if (first_time) report_.notes.push_back(unknown_balls_note(all[i].path));
         continue;
       }
+      if (all[i].moduli.anisotropic) {
+        if (first_time) report_.notes.push_back(laminate_crack_note(all[i].path));
+        continue;
+      }
       in_drive_.push_back(i);
       coupled_.push_back(coupled_drive);
       const DutyHistory& history = history_of(all[i]);
@@ -463,6 +468,18 @@ class Path {
         pass_(pass),
         step_factor_(pass == 0 ? 1.0 : 0.5),
         told_(pass == 0) {}
+  /// A path that only fills the end and a trace.
+  Path(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
+       const Progress& progress, GrowthCheckpoint& checkpoint, LifeTrace& trace)
+      : growing_(gear, options, report, 1.0),
+        options_(options),
+        report_(report),
+        progress_(progress),
+        checkpoint_(checkpoint),
+        pass_(0),
+        step_factor_(1.0),
+        told_(false),
+        trace_(&trace) {}
 
   void run() {
     if (growing_.none()) {
@@ -793,8 +810,26 @@ class Path {
     }
   }
 
+  void take_trace(const State& state) {
+    const auto& cracks = growing_.cracks();
+    if (trace_->cracks.empty()) {
+      for (const GrowingCrack& crack : cracks) trace_->cracks.push_back(crack.crack().path);
+      trace_->sizes.resize(cracks.size());
+    }
+    const double time = state.back() * growing_.duration();
+    // An end may lie before the last step.
+    while (!trace_->times.empty() && trace_->times.back() >= time) {
+      trace_->times.pop_back();
+      for (std::vector<double>& sizes : trace_->sizes) sizes.pop_back();
+    }
+    trace_->times.push_back(time);
+    for (std::size_t k = 0; k < cracks.size(); ++k)
+      trace_->sizes[k].push_back(growing_.size_of(state, k).size);
+  }
+
   /// Adds a row to the series, if the last one is far enough.
   void record(const State& state) {
+    if (trace_ != nullptr) take_trace(state);
     if (!told_) return;
     const double factor = growing_.amplification(state);
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
@@ -867,6 +902,7 @@ class Path {
   int leg_ = 0;
   double step_factor_;
   bool told_;
+  LifeTrace* trace_ = nullptr;  ///< null: none is asked for
   std::vector<bool> stands_still_;
   std::vector<RatioRange> ratios_;  // of the cycles by which each crack grows
   State acceptable_;
@@ -876,6 +912,21 @@ class Path {
 };
 
 }  // namespace
+
+LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options) {
+  require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "1",
+          "between 0 and 1");
+  LifeTrace trace;
+  GrowthReport report;
+  GrowthCheckpoint none;
+  const Progress silent;
+  Path(gear, options, report, silent, none, trace).run();
+  trace.end = report.end;
+  trace.governing = report.governing;
+  trace.life = report.life;
+  trace.time = report.time;
+  return trace;
+}
 
 GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
                          const Progress& progress, GrowthCheckpoint* checkpoint) {

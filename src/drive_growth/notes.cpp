@@ -240,6 +240,19 @@ Note unknown_balls_note(const std::string& path) {
           .next_step = "Give wave_generator.bearing with its ball_count."};
 }
 
+Note laminate_crack_note(const std::string& path) {
+  return {.code = "growth.laminate",
+          .text =
+              "the crack is in a laminate, for which no law of growth is known, so the crack "
+              "keeps its size",
+          .path = path,
+          .equation = "LA-9",
+          .severity = Severity::cannot_tell,
+          .next_step =
+              "Compare the energy release rate of the crack with a measured threshold of "
+              "the laminate."};
+}
+
 Note no_curve_note(const std::string& why) {
   return {.code = "growth.no_curve",
           .text = "the coupled drive has no solution with the grown cracks: " + why,

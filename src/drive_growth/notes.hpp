@@ -45,6 +45,9 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// A crack of a race in a bearing whose balls are not counted.
 [[nodiscard]] Note unknown_balls_note(const std::string& path);
 
+/// A crack of a laminate, for which no law is known.
+[[nodiscard]] Note laminate_crack_note(const std::string& path);
+
 /// A surface crack with a table of K over a turn goes on through the wall, where it has none.
 [[nodiscard]] Note through_wall_note(const std::string& path);
 

@@ -392,9 +392,8 @@ RunResult run(const GearSet& gear, const RunOptions& options, const Ranks& ranks
     }
   }
   if (work.cup)
-    result.flexspline.sound = gear_fem::solve_cup(
-        gear_fem::cup_section(*gear.flexspline),
-        elasticity_of(gear, gear.flexspline->material, "flexspline.material"), section);
+    result.flexspline.sound = gear_fem::solve_cup(gear_fem::cup_section(*gear.flexspline),
+                                                  elasticity_of(gear, *gear.flexspline), section);
   return result;
 }
 

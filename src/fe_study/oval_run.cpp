@@ -7,6 +7,7 @@
 #include "run_text.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/present/oval.hpp"
 
 namespace strainwave::fe_study {
@@ -46,8 +47,7 @@ OvalRun run_oval(const GearSet& gear, const OvalRequest& request, std::optional<
   require(options.order >= 4 && options.order <= 8, "order", options.order, "1",
           ">= 4 and <= 8 for the oval");
   const Flexspline& flexspline = *gear.flexspline;
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
+  const ElasticConstants steel = elastic_constants(only_material(gear, flexspline));
   OvalRun run;
   static_cast<gear_fem::OvalStress&>(run) = gear_fem::oval_stress(
       gear_fem::cup_section(flexspline), {.youngs_modulus = steel.E, .poissons_ratio = steel.nu},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "strainwave/fe_study/memory.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
 
 namespace strainwave::fe_study {
@@ -43,7 +44,7 @@ template <class Tube, class Crack>
 Tube tube_about(const GearSet& gear, const Crack& crack, int order) {
   const TubeSection wall = wall_of(gear, crack.section);
   Tube tube;
-  tube.material = elasticity_of(gear, gear.flexspline->material, "flexspline.material");
+  tube.material = elasticity_of(gear, *gear.flexspline);
   tube.mean_radius = (wall.outer_diameter - wall.wall_thickness) / 2;
   tube.wall_thickness = wall.wall_thickness;
   tube.length = wall.length;
@@ -68,6 +69,11 @@ gear_fem::BarrelEnds ends_of(const Flexspline& flexspline, const WallThroughCrac
 fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
                               std::string_view field) {
   const ElasticConstants steel = elastic_constants(material_of(gear, material, field));
+  return {.youngs_modulus = steel.E, .poissons_ratio = steel.nu};
+}
+
+fem::Elasticity elasticity_of(const GearSet& gear, const Flexspline& flexspline) {
+  const ElasticConstants steel = elastic_constants(only_material(gear, flexspline));
   return {.youngs_modulus = steel.E, .poissons_ratio = steel.nu};
 }
 

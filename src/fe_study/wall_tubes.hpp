@@ -16,6 +16,9 @@ namespace strainwave::fe_study {
 [[nodiscard]] fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
                                             std::string_view field);
 
+/// The elastic constants of a flexspline of one isotropic material.
+[[nodiscard]] fem::Elasticity elasticity_of(const GearSet& gear, const Flexspline& flexspline);
+
 /// Whether the flexspline has a rim that cannot be meshed as a solid.
 [[nodiscard]] bool has_other_rim(const Flexspline& flexspline);
 

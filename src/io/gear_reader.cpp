@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -14,37 +15,61 @@
 #include "strainwave/io/history_file.hpp"
 #include "strainwave/io/turn_table_file.hpp"
 #include "strainwave/materials/material_library.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 namespace {
 
-/// Takes the material that a member names from the library, unless the file defines it.
-template <class Member>
-void add_from_library(GearSet& gear, const std::optional<Member>& member, std::string_view path) {
-  if (!member || gear.material.contains(member->material)) return;
-  const std::string field = (FieldPath(std::string(path)) / "material").text();
-  if (const MaterialRecord* const record = find_material(member->material)) {
+/// Takes a material that a field names from the library, unless the file defines it.
+void add_from_library(GearSet& gear, const std::string& wanted, const FieldPath& path) {
+  if (gear.material.contains(wanted)) return;
+  const std::string field = path.text();
+  if (const MaterialRecord* const record = find_material(wanted)) {
     // A table of the file takes precedence.  If its name is spelled differently, it must not be
     // overlooked.
     for (const auto& [name, material] : gear.material)
       if (material.in_file() && find_material(name) == record)
         throw InputError(field, fmt::format("\"{}\" is in the material library, but the file gives "
                                             "the same steel as [material.\"{}\"]; use one name",
-                                            shown(member->material), shown(name)));
-    gear.material.emplace(member->material, as_material(*record));
+                                            shown(wanted), shown(name)));
+    gear.material.emplace(wanted, as_material(*record));
     return;
   }
   std::vector<std::string> given;
   for (const auto& [name, material] : gear.material)
     if (material.in_file()) given.push_back(name);
-  const std::string near = nearest_word(member->material, given);
-  const std::string meant = near.empty() ? meant_material(member->material, material_names())
+  const std::string near = nearest_word(wanted, given);
+  const std::string meant = near.empty() ? meant_material(wanted, material_names())
                                          : fmt::format("did you mean {}?", near);
   throw InputError(
       field,
       fmt::format("\"{}\" is not one of the materials given ({}), nor in the material library; {}",
-                  shown(member->material), shown(fmt::format("{}", fmt::join(given, ", "))),
+                  shown(wanted), shown(fmt::format("{}", fmt::join(given, ", "))),
                   meant.empty() ? "strainwave material list shows the names" : shown(meant)));
+}
+
+template <class Member>
+void add_from_library(GearSet& gear, const std::optional<Member>& member, std::string_view path) {
+  if (member) add_from_library(gear, member->material, FieldPath(std::string(path)) / "material");
+}
+
+/// Takes the materials of all parts and plies from the library, unless the file defines them.
+void add_from_library(GearSet& gear) {
+  add_from_library(gear, gear.wave_generator, "wave_generator");
+  add_from_library(gear, gear.flexspline, "flexspline");
+  add_from_library(gear, gear.output_shaft, "output_shaft");
+  add_from_library(gear, gear.circular_spline, "circular_spline");
+  if (gear.flexspline)
+    for_each_section(*gear.flexspline, [&](std::string_view name, const auto& section) {
+      if (section.material)
+        add_from_library(gear, *section.material, FieldPath("flexspline") / name / "material");
+    });
+  std::vector<std::pair<FieldPath, std::string>> of_plies;
+  for (const auto& [name, material] : gear.material)
+    for (std::size_t i = 0; i < material.ply.size(); ++i)
+      of_plies.emplace_back((FieldPath("material") / name / "ply")[i] / "material",
+                            material.ply[i].material);
+  for (const auto& [field, name] : of_plies) add_from_library(gear, name, field);
 }
 
 /// Completes the tables of the file that name a record of the library with the values that they
@@ -90,10 +115,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
   reader.read_table(table, FieldPath(), gear);
   try {
     complete_from_library(gear);
-    add_from_library(gear, gear.wave_generator, "wave_generator");
-    add_from_library(gear, gear.flexspline, "flexspline");
-    add_from_library(gear, gear.output_shaft, "output_shaft");
-    add_from_library(gear, gear.circular_spline, "circular_spline");
+    add_from_library(gear);
     read_compliance_tables(gear, attachments);
     read_turn_tables(gear, attachments);
     read_error_table(gear, attachments);

@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -50,12 +54,22 @@ inline constexpr bool is_section =
 
 template <class T>
 bool required(const Field& field) {
-  return !is_optional<T> && !is_vector<T> && !is_string_map<T> && field.fallback.empty();
+  const bool conditional = !field.unless.front().empty();
+  return (!is_optional<T> || conditional) && !is_vector<T> && !is_string_map<T> &&
+         field.fallback.empty();
 }
 /// Whether the field is required regardless of the other fields of its table.
 template <class T>
 bool always_required(const Field& field) {
-  return required<T>(field) && field.unless.empty();
+  return required<T>(field) && field.unless.front().empty();
+}
+
+/// The names of a list of fields that are not empty.
+std::vector<std::string_view> given(const std::array<std::string_view, 2>& names) {
+  std::vector<std::string_view> result;
+  std::ranges::copy_if(names, std::back_inserter(result),
+                       [](std::string_view name) { return !name.empty(); });
+  return result;
 }
 
 /// A table below a described type.
@@ -241,6 +255,13 @@ std::string quantity_pattern(const Field& field) {
                      kUnits.at(field.unit));
 }
 
+/// A table must give the field, or one of those that make it optional.
+Json one_of_required(const Field& field) {
+  Json choices = {{{"required", {field.name}}}};
+  for (const std::string_view name : given(field.unless)) choices.push_back({{"required", {name}}});
+  return choices;
+}
+
 Json number_schema(const Field& field) {
   Json schema;
   if (field.unit != "1") {
@@ -316,7 +337,7 @@ Json table_schema(std::string_view kind) {
     if (always_required<Value>(field))
       needed.push_back(field.name);
     else if (required<Value>(field))
-      schema["anyOf"] = {{{"required", {field.name}}}, {{"required", {field.unless}}}};
+      schema["anyOf"] = one_of_required(field);
     schema["properties"][std::string(field.name)] = std::move(property);
   });
   if (!needed.empty()) schema["required"] = std::move(needed);
@@ -398,7 +419,8 @@ class ReferenceWriter {
   template <class Value>
   static std::string fallback(const Field& field) {
     if (always_required<Value>(field)) return "required";
-    if (required<Value>(field)) return fmt::format("required unless `{}` is given", field.unless);
+    if (required<Value>(field))
+      return fmt::format("required unless `{}` is given", fmt::join(given(field.unless), "` or `"));
     return field.fallback.empty() ? "none" : fmt::format("`{}`", field.fallback);
   }
 

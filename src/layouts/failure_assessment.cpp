@@ -34,7 +34,7 @@ std::vector<std::string> materials_of(const StiffnessResult& result) {
 
 std::vector<AssessmentPoint> line_of(const GearSet& gear, const std::string& name) {
   const Material& material = material_of(gear, name, "material");
-  return assessment_table({.youngs_modulus = material.youngs_modulus,
+  return assessment_table({.youngs_modulus = material.youngs_modulus.value(),
                            .yield_strength = material.yield_strength.value(),
                            .ultimate_strength = material.ultimate_strength},
                           50);

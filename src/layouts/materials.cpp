@@ -96,7 +96,7 @@ std::string material_list_text(const MaterialData& data) {
   const DisplayUnit strength = display_unit({}, "Pa");
   const DisplayUnit toughness = display_unit({}, "Pa*m^0.5");
   std::string text = fmt::format(
-      "Steels of the material library; * means unverified, - means not known\n"
+      "Materials of the library; * means unverified, - means not known\n"
       "E in {}, strengths in {}, K_Ic in {}\n\n",
       modulus.text, strength.text, toughness.text);
   Table table{.head = {"name", "E", "nu", "yield", "tensile", "K_Ic", "growth", "use"},
@@ -122,7 +122,9 @@ std::string material_list_markdown(const MaterialData& data) {
   std::string text =
       "# Material library\n\n`strainwave material list --format markdown` writes this page from "
       "`data/materials.toml`.\n\n"
-      "A member of a drive may name any of these steels, by name or alias, in place of a table of\n"
+      "A member of a drive may name any of these steels, and a ply of a laminate any layer, by "
+      "name or\n"
+      "alias, in place of a table of\n"
       "the input file: `material = \"17-4PH H900\"`. Case and blanks do not matter. A table\n"
       "`[material.\"17-4PH H900\"]` in the file always wins over the library. A table with\n"
       "`based_on = \"17-4PH H900\"`, under any name, uses the library's values for all fields that "

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "material_data.hpp"
 #include "strainwave/core/error.hpp"
@@ -131,6 +133,34 @@ void check_branches(const FieldPath& path, const std::vector<GrowthLaw>& growth)
   }
 }
 
+/// Checks that a layer has all its elastic constants, and all strengths or none.
+void check_layer(const FieldPath& path, const MaterialRecord& record) {
+  const auto demand = [&](const auto& number, std::string_view name, std::string_view beside) {
+    if (!number)
+      throw InputError((path / name).text(), fmt::format("must be given beside {}", beside));
+  };
+  const auto forbid = [&](const auto& number, std::string_view name) {
+    if (number) throw InputError((path / name).text(), "is read only beside transverse_modulus");
+  };
+  using Strength = std::pair<const std::optional<Sourced<StressKind>>*, const char*>;
+  const std::array<Strength, 5> strengths = {
+      Strength{&record.fibre_tension, "fibre_tension"},
+      {&record.fibre_compression, "fibre_compression"},
+      {&record.transverse_tension, "transverse_tension"},
+      {&record.transverse_compression, "transverse_compression"},
+      {&record.shear_strength, "shear_strength"}};
+  if (!record.transverse_modulus) {
+    for (const auto& [strength, name] : strengths) forbid(*strength, name);
+    return;
+  }
+  demand(record.shear_modulus, "shear_modulus", "transverse_modulus");
+  demand(record.poissons_ratio, "poissons_ratio", "transverse_modulus");
+  const auto* const given =
+      std::ranges::find_if(strengths, [](const auto& of) { return of.first->has_value(); });
+  if (given == strengths.end()) return;
+  for (const auto& [strength, name] : strengths) demand(*strength, name, given->second);
+}
+
 void check_record(const FieldPath& path, const MaterialRecord& record) {
   if (record.use.empty()) throw InputError((path / "use").text(), "must name at least one use");
   if (std::set<MaterialUse>(record.use.begin(), record.use.end()).size() != record.use.size())
@@ -142,8 +172,10 @@ void check_record(const FieldPath& path, const MaterialRecord& record) {
     require(record.ultimate_strength->value >= record.yield_strength->value,
             (path / "ultimate_strength" / "value").text(), record.ultimate_strength->value, "Pa",
             "ultimate_strength >= yield_strength");
+  check_layer(path, record);
   try {
-    (void)elastic_constants(as_material(record));
+    const Material material = as_material(record);
+    if (material.is_isotropic()) (void)elastic_constants(material);
   } catch (const InputError& error) {
     const FieldPath field = path / error.field();
     if (error.rule().empty()) throw InputError(field.text(), "must be given, or shear_modulus");
@@ -258,7 +290,7 @@ Material completed(const Material& own, const MaterialRecord& record) {
   std::vector<std::string> own_numbers;
   std::vector<std::string> taken;
   std::vector<std::string> unverified;
-  const bool own_E = own.youngs_modulus != 0;
+  const bool own_E = own.youngs_modulus.has_value();
   const bool own_elastic = own_E || own.shear_modulus || own.poissons_ratio;
   const auto take = [&](auto& value, std::string_view name, bool wanted) {
     for_each_property(record, [&](std::string_view at, std::string_view words, const auto& number) {
@@ -275,12 +307,29 @@ Material completed(const Material& own, const MaterialRecord& record) {
     });
   };
   // Two of E, G and nu define a material: both others of the file define E.
-  const bool defines_E = !own_E && own.shear_modulus && own.poissons_ratio;
+  const bool defines_E =
+      !own_E && own.shear_modulus && own.poissons_ratio && !record.transverse_modulus;
   if (defines_E) material.youngs_modulus = 2 * *own.shear_modulus * (1 + *own.poissons_ratio);
   take(material.youngs_modulus, "youngs_modulus", !own_E && !defines_E);
+  // The four constants of a layer are independent.
+  const bool layer = record.transverse_modulus.has_value();
+  take(material.transverse_modulus, "transverse_modulus", !own.transverse_modulus);
   take(material.shear_modulus, "shear_modulus",
-       !own_elastic || (!own.shear_modulus && !own.poissons_ratio && !record.poissons_ratio));
-  take(material.poissons_ratio, "poissons_ratio", !own.poissons_ratio && !own.shear_modulus);
+       layer
+           ? !own.shear_modulus
+           : !own_elastic || (!own.shear_modulus && !own.poissons_ratio && !record.poissons_ratio));
+  take(material.poissons_ratio, "poissons_ratio",
+       !own.poissons_ratio && (layer || !own.shear_modulus));
+  if (!own.ply_strength && record.fibre_tension) {
+    PlyStrength strength;
+    take(strength.fibre_tension, "fibre_tension", true);
+    take(strength.fibre_compression, "fibre_compression", true);
+    take(strength.transverse_tension, "transverse_tension", true);
+    take(strength.transverse_compression, "transverse_compression", true);
+    take(strength.shear, "shear_strength", true);
+    material.ply_strength = strength;
+    material.from_library.emplace_back("ply_strength");
+  }
   take(material.yield_strength, "yield_strength", !own.yield_strength);
   take(material.ultimate_strength, "ultimate_strength", !own.ultimate_strength);
   take(material.fracture_toughness, "fracture_toughness", !own.fracture_toughness);
@@ -328,7 +377,7 @@ Material completed(const Material& own, const MaterialRecord& record) {
   });
   if (defines_E)
     own_numbers.push_back(fmt::format("youngs_modulus {} = 2 G (1 + nu)",
-                                      shown_quantity(material.youngs_modulus, "Pa", 4)));
+                                      shown_quantity(*material.youngs_modulus, "Pa", 4)));
   const std::string numbers = taken.empty() ? "nothing" : fmt::format("{}", fmt::join(taken, ", "));
   material.origin =
       own.based_on

@@ -13,6 +13,7 @@
 #include "strainwave/contact/one_sided.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 namespace {
@@ -382,8 +383,7 @@ OvalShell oval_shell(const ShellCup& cup, const CamFit& cam, const ShellOptions&
 
 ShellCup shell_cup(const GearSet& gear) {
   const Flexspline& flexspline = *gear.flexspline;
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
+  const ElasticConstants steel = elastic_constants(only_material(gear, flexspline));
   return {.barrel = *flexspline.barrel,
           .rim = *flexspline.rim,
           .diaphragm = flexspline.diaphragm,

@@ -12,6 +12,7 @@
 #include "member_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/crack_group/straight_cracks.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 namespace {
@@ -122,6 +123,8 @@ std::size_t note_interaction(const GearSet& gear, const CrackLoads<double>& load
   const bool sections = fs.crack_free == CrackFree::sections;
   const bool rim = section == WallSection::rim;
   if (sections && rim && !fs.rim) return 0;
+  // The solver is for isotropic sheets.
+  if (material_of(gear, material_name(fs, section), "flexspline.material").is_laminate()) return 0;
   const double length = !sections ? *fs.length : rim ? fs.rim->length : fs.barrel->length;
   const auto wall = loads.wall_of(section);
   const PlacedCracks placed = placed_cracks(fs, section, wall.mean_radius, length);

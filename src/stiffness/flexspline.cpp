@@ -6,16 +6,46 @@
 #include <initializer_list>
 #include <numbers>
 #include <optional>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "crack_interaction.hpp"
 #include "member_support.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
 namespace {
+
+/// The evidence of a section of a laminate.
+template <class Section>
+void note_laminate(MemberCompliance& member, const std::string& path, const Section& section,
+                   const Material& laminate) {
+  double wall = 0.0;
+  if constexpr (std::is_base_of_v<TubeSection, Section>) {
+    wall = section.wall_thickness;
+    use_equations(member.equations, {"LA-1", "LA-2", "LA-3", "LA-5"});
+    rest_on(member, path, accuracy::kLaminateTube);
+  } else {
+    wall = section.thickness;
+    use_equations(member.equations, {"LA-1", "LA-2", "LA-3", "LA-10"});
+  }
+  constexpr double kRounded = 0.01;
+  const double given = thickness_of_plies(laminate);
+  if (std::abs(given / wall - 1) > kRounded)
+    member.notes.push_back(
+        {.code = "laminate.thickness",
+         .text = fmt::format("the plies add up to {}, and the wall has {}; the plies are scaled to "
+                             "fill the wall",
+                             shown_quantity(given, "m", 4), shown_quantity(wall, "m", 4)),
+         .path = path,
+         .equation = "LA-3",
+         .severity = Severity::care,
+         .next_step = "Give the plies of this wall, or check their thicknesses."});
+}
 
 void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
                           MemberCompliance& member) {
@@ -46,6 +76,10 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
   rest_on(member, "flexspline", accuracy::kSections);
   use_equations(member.equations, {"ST-2"});
   if (fs.diaphragm) use_equations(member.equations, {"ST-3"});
+  for_each_section(fs, [&](std::string_view name, const auto& section) {
+    const Material& of = material_of(gear, material_name(fs, section), "flexspline.material");
+    if (of.is_laminate()) note_laminate(member, fmt::format("flexspline.{}", name), section, of);
+  });
 }
 
 void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const std::string& path) {
@@ -186,6 +220,8 @@ class FlexsplineCracks : public CrackAdder {
                                    const sif::ThroughCrackInTube& solution, double lambda);
   void add_flat_plate(const std::string& path, const sif::ThroughCrackInTube& solution,
                       ThroughCrackAccuracy& accuracy);
+  void add_in_laminate(CrackReport report, const WallThroughCrack& crack,
+                       const LoadedCrack<sif::ThroughCrackInTube>& loaded);
   void add_tabulated(CrackReport report, const WallThroughCrack& crack,
                      const LoadedCrack<sif::ThroughCrackInTube>& loaded, double lambda);
 
@@ -307,6 +343,10 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
     add_tabulated(std::move(report), crack, loaded, lambda);
     return;
   }
+  if (loaded.moduli.anisotropic) {
+    add_in_laminate(std::move(report), crack, loaded);
+    return;
+  }
   use({"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"});
   if (!loaded.in_range)
     member.unusable_because = fmt::format(
@@ -317,6 +357,44 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
   for (const ModelAccuracy& basis : accuracy.compliance_rests_on)
     rest_on(member, report.path, basis);
   add_wall_crack(std::move(report), loaded, accuracy.wall);
+  share_between_modes(member.cracks.back());
+}
+
+/// Adds a through crack of a laminate, as that of a flat sheet.
+void FlexsplineCracks::add_in_laminate(CrackReport report, const WallThroughCrack& crack,
+                                       const LoadedCrack<sif::ThroughCrackInTube>& loaded) {
+  use({"FR-2", "FR-6", "FR-7", "ST-11", "LA-4", "LA-7", "LA-8", "LA-9"});
+  // What the curvature adds to a crack of this size in an isotropic wall.
+  sif::ThroughCrackInTube isotropic = loaded.solution;
+  isotropic.poissons_ratio = 0.3;
+  isotropic.shell_correction = true;
+  const double lambda = std::sqrt(isotropic.shell_parameter_squared(crack.half_length));
+  const double curvature =
+      isotropic.shell_release(crack.half_length * std::min(1.0, kMaxShellParameter / lambda)) - 1;
+  const double uncertainty = accuracy::combined(accuracy::kLaminateCrack, curvature);
+  if (lambda > kMaxShellParameter)
+    member.unusable_because = fmt::format(
+        "{}: a flat sheet does not represent so long a crack of a tube; shorten its half length to "
+        "{}, where the shell parameter is {:g}",
+        report.path, shown_quantity(crack.half_length * kMaxShellParameter / lambda, "m", 3),
+        kMaxShellParameter);
+  rest_on(member, report.path, {uncertainty, accuracy::kLaminateCrack.source});
+  member.notes.push_back(
+      {.code = "crack.laminate",
+       .text = fmt::format(
+           "the crack goes through all plies of a laminate, as in a flat sheet; delamination and "
+           "the curvature of the wall are left out; in an isotropic wall the curvature would raise "
+           "the added compliance by up to {:.2g} %",
+           100 * curvature),
+       .path = report.path,
+       .equation = "LA-9",
+       .severity = Severity::care});
+  note_thick_wall(member, model.loads().wall_of(crack.section), report.path);
+  add_wall_crack(std::move(report), loaded,
+                 {.axial = uncertainty,
+                  .torsion = uncertainty,
+                  .pressed = accuracy::kThroughCrackPressed,
+                  .intensity = uncertainty});
   share_between_modes(member.cracks.back());
 }
 
@@ -409,6 +487,18 @@ void note_ovalisation(const GearSet& gear, const CrackLoads<double>& loads, Wall
                       MemberCompliance& member) {
   const int U = gear.drive.wave_number;
   if (U < 2) return;  // one lobe shifts the ring without bending it
+  const std::string& material = material_name(*gear.flexspline, section);
+  if (material_of(gear, material, "flexspline.material").is_laminate()) {
+    member.notes.push_back({.code = "flexspline.laminate_assembly",
+                            .text = "assembly on the wave generator bends the plies; this bending "
+                                    "is not in the energy of the cracks",
+                            .path = "flexspline.crack",
+                            .equation = "LA-6",
+                            .severity = Severity::care,
+                            .next_step = "Run strainwave laminate, which states the stress of each "
+                                         "ply."});
+    return;
+  }
   const Wall<double> wall = loads.wall_of(section);
   const char* const where = gear.flexspline->crack_free == CrackFree::factor ? "at the tooth ring"
                             : section == WallSection::rim                    ? "of the rim"
@@ -424,7 +514,7 @@ void note_ovalisation(const GearSet& gear, const CrackLoads<double>& loads, Wall
            "stiffness takes a crack as the torque alone opens or closes it, and over a turn the "
            "compliance of the crack lies between those of an open and of a closed crack",
            where,
-           shown_quantity(bending_to_shape(gear.drive, loads.flexspline_steel(), wall.mean_radius,
+           shown_quantity(bending_to_shape(gear.drive, loads.wall_steel(section), wall.mean_radius,
                                            wall.thickness),
                           "Pa", 3),
            shown_quantity(tau, "Pa", 3), U),

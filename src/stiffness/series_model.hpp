@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <string_view>
 
 #include "strainwave/contact/hertz.hpp"
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/lift.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
@@ -133,7 +139,6 @@ class SeriesModel {
 
   /// Compliance of the sound flexspline [rad/(N*m)].
   [[nodiscard]] Real sound_flexspline() const {
-    const Elastic steel = loads_.flexspline_steel();
     const Flexspline& fs = *gear_.flexspline;
     if (fs.crack_free == CrackFree::factor) {
       const Real D = lift_(gear_.drive.pitch_diameter);
@@ -142,18 +147,18 @@ class SeriesModel {
                  BasicTube<Real>{.outer_diameter = D,
                                  .inner_diameter = D - 2 * lift_(*fs.wall_thickness),
                                  .length = lift_(*fs.length)},
-                 steel.G);  // (ST-4)
+                 elastic_constants(lift_, part(fs.material)).G);  // (ST-4)
     }
-    Real sum = torsional_compliance(tube(*fs.barrel), steel.G);
-    if (fs.rim) sum += torsional_compliance(tube(*fs.rim), steel.G);
-    if (fs.boss) sum += torsional_compliance(tube(*fs.boss), steel.G);
-    if (fs.diaphragm) sum += torsional_compliance(lift_, *fs.diaphragm, steel.G);
-    return sum + lift_(fs.flange_compliance);
+    Real sum = twist(*fs.barrel);
+    if (fs.rim) sum += twist(*fs.rim);
+    if (fs.boss) sum += twist(*fs.boss);
+    if (fs.diaphragm) sum += twist(*fs.diaphragm);
+    return sum + lift_(fs.joint_compliance) + lift_(fs.flange_compliance);
   }
 
   [[nodiscard]] Real groove(const DiaphragmGroove& groove) const {
     return groove_compliance(lift_, *gear_.flexspline->diaphragm, groove,
-                             loads_.flexspline_steel().G);
+                             loads_.diaphragm_steel().G);
   }
 
   // --- Output shaft -----------------------------------------------------------------------------
@@ -167,6 +172,35 @@ class SeriesModel {
   }
 
  private:
+  [[nodiscard]] const Material& part(std::string_view material) const {
+    return material_of(gear_, material, "flexspline.material");
+  }
+
+  /// Torsional compliance of a tube of the flexspline.
+  [[nodiscard]] Real twist(const TubeSection& section) const {
+    const std::string& name = material_name(*gear_.flexspline, section);
+    if (const auto torsion = laminate_torsion(lift_, gear_, name, section))
+      return lift_(section.length) / torsion->stiffness;  // (LA-5)
+    return torsional_compliance(tube(section), elastic_constants(lift_, part(name)).G);
+  }
+
+  /// Torsional compliance of the bottom of the flexspline.
+  [[nodiscard]] Real twist(const Diaphragm& diaphragm) const {
+    const std::string& name = material_name(*gear_.flexspline, diaphragm);
+    const Real thickness = lift_(diaphragm.thickness);
+    if (const auto wall = wall_laminate(lift_, gear_, name, thickness)) {
+      // The fibres do not follow the hoop direction, so the shear must be as stiff in every one.
+      if (!isotropic_in_plane(*wall_laminate(Lift<double>(), gear_, name, diaphragm.thickness)))
+        throw InputError("flexspline.diaphragm.material",
+                         fmt::format("\"{}\" is not as stiff in every direction of its plane; a "
+                                     "bottom of a laminate needs quasi-isotropic plies, such as "
+                                     "0, 45, -45 and 90 deg",
+                                     shown(name)));
+      return torsional_compliance(lift_, diaphragm, Real(wall->A.m66 / thickness));  // (LA-10)
+    }
+    return torsional_compliance(lift_, diaphragm, elastic_constants(lift_, part(name)).G);
+  }
+
   [[nodiscard]] BasicTube<Real> tube(const TubeSection& section) const {
     const Real D = lift_(section.outer_diameter);
     return {.outer_diameter = D,

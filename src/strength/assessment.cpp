@@ -251,6 +251,10 @@ void cannot_tell(StrengthState& state, std::string unknown, std::string next_ste
 
 /// Names the properties that the material lacks, and requests them.
 void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Material& material) {
+  if (crack.moduli.anisotropic) {
+    cannot_tell(state, crack.unknown, crack.next_step);
+    return;
+  }
   const bool toughness = material.fracture_toughness.has_value();
   if (toughness && material.yield_strength) return;
   const std::string name = "material." + crack.material;
@@ -325,7 +329,7 @@ StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_
   add_intensities(state, asked, present);
   if (!material.yield_strength) return state;
 
-  const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus,
+  const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus.value(),
                                  .yield_strength = *material.yield_strength,
                                  .ultimate_strength = material.ultimate_strength};
   // Without a toughness only collapse can be assessed, so assume a very tough material.

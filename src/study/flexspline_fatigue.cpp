@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "strainwave/model/input/section_materials.hpp"
+
 namespace strainwave {
 namespace {
 
@@ -13,9 +15,7 @@ using std::numbers::pi;
 
 constexpr double kUsualAddendum = 0.65;  // working height over the module, as in ToothShape
 
-const Material& steel_of(const GearSet& gear) {
-  return material_of(gear, gear.flexspline->material, "flexspline.material");
-}
+const Material& steel_of(const GearSet& gear) { return only_material(gear, *gear.flexspline); }
 
 }  // namespace
 

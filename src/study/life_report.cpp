@@ -21,6 +21,7 @@
 #include "strainwave/life/flank_wear.hpp"
 #include "strainwave/life/load_history.hpp"
 #include "strainwave/life/survival.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -508,7 +509,7 @@ void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states,
                                 : "Lower the load, or make the wall stronger."});
   }
   use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
-  const Material& steel = material_of(of.gear, of.gear.flexspline->material, "flexspline.material");
+  const Material& steel = only_material(of.gear, *of.gear.flexspline);
   if (steel.fatigue && of.gear.duty)
     if (const auto unstated = unstated_temperature(
             *of.gear.duty, "the constants of fatigue of the flexspline's material",
@@ -559,7 +560,7 @@ void add_output_bearing(LifeReport& report, const LifeCase& of) {
 void add_buckling(LifeReport& report, const LifeCase& of) {
   const auto& fs = of.gear.flexspline;
   if (!fs || !fs->barrel) return;
-  const Material& steel = material_of(of.gear, fs->material, "flexspline.material");
+  const Material& steel = only_material(of.gear, *fs);
   const ElasticConstants elastic = elastic_constants(steel);
   const TwistedTube tube{.radius = (fs->barrel->outer_diameter - fs->barrel->wall_thickness) / 2,
                          .thickness = fs->barrel->wall_thickness,

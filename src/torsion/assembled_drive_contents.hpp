@@ -9,6 +9,7 @@
 #include "coupled_drive.hpp"
 #include "strainwave/core/lift.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
@@ -39,7 +40,7 @@ using SeriesMembers = BasicSeriesMembers<double>;
 template <class Real>
 [[nodiscard]] BasicSeriesMembers<Real> cup_members(const GearSet& gear, const Lift<Real>& lift) {
   const Flexspline& fs = *gear.flexspline;
-  const Real G = elastic_constants(lift, material_of(gear, fs.material, "flexspline.material")).G;
+  const Real G = elastic_constants(lift, only_material(gear, fs)).G;
   const auto tube = [&](const TubeSection& section, const Real& length) {
     const Real D = lift(section.outer_diameter);
     return torsional_compliance(
@@ -55,7 +56,7 @@ template <class Real>
   // would.
   series.rim = tube(*fs.rim, lift(fs.rim->length) / 3);
   if (fs.boss) series.boss_and_flange += tube(*fs.boss, lift(fs.boss->length));
-  series.boss_and_flange += lift(fs.flange_compliance);
+  series.boss_and_flange += lift(fs.joint_compliance) + lift(fs.flange_compliance);
   return series;
 }
 

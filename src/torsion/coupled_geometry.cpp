@@ -14,6 +14,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
@@ -472,8 +473,7 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   // A pair alone is softer than this, because its line contact has more than 3/E.  Up to this limit
   // the contacts stay stable with the neighbours of (TC-31).
   if (gear.mesh->pair_stiffness) {
-    const double E =
-        material_of(gear, gear.flexspline->material, "flexspline.material").youngs_modulus;
+    const double E = only_material(gear, *gear.flexspline).youngs_modulus.value();
     require(*gear.mesh->pair_stiffness <= E / 3, "mesh.pair_stiffness", *gear.mesh->pair_stiffness,
             "Pa", "at most a third of Young's modulus of the flexspline for drawn teeth (TC-31)");
   }
@@ -556,7 +556,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   const BearingRing& outer = *bearing.outer_ring;
   const double teeth = drive.wave_number * drive.ratio;
   BasicCoupledGeometry<Real> g;
-  g.rim_steel = elastic_constants(lift, material_of(gear, fs.material, "flexspline.material"));
+  g.rim_steel = elastic_constants(lift, only_material(gear, fs));
   g.ball_steel = elastic_constants(lift, material_of(gear, wg.material, "wave_generator.material"));
   g.pitch_radius = lift(drive.pitch_diameter) / 2;
   g.radial_displacement = lift(drive.radial_displacement);

@@ -275,7 +275,7 @@ TEST(Repaired, ScalingStiffnessIsTorquePerAngle) {
     // Everything with a length scales with it; forces are pressure times area.
     GearSet gear = test::article_gear(0.5 * mm * length);
     Material& steel = gear.material["steel"];
-    steel.youngs_modulus *= pressure;
+    *steel.youngs_modulus *= pressure;
     *steel.shear_modulus *= pressure;
     gear.load.torque *= pressure * std::pow(length, 3);
     gear.drive.pitch_diameter *= length;

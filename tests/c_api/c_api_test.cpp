@@ -243,6 +243,8 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"fit",
        {"",
         R"({"data": "growth_specimens.csv", "stress_range": "60 MPa", "plate_width": "100 mm", "knots": 2, "draws": 200})"}},
+      {"inspect", {"inspected_shaft.toml", R"({"draws": 40, "a50": "1 mm", "a90": "2 mm", "every": "100 h"})"}},
+      {"laminate", {"composite_cup.toml", ""}},
       {"modes", {"joint_size25.toml", ""}},
       {"frf", {"joint_size25.toml", ""}},
       {"accuracy", {"joint_size25.toml", ""}},

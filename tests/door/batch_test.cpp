@@ -38,7 +38,7 @@ TEST(Batch, CrosscheckEqualsSingleEvaluations) {
     std::vector<double> values;
     for (int row = 0; row < 4; ++row) {
       values.push_back(dice.uniform(-2, 2) * gear.load.torque);
-      values.push_back(dice.uniform(0.2, 3) * gear.material.at("steel").youngs_modulus);
+      values.push_back(dice.uniform(0.2, 3) * gear.material.at("steel").youngs_modulus.value());
     }
     const BatchResult result =
         batch(gear, {.paths = paths, .values = values, .outputs = kOutputs, .threads = 2});

@@ -729,7 +729,7 @@ TEST(AsMaterial, IdentityTwoElasticConstantsDefineACompletedMaterial) {
   own.poissons_ratio = 0.3;  // both others define E
   for (const std::size_t record : {0U, 1U}) {
     const Material both = completed(own, library.material[record]);
-    EXPECT_NEAR(both.youngs_modulus, 156e9, 1e-3);
+    EXPECT_NEAR(*both.youngs_modulus, 156e9, 1e-3);
     EXPECT_NEAR(elastic_contradiction(both), 0, 1e-15);
     EXPECT_EQ(std::ranges::count(both.from_library, "youngs_modulus"), 0);
     EXPECT_EQ(both.origin.find("Young's modulus"), std::string::npos) << both.origin;

@@ -368,8 +368,9 @@ TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
   const std::size_t row = html.find("data-field=\"material.52100 hardened.youngs_modulus\"");
   ASSERT_NE(row, std::string::npos);
   const std::string cells = html.substr(row, html.find("</tr>", row) - row);
-  const double E =
-      read_gear_set(text_of("library_material"), "x").material.at("52100 hardened").youngs_modulus;
+  const double E = read_gear_set(text_of("library_material"), "x")
+                       .material.at("52100 hardened")
+                       .youngs_modulus.value();
   const std::size_t value = cells.find("<td>") + 4;
   EXPECT_DOUBLE_EQ(std::stod(cells.substr(value)) * 1e9, E) << cells;
   EXPECT_NE(cells.find(" GPa</td>"), std::string::npos) << cells;

@@ -184,7 +184,7 @@ TEST(CrackStrength, CrosscheckUtilisationAndPlasticZone) {
   // (FR-19), (FR-20) of each crack under the load alone, from the intensities of the stiffness.
   GearSet gear = with_every_series_crack();
   const double nu = 0.3;
-  gear.material["steel"].shear_modulus = gear.material["steel"].youngs_modulus / (2 * (1 + nu));
+  gear.material["steel"].shear_modulus = *gear.material["steel"].youngs_modulus / (2 * (1 + nu));
   for (const double torque : {100.0, -100.0})
     for (const double force : {0.0, 3e3, -3e3}) {
       gear.load = {.torque = torque, .axial_force = force};

@@ -183,7 +183,7 @@ inline GearSet random_drive(std::uint64_t seed) {
   steel.poissons_ratio = dice.uniform(0.1, 0.45);
   if (dice.chance(0.3))
     steel.shear_modulus =
-        steel.youngs_modulus / (2 * (1 + *steel.poissons_ratio)) * dice.uniform(0.95, 1.05);
+        *steel.youngs_modulus / (2 * (1 + *steel.poissons_ratio)) * dice.uniform(0.95, 1.05);
   if (dice.chance(0.5)) steel.yield_strength = dice.log_uniform(50 * MPa, 2 * GPa);
   if (dice.chance(0.5)) steel.fracture_toughness = dice.log_uniform(1e6, 2e8);
   gear.material["steel"] = steel;

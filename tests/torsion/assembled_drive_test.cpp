@@ -157,7 +157,7 @@ TEST(AssembledDrive, LimitNearlyRigidBodies) {
   GearSet gear = test::supported_drive();
   const double K1 = makers_lines(gear).K1;
   for (auto& [name, material] : gear.material)
-    material.youngs_modulus = 1e4 * material.youngs_modulus;
+    material.youngs_modulus = 1e4 * *material.youngs_modulus;
   const MakersLines stiff = makers_lines(gear);
   EXPECT_GT(stiff.K1, 10 * K1);
   EXPECT_LT(stiff.K1, 1e4 * K1);

@@ -225,7 +225,7 @@ TEST(RingStates, LimitStiffRings) {
   const CoupledOptions fine{.harmonics = 128};
   GearSet stiff = test::supported_drive();
   stiff.material["rigid"] = stiff.material["steel"];
-  stiff.material["rigid"].youngs_modulus *= 1e7;
+  *stiff.material["rigid"].youngs_modulus *= 1e7;
   stiff.circular_spline->material = "rigid";
   const GearSet rigid = test::typical_drive();
   const CurvePoint point = test::point_at(rigid, 48.0, fine);

@@ -498,7 +498,7 @@ TEST(TorsionCurve, LimitRigidDriveIsLinear) {
   // open, within 6 %.
   GearSet gear = typical_drive();
   gear.material["rigid"] = gear.material["steel"];
-  gear.material["rigid"].youngs_modulus *= 1e3;
+  *gear.material["rigid"].youngs_modulus *= 1e3;
   gear.wave_generator->material = "rigid";
   gear.wave_generator->bearing->outer_ring->groove_factor /= 1e3;
   gear.mesh->gap_factor = 0;

@@ -85,9 +85,9 @@ struct Field {
   /// For a text of the input: whether the text is a number with its unit.  A number without a unit
   /// may then be bare.
   bool number_text = false;
-  /// For a required field of the input: the name of another field of the table that makes this
-  /// field optional if given.
-  std::string_view unless = {};
+  /// For a required field of the input: the names of other fields of the table, each of which makes
+  /// this field optional if given; an empty name is none.
+  std::array<std::string_view, 2> unless = {};
 };
 
 /// The usual range of a number: `usual` of its field, or else the usual range of its unit; kFinite

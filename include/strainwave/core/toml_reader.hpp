@@ -128,8 +128,11 @@ class TomlReader {
   template <class Value>
   void require_optional(const Field& field, const Value&, const toml::table& table,
                         const FieldPath& path) const {
-    if (is_optional<Value> || is_vector<Value> || is_string_map<Value> || !field.fallback.empty() ||
-        (!field.unless.empty() && table.contains(field.unless)))
+    const bool conditional = !field.unless.front().empty();
+    if ((is_optional<Value> && !conditional) || is_vector<Value> || is_string_map<Value> ||
+        !field.fallback.empty() || std::ranges::any_of(field.unless, [&](std::string_view name) {
+          return !name.empty() && table.contains(name);
+        }))
       return;
     const std::string unit =
         field.unit.empty() || field.unit == "1" ? "" : fmt::format(" [{}]", field.unit);

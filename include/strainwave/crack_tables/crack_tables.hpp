@@ -65,6 +65,7 @@ class SimilarCracks {
     /// Added compliance under the torque, or under the lobe force.
     /// @return  empty if the tables do not contain this crack, so that the engine must answer
     [[nodiscard]] std::optional<double> operator()(const Numbers& crack, Faces faces) {
+      if (crack.moduli.anisotropic) return std::nullopt;  // no weight exists for the coupling
       if (Similar::fixed(crack.parameters) != Similar::fixed(of_->first_)) return std::nullopt;
       const Arguments x = Similar::arguments(crack.parameters);
       ChebyshevCells::Place place{};

@@ -15,9 +15,11 @@
 #include "strainwave/core/lift.hpp"
 #include "strainwave/drive_cracks/faces.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/drive_cracks/wall_laminate.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/sif/member/shaft_annular.hpp"
@@ -225,8 +227,13 @@ class CrackLoads {
 
   // --- Flexspline -------------------------------------------------------------------------------
 
-  [[nodiscard]] Elastic flexspline_steel() const {
-    return steel(gear_.flexspline->material, "flexspline.material");
+  /// The isotropic material of the wall that contains a crack.
+  [[nodiscard]] Elastic wall_steel(WallSection section) const {
+    return steel(material_name(*gear_.flexspline, section), "flexspline.material");
+  }
+  [[nodiscard]] Elastic diaphragm_steel() const {
+    const Flexspline& fs = *gear_.flexspline;
+    return steel(material_name(fs, *fs.diaphragm), "flexspline.diaphragm.material");
   }
 
   /// The wall that contains a crack.
@@ -262,8 +269,11 @@ class CrackLoads {
 
   [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> numbers(
       const WallThroughCrack& crack) const {
-    const Elastic steel = flexspline_steel();
     const Wall<Real> wall = wall_of(crack.section);
+    if (const auto laminate = wall_laminate(
+            lift_, gear_, material_name(*gear_.flexspline, crack.section), wall.thickness))
+      return in_laminate(crack, wall, *laminate);
+    const Elastic steel = wall_steel(crack.section);
     Numbers<sif::BasicThroughCrackInTube<Real>> result{
         .parameters = {.half_length = lift_(crack.half_length),
                        .mean_radius = wall.mean_radius,
@@ -283,7 +293,7 @@ class CrackLoads {
     return result;
   }
   [[nodiscard]] Numbers<sif::SurfaceCrack<2, Real>> numbers(const WallSurfaceCrack& crack) const {
-    const Elastic steel = flexspline_steel();
+    const Elastic steel = wall_steel(crack.section);
     const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
     const Real thickness = wall_of(crack.section).thickness;
     return {.parameters = {.depth = lift_(crack.depth),
@@ -300,7 +310,7 @@ class CrackLoads {
   /// pure mode II.
   [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> numbers(
       const DiaphragmArcCrack& crack) const {
-    const Elastic steel = flexspline_steel();
+    const Elastic steel = diaphragm_steel();
     const Real r = arc_radius(crack);
     // The shear T/(2 pi r^2 h) along the arc equals that along the generator of a tube with the
     // radius of the arc.
@@ -393,6 +403,23 @@ class CrackLoads {
 
   [[nodiscard]] Elastic steel(std::string_view material, std::string_view field) const {
     return elastic_constants(lift_, material_of(gear_, material, field));
+  }
+  /// A through crack of a laminate is that of a flat, thin, anisotropic sheet (LA-9).
+  [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> in_laminate(
+      const WallThroughCrack& crack, const Wall<Real>& wall,
+      const LaminateStiffness<Real>& laminate) const {
+    const Real angle = lift_(crack.angle);
+    return {.parameters = {.half_length = lift_(crack.half_length),
+                           .mean_radius = wall.mean_radius,
+                           .wall_thickness = wall.thickness,
+                           .angle = angle,
+                           .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
+                           .poissons_ratio = Real(0.0),
+                           .shell_correction = false,
+                           .thin_sheet = true},
+            .moduli = crack_moduli(laminate, angle),
+            .constraint = sif::Constraint::plane_stress,
+            .faces = faces_of(crack)};
   }
   static Moduli plane_strain(const Elastic& steel) {
     return {.opening = steel.plane_strain_modulus(), .shear = steel.G};

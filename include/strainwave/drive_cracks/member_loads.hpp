@@ -115,6 +115,10 @@ struct AssemblyStress {
 /// @param thickness    t of the cracked wall [m]; > 0
 /// @param angle        beta of the crack [rad]
 /// @throws InputError  if the drive lacks a flexspline, or a length is not positive
+[[nodiscard]] AssemblyStress assembly_stress(const Transmission& drive,
+                                             const ElasticConstants& steel, double mean_radius,
+                                             double thickness, double angle);
+/// The same for a flexspline of one material.
 [[nodiscard]] AssemblyStress assembly_stress(const GearSet& gear, double mean_radius,
                                              double thickness, double angle);
 

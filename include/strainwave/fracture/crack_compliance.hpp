@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -76,23 +77,36 @@ struct UnitStressIntensity {
   std::array<Real, N> III{};
 };
 
+/// Mode II of a crack in a sheet that is not isotropic, (LA-9).
+template <class Real>
+struct AnisotropicSliding {
+  Real sliding{};   ///< G per K_II^2 [1/Pa]
+  Real coupling{};  ///< half of G per K_I K_II [1/Pa]
+};
+
 /// Elastic constants that turn stress intensity into energy.
 template <class Real>
 struct BasicCrackModuli {
-  /// E' of modes I and II: E in plane stress, E/(1-nu^2) in plane strain [Pa]
+  /// E' of modes I and II: E in plane stress, E/(1-nu^2) in plane strain [Pa].  In a sheet that is
+  /// not isotropic: of mode I alone.
   Real opening{};
   Real shear{};  ///< shear modulus mu of mode III [Pa]
+  /// Absent: mode II releases as much energy as mode I, independently of it.
+  std::optional<AnisotropicSliding<Real>> anisotropic = {};
 };
 using CrackModuli = BasicCrackModuli<double>;
 
 /// Energy release rate of a mixed-mode crack, G = (K_I^2 + K_II^2)/E' + K_III^2/(2 mu) [J/m^2].
 ///
-/// Implements theory manual eq. (FR-1).  The term of mode III is the same in plane stress and plane
-/// strain.
+/// Implements theory manual eqs. (FR-1) and (LA-9).  The term of mode III is the same in plane
+/// stress and plane strain.
 [[nodiscard]] inline double energy_release_rate(double K_I, double K_II, double K_III,
                                                 const CrackModuli& moduli) {
-  return (K_I * K_I + K_II * K_II) / moduli.opening +  // (FR-1)
-         K_III * K_III / (2 * moduli.shear);
+  const double tearing = K_III * K_III / (2 * moduli.shear);
+  if (const auto& sheet = moduli.anisotropic)
+    return K_I * K_I / moduli.opening +  // (LA-9)
+           K_II * (K_II * sheet->sliding + 2 * K_I * sheet->coupling) + tearing;
+  return (K_I * K_I + K_II * K_II) / moduli.opening + tearing;  // (FR-1)
 }
 
 /// Parameter range of a crack front; begin == end for a front of one point.
@@ -180,12 +194,23 @@ struct CrackCompliance {
 ///
 /// Implements theory manual eq. (FR-2), the integrand,
 ///
-///     (2/E')(k_I,i k_I,j + k_II,i k_II,j) + (1/mu) k_III,i k_III,j.
+///     (2/E')(k_I,i k_I,j + k_II,i k_II,j) + (1/mu) k_III,i k_III,j,
+///
+/// and (LA-9) in a sheet that is not isotropic.
 template <std::size_t N, class Real>
 [[nodiscard]] SymmetricMatrix<N, Real> compliance_density(
     const UnitStressIntensity<N, Real>& k,
     const std::type_identity_t<BasicCrackModuli<Real>>& moduli) {
   SymmetricMatrix<N, Real> density;
+  if (const auto& sheet = moduli.anisotropic) {
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t j = i; j < N; ++j)
+        density(i, j) = 2 * (k.I[i] * k.I[j] / moduli.opening +  // (LA-9)
+                             k.II[i] * k.II[j] * sheet->sliding +
+                             (k.I[i] * k.II[j] + k.II[i] * k.I[j]) * sheet->coupling) +
+                        k.III[i] * k.III[j] / moduli.shear;
+    return density;
+  }
   for (std::size_t i = 0; i < N; ++i)
     for (std::size_t j = i; j < N; ++j)
       density(i, j) = 2 / moduli.opening * (k.I[i] * k.I[j] + k.II[i] * k.II[j]) +  // (FR-2)

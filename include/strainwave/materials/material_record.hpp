@@ -32,12 +32,12 @@ struct EnumNames<Confidence> {
                                                             "derived", "unverified"};
 };
 
-/// The part of a drive that a steel is used for.
-enum class MaterialUse { flexspline, bearing, shaft, generic };
+/// The part of a drive that a material is used for.
+enum class MaterialUse { flexspline, bearing, shaft, generic, ply };
 template <>
 struct EnumNames<MaterialUse> {
-  static constexpr std::array<std::string_view, 4> names = {"flexspline", "bearing", "shaft",
-                                                            "generic"};
+  static constexpr std::array<std::string_view, 5> names = {"flexspline", "bearing", "shaft",
+                                                            "generic", "ply"};
 };
 
 /// Where a number comes from.
@@ -281,7 +281,9 @@ struct NasgroLaw : Evidence {
 
 using GrowthLaw = std::variant<ParisLaw, NasgroLaw>;
 
-/// A steel in one condition.
+/// A steel in one condition, or a layer of fibres in a matrix.
+///
+/// A layer has a transverse modulus; its E, G and nu are E1, G12 and nu12.
 struct MaterialRecord {
   std::string name;                  ///< name as written in an input file: "17-4PH H900"
   std::vector<std::string> aliases;  ///< other names of the same steel in the same condition
@@ -292,6 +294,12 @@ struct MaterialRecord {
   std::optional<Sourced<StressKind>> shear_modulus;   ///< G, if measured independently [Pa]
   std::optional<Sourced<PoissonKind>> poissons_ratio;
   std::optional<Sourced<DensityKind>> density;
+  std::optional<Sourced<StressKind>> transverse_modulus;  ///< E2 of a layer [Pa]
+  std::optional<Sourced<StressKind>> fibre_tension;       ///< strengths of a layer [Pa]
+  std::optional<Sourced<StressKind>> fibre_compression;
+  std::optional<Sourced<StressKind>> transverse_tension;
+  std::optional<Sourced<StressKind>> transverse_compression;
+  std::optional<Sourced<StressKind>> shear_strength;
   std::optional<Sourced<StressKind>> yield_strength;
   std::optional<Sourced<StressKind>> ultimate_strength;
   std::optional<Sourced<ToughnessKind>> fracture_toughness;
@@ -327,6 +335,15 @@ struct MaterialRecord {
     table("youngs_modulus", "Young's modulus", &MaterialRecord::youngs_modulus);
     table("shear_modulus", "shear modulus", &MaterialRecord::shear_modulus);
     table("poissons_ratio", "Poisson's ratio", &MaterialRecord::poissons_ratio);
+    table("transverse_modulus", "modulus across the fibres", &MaterialRecord::transverse_modulus);
+    table("fibre_tension", "tensile strength along the fibres", &MaterialRecord::fibre_tension);
+    table("fibre_compression", "compressive strength along the fibres",
+          &MaterialRecord::fibre_compression);
+    table("transverse_tension", "tensile strength across the fibres",
+          &MaterialRecord::transverse_tension);
+    table("transverse_compression", "compressive strength across the fibres",
+          &MaterialRecord::transverse_compression);
+    table("shear_strength", "shear strength along the fibres", &MaterialRecord::shear_strength);
     table("density", "density", &MaterialRecord::density);
     table("yield_strength", "yield strength", &MaterialRecord::yield_strength);
     table("ultimate_strength", "tensile strength", &MaterialRecord::ultimate_strength);
@@ -353,6 +370,13 @@ void for_each_property(const MaterialRecord& record, const F& f) {
   visit("youngs_modulus", "Young's modulus", record.youngs_modulus);
   visit("shear_modulus", "shear modulus", record.shear_modulus);
   visit("poissons_ratio", "Poisson's ratio", record.poissons_ratio);
+  visit("transverse_modulus", "modulus across the fibres", record.transverse_modulus);
+  visit("fibre_tension", "tensile strength along the fibres", record.fibre_tension);
+  visit("fibre_compression", "compressive strength along the fibres", record.fibre_compression);
+  visit("transverse_tension", "tensile strength across the fibres", record.transverse_tension);
+  visit("transverse_compression", "compressive strength across the fibres",
+        record.transverse_compression);
+  visit("shear_strength", "shear strength along the fibres", record.shear_strength);
   visit("density", "density", record.density);
   visit("yield_strength", "yield strength", record.yield_strength);
   visit("ultimate_strength", "tensile strength", record.ultimate_strength);

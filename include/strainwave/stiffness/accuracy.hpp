@@ -81,6 +81,11 @@ inline constexpr ModelAccuracy kThroughCrackIntensityOtherRatio{
     "0.45"};
 inline constexpr ModelAccuracy kAnnularTensionOtherRatio{
     0.03, "fits and table are for Poisson's ratio 0.3; the error is 2.5 % at 0 and 0.45"};
+/// The code adds the part that the curvature of an isotropic wall would have.
+inline constexpr ModelAccuracy kLaminateCrack{
+    0.10, "flat, thin, anisotropic sheet: a state of plane stress through the wall is assumed"};
+inline constexpr ModelAccuracy kLaminateTube{
+    0.02, "thin wall of perfectly bonded plies, free to lengthen and to widen; ends are left out"};
 inline constexpr ModelAccuracy kDiaphragmArc{
     0.10, "a straight crack in a flat plate under uniform shear"};
 inline constexpr ModelAccuracy kDiaphragmGroove{

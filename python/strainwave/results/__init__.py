@@ -17,6 +17,8 @@ if TYPE_CHECKING:
         fit as fit,
         frf as frf,
         grow as grow,
+        inspect as inspect,
+        laminate as laminate,
         life as life,
         material_list as material_list,
         material_show as material_show,

@@ -110,7 +110,7 @@ class Material(Part):
     """name as an input file writes it"""
     aliases: tuple[str, ...]
     """other names"""
-    use: tuple[Literal["flexspline", "bearing", "shaft", "generic"], ...]
+    use: tuple[Literal["flexspline", "bearing", "shaft", "generic", "ply"], ...]
     """parts for which the steel is used"""
     treatment: str
     """heat treatment and product"""
@@ -122,6 +122,18 @@ class Material(Part):
     """shear modulus; None if absent"""
     poissons_ratio: Optional[MaterialPart]
     """Poisson's ratio; None if absent"""
+    transverse_modulus: Optional[MaterialPart]
+    """modulus across the fibres; None if absent"""
+    fibre_tension: Optional[MaterialPart]
+    """tensile strength along the fibres; None if absent"""
+    fibre_compression: Optional[MaterialPart]
+    """compressive strength along the fibres; None if absent"""
+    transverse_tension: Optional[MaterialPart]
+    """tensile strength across the fibres; None if absent"""
+    transverse_compression: Optional[MaterialPart]
+    """compressive strength across the fibres; None if absent"""
+    shear_strength: Optional[MaterialPart]
+    """shear strength along the fibres; None if absent"""
     density: Optional[MaterialPart]
     """density; None if absent"""
     yield_strength: Optional[MaterialPart]
@@ -148,6 +160,12 @@ class Material(Part):
         "youngs_modulus": ("youngs_modulus", MaterialPart._of),
         "shear_modulus": ("shear_modulus", MaterialPart._of),
         "poissons_ratio": ("poissons_ratio", MaterialPart._of),
+        "transverse_modulus": ("transverse_modulus", MaterialPart._of),
+        "fibre_tension": ("fibre_tension", MaterialPart._of),
+        "fibre_compression": ("fibre_compression", MaterialPart._of),
+        "transverse_tension": ("transverse_tension", MaterialPart._of),
+        "transverse_compression": ("transverse_compression", MaterialPart._of),
+        "shear_strength": ("shear_strength", MaterialPart._of),
         "density": ("density", MaterialPart._of),
         "yield_strength": ("yield_strength", MaterialPart._of),
         "ultimate_strength": ("ultimate_strength", MaterialPart._of),

@@ -18,6 +18,7 @@
 #include "strainwave/model/input/cam_curve.hpp"
 #include "strainwave/model/input/check_rules.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/input/turn_table.hpp"
 
 // Rules between fields.  The rule of a single field is its Range.
@@ -38,10 +39,13 @@ void check_temperatures(const FieldPath& path, const std::optional<std::array<do
 
 void check_material(const FieldPath& path, const Material& material) {
   try {
-    (void)elastic_constants(material);
+    if (material.is_isotropic()) (void)elastic_constants(material);
   } catch (const InputError& error) {
     const std::string field = (path / error.field()).text();
-    if (error.rule().empty()) throw InputError(field, "must be given, or shear_modulus");
+    if (error.rule().empty())
+      throw InputError(field, error.field() == "youngs_modulus"
+                                  ? "must be given"
+                                  : "must be given, or shear_modulus");
     throw InputError(field, material.shear_modulus.value_or(0.0), "Pa", error.rule());
   }
   if (material.growth.size() > 1)
@@ -1069,6 +1073,7 @@ void check(const GearSet& gear) {
 void check_rules(const GearSet& gear) {
   for (const auto& [name, material] : gear.material)
     check_material(FieldPath("material") / name, material);
+  check_laminates(gear);
   require(gear.drive.wave_number >= 1 && gear.drive.wave_number <= 8, "drive.wave_number",
           gear.drive.wave_number, "1", ">= 1 and <= 8");
   require(gear.drive.radial_displacement < gear.drive.pitch_diameter / 2,

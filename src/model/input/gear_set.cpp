@@ -35,13 +35,20 @@ void visit_number(Gear& gear, std::string_view path, const F& f) {
 
 }  // namespace
 
+void require_isotropic(const Material& material) {
+  if (material.is_laminate())
+    throw InputError("ply", "makes a laminate, which has no single Young's modulus");
+  if (material.is_layer())
+    throw InputError("transverse_modulus", "makes a layer, which has no single Young's modulus");
+}
+
 ElasticConstants elastic_constants(const Material& material) {
   return elastic_constants(Lift<double>(), material);
 }
 
 double elastic_contradiction(const Material& material) {
-  if (!material.shear_modulus || !material.poissons_ratio) return 0.0;
-  const double isotropic = material.youngs_modulus / (2 * (1 + *material.poissons_ratio));
+  if (!material.is_isotropic() || !material.shear_modulus || !material.poissons_ratio) return 0.0;
+  const double isotropic = *material.youngs_modulus / (2 * (1 + *material.poissons_ratio));
   return *material.shear_modulus / isotropic - 1;
 }
 
@@ -51,10 +58,32 @@ double diaphragm_thickness(const Diaphragm& diaphragm, double radius) {
 
 namespace {
 
+/// Whether two isotropic materials are equally elastic.
+bool equally_elastic(const Material& a, const Material& b) {
+  const ElasticConstants one = elastic_constants(a);
+  const ElasticConstants other = elastic_constants(b);
+  return one.E == other.E && one.G == other.G && one.nu == other.nu;
+}
+
+using NamedMaterial = std::map<std::string, Material>::const_iterator;
+
+/// The material of the first ply if a laminate is a solid wall, else the material itself.
+NamedMaterial solid_wall(const GearSet& gear, const NamedMaterial& of) {
+  NamedMaterial first = of;
+  for (const Ply& ply : of->second.ply) {
+    const auto found = gear.material.find(ply.material);
+    if (found == gear.material.end() || !found->second.is_isotropic() ||
+        (first != of && !equally_elastic(first->second, found->second)))
+      return of;
+    if (first == of) first = found;
+  }
+  return first;
+}
+
 template <class MakeField>
 const Material& material_for(const GearSet& gear, std::string_view name, const MakeField& field) {
   const auto found = gear.material.find(std::string(name));
-  if (found != gear.material.end()) return found->second;
+  if (found != gear.material.end()) return solid_wall(gear, found)->second;
   std::vector<std::string> known;
   for (const auto& [known_name, material] : gear.material) known.push_back(known_name);
   throw InputError(field(),
@@ -70,6 +99,11 @@ const Material& material_of(const GearSet& gear, std::string_view name, std::str
 
 const Material& material_of(const GearSet& gear, std::string_view name, const FieldPath& field) {
   return material_for(gear, name, [&] { return field.text(); });
+}
+
+std::string_view solid_name(const GearSet& gear, std::string_view name) {
+  const auto found = gear.material.find(std::string(name));
+  return found == gear.material.end() ? name : std::string_view(solid_wall(gear, found)->first);
 }
 
 CorrelatedNormals scattering_normals(const GearSet& gear) {

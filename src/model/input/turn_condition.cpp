@@ -12,6 +12,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/input/turn_table.hpp"
 #include "strainwave/model/input/turning_cup.hpp"
 
@@ -84,8 +85,7 @@ void add_drive(Conditions& conditions, const GearSet& gear) {
 
 void add_flexspline(Conditions& conditions, const GearSet& gear) {
   const Flexspline& flexspline = *gear.flexspline;
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, flexspline.material, "flexspline.material"));
+  const ElasticConstants steel = elastic_constants(only_material(gear, flexspline));
   conditions.number("flexspline.material.youngs_modulus", steel.E, "Pa");
   conditions.number("flexspline.material.poissons_ratio", steel.nu, "1");
   if (flexspline.rim) {

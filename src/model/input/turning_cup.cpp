@@ -11,6 +11,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 
@@ -81,7 +82,7 @@ void require_turning_cup(const GearSet& gear) {
   if (!rim_covers(*flexspline.rim, *flexspline.barrel))
     throw InputError("flexspline.rim",
                      "must have a wall that covers the barrel's, inside and outside");
-  check_fit(gear, *flexspline.rim, material_of(gear, flexspline.material, "flexspline.material"));
+  check_fit(gear, *flexspline.rim, only_material(gear, flexspline));
 }
 
 }  // namespace strainwave

@@ -6,6 +6,7 @@
 
 #include "strainwave/core/lift.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 /// @file
 /// The numbers on which the finite elements of one crack depend: the columns and the fixed numbers
@@ -19,7 +20,8 @@ template <class Real>
 [[nodiscard]] std::vector<BasicCrackParameter<Real>> crack_parameters(
     const Lift<Real>& lift, const GearSet& gear, const WallThroughCrack& crack) {
   const Flexspline& fs = *gear.flexspline;
-  const auto steel = elastic_constants(lift, material_of(gear, fs.material, "flexspline.material"));
+  const auto steel = elastic_constants(
+      lift, material_of(gear, material_name(fs, crack.section), "flexspline.material"));
   std::vector<BasicCrackParameter<Real>> numbers = {{"half_length", "m", lift(crack.half_length)},
                                                     {"angle", "rad", lift(crack.angle)}};
   if (fs.crack_free == CrackFree::factor) {

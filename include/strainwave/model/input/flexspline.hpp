@@ -35,14 +35,24 @@ struct EnumNames<CrackFree> {
 /// The usual thickness of walls and rings [m].
 inline constexpr Range kUsualThickness{.lower = 5e-5, .upper = 0.2};
 
+inline constexpr Field kSectionMaterial{
+    .name = "material",
+    .unit = "",
+    .doc = "material of this section; that of the flexspline if left out",
+    .example = R"("steel")",
+    .in_template = InTemplate::commented};
+
 /// A round tube: rim or barrel of a flexspline.
 struct TubeSection {
   double outer_diameter = 0.0;  ///< D [m]; > 0
   double wall_thickness = 0.0;  ///< t [m]; > 0, < D/2
   double length = 0.0;          ///< L [m]; > 0
+  /// absent: that of the flexspline
+  std::optional<std::string> material = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
+    field(kSectionMaterial, &TubeSection::material);
     field(Field{.name = "outer_diameter",
                 .unit = "m",
                 .doc = "outer diameter",
@@ -69,6 +79,7 @@ struct TubeSection {
 struct Boss : TubeSection {
   template <class Visitor>
   static void describe(Visitor&& field) {
+    field(kSectionMaterial, &Boss::material);
     field(Field{.name = "outer_diameter",
                 .unit = "m",
                 .doc = "outer diameter, where the diaphragm begins",
@@ -123,9 +134,12 @@ struct Diaphragm {
   /// Law of the thickness: constant inside the first station, then linear between the stations and
   /// on to the outer diameter; empty: constant thickness.
   std::vector<DiaphragmStation> profile;
+  /// absent: that of the flexspline
+  std::optional<std::string> material = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
+    field(kSectionMaterial, &Diaphragm::material);
     field(Field{.name = "outer_diameter",
                 .unit = "m",
                 .doc = "cup: diameter at which the diaphragm meets the barrel, the middle of the "
@@ -240,6 +254,8 @@ struct Flexspline {
   std::optional<Boss> boss;            ///< boss, for `sections`
   /// compliance of boss bolts and output flange [rad/(N*m)]; >= 0
   double flange_compliance = 0.0;
+  /// compliance of the joint between a rim and a barrel of two materials [rad/(N*m)]; >= 0
+  double joint_compliance = 0.0;
   std::optional<ToothRoot> tooth_root = {};  ///< roots of the teeth, for their fatigue
   std::vector<FlexsplineCrack> crack;
 
@@ -317,6 +333,15 @@ struct Flexspline {
                 .fallback = R"x("0 rad/(N*m)")x",
                 .in_template = InTemplate::commented},
           &Flexspline::flange_compliance);
+    field(Field{.name = "joint_compliance",
+                .unit = "rad/(N*m)",
+                .doc = "compliance of the joint between rim and barrel, such as an adhesive, added "
+                       "in series",
+                .range = kNonNegative,
+                .example = R"x("0 rad/(N*m)")x",
+                .fallback = R"x("0 rad/(N*m)")x",
+                .in_template = InTemplate::commented},
+          &Flexspline::joint_compliance);
     field(Field{.name = "rim",
                 .unit = "",
                 .doc = "toothed ring, for crack_free = \"sections\"",

@@ -306,12 +306,15 @@ void for_each_path_list(Gear& gear, const F& f) {
 /// @param before  the drive for which the lists were written
 void drop_lost_paths(GearSet& gear, const GearSet& before);
 
-/// The material that a member names.
+/// The material that a member names.  A laminate whose plies all have the same isotropic elastic
+/// constants is a solid wall, so it counts as the material of its first ply.
 /// @throws InputError  if no material has that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           std::string_view field);
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           const FieldPath& field);
+/// The name in `material` of what material_of finds: `name`, or the first ply of a solid wall.
+[[nodiscard]] std::string_view solid_name(const GearSet& gear, std::string_view name);
 
 /// The standard normal variables of the inputs that scatter, in the order of the file, with the
 /// correlations that the file gives.

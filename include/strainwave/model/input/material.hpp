@@ -9,28 +9,37 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/lift.hpp"
 #include "strainwave/growth_laws/rate_law.hpp"
+#include "strainwave/model/input/layup.hpp"
 #include "strainwave/model/input/material_life.hpp"
 
 namespace strainwave {
 
-/// An isotropic linear elastic material, as an input file describes it.
+/// A linear elastic material, as an input file describes it: isotropic, a layer with fibres, or a
+/// laminate of such.
 ///
-/// Two of E, G, nu define the material.  All three may be given, because published examples do so.
-/// Formulas then use the given E, G and nu, and a note reports a contradiction.
+/// Two of E, G, nu define an isotropic material.  All three may be given, because published
+/// examples do so.  Formulas then use the given E, G and nu, and a note reports a contradiction.
+/// With `transverse_modulus` the material is a layer, E, G and nu are E1, G12 and nu12, and all
+/// four are independent.  With `ply` the material is a laminate, whose plies give all its
+/// constants.
 struct Material {
   /// A record of the material library that gives the fields that this table leaves out.
   std::optional<std::string> based_on = {};
-  double youngs_modulus = 0.0;           ///< E, Young's modulus [Pa]; > 0
-  std::optional<double> shear_modulus;   ///< G (mu in the manual), shear modulus [Pa]; > 0
-  std::optional<double> poissons_ratio;  ///< nu, Poisson's ratio [-]; in (-1, 0.5)
-  std::optional<double> density = {};    ///< rho [kg/m^3]; > 0; inertias need it
-  std::optional<double> yield_strength;  ///< sigma_y, yield strength [Pa]; > 0
+  std::optional<double> youngs_modulus = {};  ///< E, Young's modulus [Pa]; > 0; not of a laminate
+  std::optional<double> shear_modulus;        ///< G (mu in the manual), shear modulus [Pa]; > 0
+  std::optional<double> poissons_ratio;       ///< nu, Poisson's ratio [-]; in (-1, 0.5)
+  std::optional<double> density = {};         ///< rho [kg/m^3]; > 0; inertias need it
+  std::optional<double> yield_strength;       ///< sigma_y, yield strength [Pa]; > 0
   /// sigma_u, tensile strength [Pa]; > 0, >= yield_strength
   std::optional<double> ultimate_strength = {};
   std::optional<double> fracture_toughness;  ///< K_Ic, fracture toughness [Pa*m^0.5]; > 0
   std::optional<FatigueStrength> fatigue = {};
   std::vector<RateLaw> growth = {};  ///< law of crack growth; at most one
   std::optional<GrowthBounds> growth_bounds = {};
+  std::optional<double> transverse_modulus = {};  ///< E2 of a layer [Pa]; > 0
+  std::optional<PlyStrength> ply_strength = {};   ///< of a layer
+  std::vector<Ply> ply = {};                      ///< of a laminate
+  Stacking stacking = Stacking::as_listed;        ///< of the plies
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
@@ -41,6 +50,9 @@ struct Material {
   /// Whether the input file has a table of this material, even if the table only completes a record
   /// of the library.
   [[nodiscard]] bool in_file() const { return origin.empty() || based_on; }
+  [[nodiscard]] bool is_laminate() const { return !ply.empty(); }
+  [[nodiscard]] bool is_layer() const { return transverse_modulus.has_value(); }
+  [[nodiscard]] bool is_isotropic() const { return !is_laminate() && !is_layer(); }
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -52,23 +64,23 @@ struct Material {
           &Material::based_on);
     field(Field{.name = "youngs_modulus",
                 .unit = "Pa",
-                .doc = "Young's modulus E",
+                .doc = "Young's modulus E; of a layer, E1 along the fibres",
                 .range = kPositive,
                 .example = R"("210 GPa")",
                 .usual = {.lower = 20e9, .upper = 800e9},
-                .unless = "based_on"},
+                .unless = {"based_on", "ply"}},
           &Material::youngs_modulus);
     field(Field{.name = "shear_modulus",
                 .unit = "Pa",
-                .doc = "shear modulus G; E/(2(1+nu)) when left out",
+                .doc = "shear modulus G; E/(2(1+nu)) when left out; of a layer, G12",
                 .range = kPositive,
                 .example = R"("80.77 GPa")",
                 .in_template = InTemplate::commented,
-                .usual = {.lower = 8e9, .upper = 320e9}},
+                .usual = {.lower = 1e9, .upper = 320e9}},
           &Material::shear_modulus);
     field(Field{.name = "poissons_ratio",
                 .unit = "1",
-                .doc = "Poisson's ratio nu; E/(2G)-1 when left out",
+                .doc = "Poisson's ratio nu; E/(2G)-1 when left out; of a layer, nu12",
                 .range = {.lower = -1.0, .upper = 0.5},
                 .example = "0.3",
                 .usual = {.lower = 0.05, .upper = 0.49}},
@@ -119,6 +131,32 @@ struct Material {
                 .doc = "threshold of crack growth, and what the law is stated for",
                 .in_template = InTemplate::commented},
           &Material::growth_bounds);
+    field(Field{.name = "transverse_modulus",
+                .unit = "Pa",
+                .doc = "E2 across the fibres; makes the material a layer of laminates",
+                .range = kPositive,
+                .example = R"("10.3 GPa")",
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 1e9, .upper = 800e9}},
+          &Material::transverse_modulus);
+    field(Field{.name = "ply_strength",
+                .unit = "",
+                .doc = "strengths of a layer",
+                .in_template = InTemplate::commented},
+          &Material::ply_strength);
+    field(Field{.name = "ply",
+                .unit = "",
+                .doc = "plies of a laminate, from the inner face of the wall to the outer one",
+                .in_template = InTemplate::commented},
+          &Material::ply);
+    field(Field{.name = "stacking",
+                .unit = "",
+                .doc = "whether the plies fill the wall as listed, or the list is followed by its "
+                       "mirror image",
+                .example = R"("symmetric")",
+                .fallback = R"("as_listed")",
+                .in_template = InTemplate::commented},
+          &Material::stacking);
   }
 };
 
@@ -134,15 +172,21 @@ struct BasicElasticConstants {
 };
 using ElasticConstants = BasicElasticConstants<double>;
 
+/// @throws InputError  if the material is a layer or a laminate
+void require_isotropic(const Material& material);
+
 /// Completes E, G, nu from the given two by G = E/(2(1+nu)).
-/// @throws InputError  if neither G nor nu is given, or nu = E/(2G) - 1 is outside (-1, 0.5)
+/// @throws InputError  if the material is not isotropic, neither G nor nu is given, or nu = E/(2G)
+/// - 1 is outside (-1, 0.5)
 [[nodiscard]] ElasticConstants elastic_constants(const Material& material);
 
 /// Elastic constants in the scalar of a lift.
 template <class Real>
 [[nodiscard]] BasicElasticConstants<Real> elastic_constants(const Lift<Real>& lift,
                                                             const Material& material) {
-  const Real E = lift(material.youngs_modulus);
+  require_isotropic(material);
+  if (!material.youngs_modulus) throw InputError("youngs_modulus", "must be given");
+  const Real E = lift(*material.youngs_modulus);
   if (!material.shear_modulus && !material.poissons_ratio)
     throw InputError("poissons_ratio", "must be given, or shear_modulus");
   const Real nu = material.poissons_ratio ? Real(lift(*material.poissons_ratio))

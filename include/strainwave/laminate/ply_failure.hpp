@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "strainwave/laminate/laminate.hpp"
+
+/// @file
+/// Stress of the plies of a tube under its loads and under a given curvature, and their first
+/// failure.
+
+namespace strainwave {
+
+/// Strengths of a layer, all > 0 [Pa].
+struct LaminaStrength {
+  double fibre_tension = 0.0;           ///< X
+  double fibre_compression = 0.0;       ///< X'
+  double transverse_tension = 0.0;      ///< Y
+  double transverse_compression = 0.0;  ///< Y'
+  double shear = 0.0;                   ///< S
+};
+
+/// Stress of a layer in the axes of its fibres [Pa].
+struct LaminaStress {
+  double along = 0.0;
+  double across = 0.0;
+  double shear = 0.0;
+};
+
+/// Left-hand side of the criterion of Tsai and Wu, 1 at failure [-]; theory manual eq. (LA-12).
+[[nodiscard]] double tsai_wu(const LaminaStress& stress, const LaminaStrength& strength);
+
+/// Least factor f >= 0 at which `fixed` + f `scaled` fails by (LA-12); theory manual eq. (LA-14).
+/// @return  0 if `fixed` alone fails; empty if no factor does
+[[nodiscard]] std::optional<double> tsai_wu_factor(const LaminaStress& fixed,
+                                                   const LaminaStress& scaled,
+                                                   const LaminaStrength& strength);
+
+/// The same by the largest strain (LA-13), with linear strains at the strengths.
+[[nodiscard]] std::optional<double> strain_factor(const LaminaStress& fixed,
+                                                  const LaminaStress& scaled,
+                                                  const Lamina<>& lamina,
+                                                  const LaminaStrength& strength);
+
+/// Loads of a thin tube.
+struct TubeLoads {
+  double radius = 0.0;       ///< mean radius r [m]; > 0
+  double torque = 0.0;       ///< T [N*m]
+  double axial_force = 0.0;  ///< P, tension > 0 [N]
+  double curvature = 0.0;    ///< kappa, change of the hoop curvature by the assembly [1/m]
+};
+
+/// Stress of one face of a ply.
+struct PlyFace {
+  std::size_t ply = 0;    ///< from the inner face of the wall
+  bool outer = false;     ///< the face that is farther from the axis of the tube
+  LaminaStress load;      ///< by torque and axial force
+  LaminaStress assembly;  ///< by the curvature, where it is positive
+};
+
+/// Stress of both faces of each ply; theory manual eq. (LA-11).
+[[nodiscard]] std::vector<PlyFace> ply_stresses(std::span<const LaminatePly<double>> plies,
+                                                double thickness, const TubeLoads& loads);
+
+}  // namespace strainwave

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "strainwave/model/input/gear_set.hpp"
+
+/// @file
+/// The materials of the sections of a flexspline.
+
+namespace strainwave {
+
+/// Calls f(name of the section, section) for each section of a flexspline that is given.
+template <class Fs, class F>
+void for_each_section(Fs& flexspline, const F& f) {
+  if (flexspline.rim) f("rim", *flexspline.rim);
+  if (flexspline.barrel) f("barrel", *flexspline.barrel);
+  if (flexspline.diaphragm) f("diaphragm", *flexspline.diaphragm);
+  if (flexspline.boss) f("boss", *flexspline.boss);
+}
+
+/// The name of the material of a section.
+template <class Section>
+[[nodiscard]] const std::string& material_name(const Flexspline& flexspline,
+                                               const Section& section) {
+  return section.material ? *section.material : flexspline.material;
+}
+
+/// The name of the material of the wall that contains a crack.
+[[nodiscard]] const std::string& material_name(const Flexspline& flexspline, WallSection section);
+
+/// The one isotropic material of a flexspline, for a model that knows no other wall.
+/// @throws InputError  if the flexspline is of a laminate, or of several materials
+[[nodiscard]] const Material& only_material(const GearSet& gear, const Flexspline& flexspline);
+
+/// Sum of the thicknesses of all plies of a laminate, as the file gives them [m].
+[[nodiscard]] double thickness_of_plies(const Material& laminate);
+
+/// Checks the plies of all laminates, and the materials of the sections of the flexspline.
+/// @throws InputError  naming the field and the rule
+void check_laminates(const GearSet& gear);
+
+}  // namespace strainwave

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/progress.hpp"
+#include "strainwave/drive_growth/grow_cracks.hpp"
+#include "strainwave/inspection/inspected_risk.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/evidence.hpp"
+
+/// @file
+/// The results of `strainwave inspect`: the scatter of the life of cracks, the probability of
+/// failure over hours, and what inspections take off it.
+
+namespace strainwave {
+
+/// How inspections find cracks.
+struct InspectionMethod {
+  DetectionForm form = DetectionForm::log_logistic;
+  double a50 = 0.0;          ///< [m]
+  double a90 = 0.0;          ///< [m]
+  double false_calls = 0.0;  ///< probability that an inspection finds what is not there [-]
+  std::vector<std::string> see = {};  ///< paths of the cracks that it can see; empty: all
+};
+
+/// Which inspections there are.
+struct InspectionTimes {
+  std::vector<double> at;       ///< given times [s]
+  std::optional<double> every;  ///< interval [s]
+  std::optional<double> first;  ///< of the intervals [s]; absent: one interval
+  std::optional<double> risk;   ///< wanted probability of failure; plans are made for it [-]
+  int most = 20;                ///< largest number of planned inspections
+};
+
+struct InspectionOptions {
+  GrowthOptions growth;
+  std::optional<double> until;  ///< end of service [s]; absent: the life at the values of the file
+  std::optional<InspectionMethod> method;  ///< absent: no inspection
+  InspectionTimes times;
+  int draws = 500;
+  std::uint64_t seed = 1;
+  int threads = 0;
+};
+
+/// How the drawn drives end.
+struct DrawnOutcomes {
+  int failed = 0;        ///< a crack ends the life before the end of service
+  int later = 0;         ///< a crack ends the life after the end of service
+  int arrested = 0;      ///< no crack grows any more
+  int out_of_range = 0;  ///< a crack leaves the range of its solution; counts as a failure
+  int refused = 0;       ///< the drawn numbers break a rule; not counted among the others
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using O = DrawnOutcomes;
+    field({"failed", "", "a crack ends the life before the end of service"}, &O::failed);
+    field({"later", "", "a crack ends the life after the end of service"}, &O::later);
+    field({"arrested", "", "no crack grows any more: the life has no end"}, &O::arrested);
+    field({"out_of_range", "",
+           "a crack leaves the range of its solution, which counts as a failure at that time"},
+          &O::out_of_range);
+    field({"refused", "", "the drawn numbers break a rule of the input; left out"}, &O::refused);
+  }
+};
+
+/// A percentile of the life; an arrested crack has an endless life.
+struct LifePercentile {
+  static constexpr bool kTableRow = true;
+  double share = 0.0;                ///< of the drives with a shorter life [-]
+  std::optional<double> life = {};   ///< [s]; absent: endless
+  std::optional<double> lower = {};  ///< limits with 95 % confidence [s]; absent: endless
+  std::optional<double> upper = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using P = LifePercentile;
+    field({"share", "1", "share of the drives with a shorter life"}, &P::share);
+    field({"life", "s", "the life; absent: endless"}, &P::life);
+    field({"lower", "s", "lower limit with 95 % confidence; absent: endless"}, &P::lower);
+    field({"upper", "s", "upper limit with 95 % confidence; absent: endless, or not known"},
+          &P::upper);
+  }
+};
+
+/// Effect of one scattering input on the life.
+struct LifeShare {
+  static constexpr bool kTableRow = true;
+  std::string path;
+  double share = 0.0;  ///< in the variance of the logarithm of the lives that end, linear part [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"path", "", "the number that scatters"}, &LifeShare::path);
+    field({"share", "1", "share in the variance of the logarithm of the life, linear part"},
+          &LifeShare::share);
+  }
+};
+
+/// Probabilities of failure up to one time.
+struct RiskPoint {
+  static constexpr bool kTableRow = true;
+  double time = 0.0;  ///< [s]
+  double without = 0.0;
+  double without_low = 0.0;
+  double without_high = 1.0;
+  std::optional<double> inspected = {};
+  std::optional<double> inspected_low = {};
+  std::optional<double> inspected_high = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = RiskPoint;
+    field({"time", "s", "time of duty"}, &R::time);
+    field({"without", "1", "probability of failure without inspections"}, &R::without);
+    field({"without_low", "1", "lower limit with 95 % confidence"}, &R::without_low);
+    field({"without_high", "1", "upper limit with 95 % confidence"}, &R::without_high);
+    field({"inspected", "1", "probability of failure with the inspections"}, &R::inspected);
+    field({"inspected_low", "1", "lower limit with 95 % confidence"}, &R::inspected_low);
+    field({"inspected_high", "1", "upper limit with 95 % confidence"}, &R::inspected_high);
+  }
+};
+
+/// One inspection.
+struct InspectionRow {
+  static constexpr bool kTableRow = true;
+  double time = 0.0;        ///< [s]
+  double found = 0.0;       ///< probability that it finds a crack, of all drives [-]
+  double in_service = 0.0;  ///< share of the drives that are still in service before it [-]
+  double false_call = 0.0;  ///< probability of a false call, of all drives [-]
+  /// Probability of failure up to the end of service that remains if it is the last one [-]
+  double remaining = 0.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using I = InspectionRow;
+    field({"time", "s", "time of duty"}, &I::time);
+    field({"in_service", "1", "share of the drives in service before it"}, &I::in_service);
+    field({"found", "1", "probability that it finds a crack"}, &I::found);
+    field({"false_call", "1", "probability of a false call"}, &I::false_call);
+    field({"remaining", "1",
+           "probability of failure up to the end of service if it is the last inspection"},
+          &I::remaining);
+  }
+};
+
+/// Inspections that keep a wanted risk.
+struct PlannedInspections {
+  std::string kind;  ///< "equal" or "least"
+  bool reached = false;
+  int inspections = 0;
+  std::vector<double> times;  ///< [s]
+  double risk = 0.0;          ///< [-]
+  double risk_low = 0.0;
+  double risk_high = 1.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using P = PlannedInspections;
+    field({"kind", "", "equal intervals, or times of least risk"}, &P::kind);
+    field({"reached", "", "whether the wanted risk is reached"}, &P::reached);
+    field({"inspections", "", "number of inspections"}, &P::inspections);
+    field({"times", "s", "times of duty"}, &P::times);
+    field({"risk", "1", "probability of failure up to the end of service"}, &P::risk);
+    field({"risk_low", "1", "lower limit with 95 % confidence"}, &P::risk_low);
+    field({"risk_high", "1", "upper limit with 95 % confidence"}, &P::risk_high);
+  }
+};
+
+struct InspectionReport {
+  std::string sentence;                     ///< the answer in words
+  double until = 0.0;                       ///< end of service [s]
+  std::optional<double> nominal_life = {};  ///< at the values of the file [s]
+  int draws = 0;
+  std::uint64_t seed = 0;
+  DrawnOutcomes outcomes;
+  std::vector<LifePercentile> percentiles;
+  std::vector<LifeShare> shares;
+  RiskPoint at_end;  ///< at the end of service
+  std::vector<RiskPoint> risk;
+  std::vector<InspectionRow> inspections;
+  std::vector<PlannedInspections> plans;
+  /// Half of the time from the size a90 to the end of the life, at the values of the file [s]
+  std::optional<double> half_interval = {};
+  std::vector<Note> notes;
+  std::vector<std::string> equations;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = InspectionReport;
+    field({.name = "sentence", .unit = "", .doc = "the answer in words", .headline = true},
+          &R::sentence);
+    field({.name = "until", .unit = "s", .doc = "end of service", .headline = true}, &R::until);
+    field({"nominal_life", "s", "life at the values of the file; absent: endless"},
+          &R::nominal_life);
+    field({"draws", "", "number of drawn drives"}, &R::draws);
+    field({"seed", "", "seed of the draws"}, &R::seed);
+    field({"outcomes", "", "how the drawn drives end"}, &R::outcomes);
+    field({"percentiles", "", "percentiles of the life"}, &R::percentiles);
+    field({"shares", "", "what the scatter of the life comes from"}, &R::shares);
+    field({"at_end", "", "probabilities of failure up to the end of service"}, &R::at_end);
+    field({"risk", "", "probabilities of failure over time"}, &R::risk);
+    field({"inspections", "", "each inspection"}, &R::inspections);
+    field({"plans", "", "inspections that keep the wanted risk"}, &R::plans);
+    field({"half_interval", "s",
+           "half of the time from the size a90 to the end of the life, at the values of the file"},
+          &R::half_interval);
+  }
+};
+
+/// Draws lives of a drive whose numbers scatter, and states the risk without and with inspections.
+///
+/// Implements theory manual eqs. (IR-1) to (IR-8).  Draws depend on seed, number and input alone,
+/// and are summed in their order, so the bits are the same for any number of threads.
+/// @param gear  has passed `check`, with cracks, a duty and [[scatter]]
+/// @throws InputError  if something of this is missing, or an option is out of range
+[[nodiscard]] InspectionReport inspection_report(const GearSet& gear,
+                                                 const InspectionOptions& options,
+                                                 const Progress& progress = {});
+
+}  // namespace strainwave

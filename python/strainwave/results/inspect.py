@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+# Written by tools/write_python.py; change the descriptions in the C++ sources instead.
+"""The result of the command inspect."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Optional
+
+from .. import parts as _to
+from ..answers import Result
+from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Outcomes(Part):
+    """How the drawn drives end."""
+
+    failed: int
+    """a crack ends the life before the end of service"""
+    later: int
+    """a crack ends the life after the end of service"""
+    arrested: int
+    """no crack grows any more: the life has no end"""
+    out_of_range: int
+    """a crack leaves the range of its solution, which counts as a failure at that time"""
+    refused: int
+    """the drawn numbers break a rule of the input; left out"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "failed": ("failed", _to.plain),
+        "later": ("later", _to.plain),
+        "arrested": ("arrested", _to.plain),
+        "out_of_range": ("out_of_range", _to.plain),
+        "refused": ("refused", _to.plain),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Percentiles(Part):
+    """Percentiles of the life."""
+
+    share: FloatArray
+    """share of the drives with a shorter life"""
+    life: FloatArray
+    """the life; absent: endless [s]"""
+    lower: FloatArray
+    """lower limit with 95 % confidence; absent: endless [s]"""
+    upper: FloatArray
+    """upper limit with 95 % confidence; absent: endless, or not known [s]"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "share": ("share", _to.floats),
+        "life": ("life", _to.floats),
+        "lower": ("lower", _to.floats),
+        "upper": ("upper", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "share": "1",
+        "life": "s",
+        "lower": "s",
+        "upper": "s",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Shares(Part):
+    """What the scatter of the life comes from."""
+
+    path: AnyArray
+    """the number that scatters"""
+    share: FloatArray
+    """share in the variance of the logarithm of the life, linear part"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "path": ("path", _to.entries),
+        "share": ("share", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "share": "1",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class AtEnd(Part):
+    """Probabilities of failure up to the end of service."""
+
+    time: Quantity
+    """time of duty [s]"""
+    without: Quantity
+    """probability of failure without inspections"""
+    without_low: Quantity
+    """lower limit with 95 % confidence"""
+    without_high: Quantity
+    """upper limit with 95 % confidence"""
+    inspected: Optional[Quantity]
+    """probability of failure with the inspections; None if absent"""
+    inspected_low: Optional[Quantity]
+    """lower limit with 95 % confidence; None if absent"""
+    inspected_high: Optional[Quantity]
+    """upper limit with 95 % confidence; None if absent"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "time": ("time", _to.quantity),
+        "without": ("without", _to.quantity),
+        "without_low": ("without_low", _to.quantity),
+        "without_high": ("without_high", _to.quantity),
+        "inspected": ("inspected", _to.quantity),
+        "inspected_low": ("inspected_low", _to.quantity),
+        "inspected_high": ("inspected_high", _to.quantity),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Risk(Part):
+    """Probabilities of failure over time."""
+
+    time: FloatArray
+    """time of duty [s]"""
+    without: FloatArray
+    """probability of failure without inspections"""
+    without_low: FloatArray
+    """lower limit with 95 % confidence"""
+    without_high: FloatArray
+    """upper limit with 95 % confidence"""
+    inspected: FloatArray
+    """probability of failure with the inspections"""
+    inspected_low: FloatArray
+    """lower limit with 95 % confidence"""
+    inspected_high: FloatArray
+    """upper limit with 95 % confidence"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "time": ("time", _to.floats),
+        "without": ("without", _to.floats),
+        "without_low": ("without_low", _to.floats),
+        "without_high": ("without_high", _to.floats),
+        "inspected": ("inspected", _to.floats),
+        "inspected_low": ("inspected_low", _to.floats),
+        "inspected_high": ("inspected_high", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "time": "s",
+        "without": "1",
+        "without_low": "1",
+        "without_high": "1",
+        "inspected": "1",
+        "inspected_low": "1",
+        "inspected_high": "1",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Inspections(Part):
+    """Each inspection."""
+
+    time: FloatArray
+    """time of duty [s]"""
+    in_service: FloatArray
+    """share of the drives in service before it"""
+    found: FloatArray
+    """probability that it finds a crack"""
+    false_call: FloatArray
+    """probability of a false call"""
+    remaining: FloatArray
+    """probability of failure up to the end of service if it is the last inspection"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "time": ("time", _to.floats),
+        "in_service": ("in_service", _to.floats),
+        "found": ("found", _to.floats),
+        "false_call": ("false_call", _to.floats),
+        "remaining": ("remaining", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "time": "s",
+        "in_service": "1",
+        "found": "1",
+        "false_call": "1",
+        "remaining": "1",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Plans(Part):
+    """The field `plans`."""
+
+    kind: str
+    """equal intervals, or times of least risk"""
+    reached: bool
+    """whether the wanted risk is reached"""
+    inspections: int
+    """number of inspections"""
+    times: FloatArray
+    """times of duty [s]"""
+    risk: Quantity
+    """probability of failure up to the end of service"""
+    risk_low: Quantity
+    """lower limit with 95 % confidence"""
+    risk_high: Quantity
+    """upper limit with 95 % confidence"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "kind": ("kind", _to.plain),
+        "reached": ("reached", _to.plain),
+        "inspections": ("inspections", _to.plain),
+        "times": ("times", _to.floats),
+        "risk": ("risk", _to.quantity),
+        "risk_low": ("risk_low", _to.quantity),
+        "risk_high": ("risk_high", _to.quantity),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "times": "s",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class InspectResult(Result):
+    """What `inspect` answers."""
+
+    sentence: str
+    """the answer in words"""
+    until: Quantity
+    """end of service [s]"""
+    nominal_life: Optional[Quantity]
+    """life at the values of the file; absent: endless [s]; None if absent"""
+    draws: int
+    """number of drawn drives"""
+    seed: int
+    """seed of the draws"""
+    outcomes: Outcomes
+    """how the drawn drives end"""
+    percentiles: Percentiles
+    """percentiles of the life"""
+    shares: Shares
+    """what the scatter of the life comes from"""
+    at_end: AtEnd
+    """probabilities of failure up to the end of service"""
+    risk: Risk
+    """probabilities of failure over time"""
+    inspections: Inspections
+    """each inspection"""
+    plans: tuple[Plans, ...]
+    """inspections that keep the wanted risk"""
+    half_interval: Optional[Quantity]
+    """half of the time from the size a90 to the end of the life, at the values of the file [s];
+    None if absent"""
+
+    command: ClassVar[str] = "inspect"
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "sentence": ("sentence", _to.plain),
+        "until": ("until", _to.quantity),
+        "nominal_life": ("nominal_life", _to.quantity),
+        "draws": ("draws", _to.plain),
+        "seed": ("seed", _to.plain),
+        "outcomes": ("outcomes", Outcomes._of),
+        "percentiles": ("percentiles", Percentiles._of),
+        "shares": ("shares", Shares._of),
+        "at_end": ("at_end", AtEnd._of),
+        "risk": ("risk", Risk._of),
+        "inspections": ("inspections", Inspections._of),
+        "plans": ("plans", _to.many(Plans._of)),
+        "half_interval": ("half_interval", _to.quantity),
+    }

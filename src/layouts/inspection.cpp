@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "strainwave/chart/chart.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/layouts/words.hpp"
+#include "strainwave/present/evidence_text.hpp"
+
+namespace strainwave {
+namespace {
+
+DisplayUnit hours() { return display_unit("time", "s", {"h", 3600.0}); }
+
+std::string time_text(const std::optional<double>& seconds) {
+  return seconds ? shown_number(*seconds / hours().in_si, 4) : std::string("endless");
+}
+
+std::string share_text(double share) { return fmt::format("{:.3g}", share); }
+
+TitledTable outcome_table(const InspectionReport& report) {
+  Table table{.head = {"what becomes of a drive", "drives"}};
+  const auto row = [&](std::string words, int count) {
+    table.rows.push_back(cells(words, fmt::format("{}", count)));
+  };
+  row("fails before the end of service", report.outcomes.failed);
+  row("fails later", report.outcomes.later);
+  row("its cracks stand still: endless life", report.outcomes.arrested);
+  return {.title = fmt::format("Outcomes of {} drawn drives", report.draws),
+          .table = std::move(table)};
+}
+
+TitledTable percentile_table(const InspectionReport& report) {
+  Table table{
+      .head = {"shorter lives [%]", with_unit("life", hours()), "lower limit", "upper limit"}};
+  for (const LifePercentile& p : report.percentiles)
+    table.rows.push_back(cells(fmt::format("{:g}", 100 * p.share), time_text(p.life),
+                               time_text(p.lower),
+                               p.upper ? time_text(p.upper) : std::string("not known")));
+  return {.title = "Percentiles of the life, limits with 95 % confidence (IR-7)",
+          .table = std::move(table)};
+}
+
+TitledTable share_table(const InspectionReport& report) {
+  Table table{.head = {"input", "share"}};
+  for (const LifeShare& share : report.shares)
+    table.rows.push_back(cells(share.path, share_text(share.share)));
+  return {.title = "What the scatter of the life comes from, linear part (IR-8)",
+          .table = std::move(table)};
+}
+
+TitledTable inspection_table(const InspectionReport& report) {
+  Table table{.head = {with_unit("time", hours()), "in service", "finds a crack", "false call",
+                       "risk if it is the last"},
+              .align = "rrrrr"};
+  for (const InspectionRow& row : report.inspections)
+    table.rows.push_back(cells(time_text(row.time), share_text(row.in_service),
+                               share_text(row.found), share_text(row.false_call),
+                               share_text(row.remaining)));
+  return {.title = "Inspections (IR-2), (IR-4)",
+          .table = std::move(table),
+          .remark =
+              "Shares of all drives. The risk is the probability of failure up to the end of "
+              "service."};
+}
+
+TitledTable plan_table(const InspectionReport& report) {
+  Table table{.head = {"plan", "inspections", "risk", "upper limit", "reached",
+                       with_unit("times", hours())},
+              .align = "lrrrll"};
+  for (const PlannedInspections& plan : report.plans) {
+    std::vector<std::string> times;
+    for (const double time : plan.times) times.push_back(time_text(time));
+    table.rows.push_back(cells(plan.kind == "equal" ? "equal intervals" : "times of least risk",
+                               fmt::format("{}", plan.inspections), share_text(plan.risk),
+                               share_text(plan.risk_high), plan.reached ? "yes" : "no",
+                               fmt::format("{}", fmt::join(times, ", "))));
+  }
+  return {.title = "Fewest inspections for the wanted risk (IR-5), (IR-6)",
+          .table = std::move(table)};
+}
+
+}  // namespace
+
+std::vector<TitledTable> inspection_tables(const InspectionReport& report) {
+  std::vector<TitledTable> tables = {outcome_table(report), percentile_table(report)};
+  if (!report.shares.empty()) tables.push_back(share_table(report));
+  if (!report.inspections.empty()) tables.push_back(inspection_table(report));
+  if (!report.plans.empty()) tables.push_back(plan_table(report));
+  return tables;
+}
+
+std::string inspection_text(const InspectionReport& report, const GearSet& gear) {
+  std::string text = name_of(gear) + "\n\n" + paragraph(report.sentence);
+  if (report.half_interval)
+    text +=
+        paragraph(fmt::format("At the values of the file, half of the time from the size a90 to "
+                              "the end of the life is {} "
+                              "h, which handbooks take as an interval.",
+                              time_text(report.half_interval)));
+  text += text_tables(inspection_tables(report));
+  if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
+  return text + '\n' + equations_text(report.equations);
+}
+
+std::string inspection_csv(const InspectionReport& report) {
+  Table table{.head = {"time [s]", "without [1]", "without_low [1]", "without_high [1]",
+                       "inspected [1]", "inspected_low [1]", "inspected_high [1]"}};
+  for (const RiskPoint& p : report.risk)
+    table.rows.push_back(cells(p.time, p.without, p.without_low, p.without_high, p.inspected,
+                               p.inspected_low, p.inspected_high));
+  return csv_table(table);
+}
+
+std::string inspection_plot(const InspectionReport& report, const GearSet& gear) {
+  const DisplayUnit unit = hours();
+  PlotPanel panel{.title = "Probability of failure",
+                  .subtitle = gear.name,
+                  .x_label = axis_label("time of duty", unit),
+                  .y_label = "probability of failure",
+                  .y_scale = AxisScale::logarithmic};
+  const auto curve = [&](std::string label, const auto& value) {
+    PlotSeries series{.label = std::move(label)};
+    for (const RiskPoint& point : report.risk) {
+      const std::optional<double> y = value(point);
+      if (!y || !(*y > 0)) continue;
+      series.x.push_back(point.time / unit.in_si);
+      series.y.push_back(*y);
+    }
+    if (!series.x.empty()) panel.series.push_back(std::move(series));
+  };
+  const auto some = [](double value) { return std::optional(value); };
+  curve("without inspections", [&](const RiskPoint& p) { return some(p.without); });
+  if (report.at_end.inspected)
+    curve("with inspections", [](const RiskPoint& p) { return p.inspected; });
+  curve("upper limit, without", [&](const RiskPoint& p) { return some(p.without_high); });
+  if (report.at_end.inspected)
+    curve("upper limit, with", [](const RiskPoint& p) { return p.inspected_high; });
+  return svg_plot(std::array{panel});
+}
+
+}  // namespace strainwave

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/inspection_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "drawn_drive.hpp"
+#include "drawn_outputs.hpp"
+#include "scatter_law.hpp"
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/drive_growth/life_trace.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kTail = 0.025;
+constexpr int kRiskPoints = 61;
+constexpr std::array kShares = {0.01, 0.1, 0.5, 0.9};
+
+/// What became of one draw.
+struct DrawnLife {
+  bool refused = false;
+  bool out_of_range = false;
+  bool arrested = false;
+  DrawnPart part;
+};
+
+/// The paths of the cracks that grow, and the part of a trace.
+DrawnPart part_of(const LifeTrace& trace) {
+  DrawnPart part{.times = trace.times, .sizes = trace.sizes};
+  if (trace.life)
+    part.failure = *trace.life;
+  else if (trace.end == DriveEnd::range)
+    part.failure = trace.time;
+  return part;
+}
+
+class Study {
+ public:
+  Study(const GearSet& gear, const InspectionOptions& options)
+      : gear_(gear), options_(options), normals_(scattering_normals(gear)) {
+    for (const InputScatter& scatter : gear.scatter)
+      laws_.emplace_back(scatter, number_at(gear, scatter.path).value);
+  }
+
+  [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
+
+  [[nodiscard]] std::vector<double> normals_of(std::size_t draw) const {
+    std::vector<double> u(laws_.size());
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
+    return u;
+  }
+
+  [[nodiscard]] std::vector<DrawnLife> draws(const Progress& progress) const {
+    std::vector<DrawnLife> all(static_cast<std::size_t>(options_.draws));
+    for_each_index(all.size(), {.block = 4, .threads = options_.threads}, progress, [&] {
+      return [this, &all, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
+                 std::size_t index) { all[index] = draw(*drive, index); };
+    });
+    return all;
+  }
+
+ private:
+  [[nodiscard]] DrawnLife draw(DrawnDrive& drive, std::size_t index) const {
+    std::vector<double> z = normals_of(index);
+    normals_.correlate(z);
+    for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
+    DrawnLife result;
+    try {
+      check(drive.gear());
+      const LifeTrace trace = life_trace(drive.gear(), options_.growth);
+      result.part = part_of(trace);
+      result.arrested = trace.end == DriveEnd::arrested;
+      result.out_of_range = trace.end == DriveEnd::range;
+    } catch (const InputError&) {
+      result.refused = true;
+    }
+    return result;
+  }
+
+  const GearSet& gear_;
+  const InspectionOptions& options_;
+  std::vector<ScatterLaw> laws_;
+  CorrelatedNormals normals_;
+};
+
+void check_options(const InspectionOptions& options) {
+  require(options.draws >= 20 && options.draws <= 10'000'000, "draws", options.draws, "1",
+          ">= 20 and <= 1e7");
+  if (options.until)
+    require(*options.until > 0 && std::isfinite(*options.until), "until", *options.until, "s",
+            "> 0");
+  const InspectionTimes& times = options.times;
+  for (const double time : times.at) require(time > 0, "at", time, "s", "> 0");
+  if (times.every) require(*times.every > 0, "every", *times.every, "s", "> 0");
+  if (times.first) require(*times.first > 0, "first", *times.first, "s", "> 0");
+  if (times.risk)
+    require(*times.risk > 0 && *times.risk < 1, "risk", *times.risk, "1", "> 0 and < 1");
+  require(times.most >= 1 && times.most <= 100, "most", times.most, "1", ">= 1 and <= 100");
+  if (times.first && !times.every)
+    throw InputError("first", "is read with the interval only; give every");
+  if (times.every && !times.at.empty())
+    throw InputError("every", "is given beside at; give one of them");
+  if (!options.method && (times.every || !times.at.empty() || times.risk))
+    throw InputError("a50", "must be given for inspections, with a90");
+  if (options.method)
+    require(options.method->false_calls >= 0 && options.method->false_calls < 1, "false_calls",
+            options.method->false_calls, "1", ">= 0 and < 1");
+}
+
+/// Which of the cracks of the histories an inspection sees.
+std::vector<char> seen_cracks(const std::vector<std::string>& cracks,
+                              const InspectionMethod& method) {
+  std::vector<char> seen(cracks.size(), method.see.empty() ? 1 : 0);
+  for (const std::string& path : method.see) {
+    const auto at = std::ranges::find(cracks, path);
+    if (at == cracks.end())
+      throw InputError("see",
+                       fmt::format("\"{}\" is not a growing crack of this drive: {}", shown(path),
+                                   shown(fmt::format("{}", fmt::join(cracks, ", ")))));
+    seen[static_cast<std::size_t>(at - cracks.begin())] = 1;
+  }
+  return seen;
+}
+
+std::optional<double> finite(double time) {
+  return std::isfinite(time) ? std::optional(time) : std::nullopt;
+}
+
+/// Percentiles with limits by order statistics (IR-7).
+void add_percentiles(InspectionReport& report, std::vector<double> lives) {
+  std::ranges::sort(lives);
+  const auto n = static_cast<double>(lives.size());
+  const auto at = [&](double rank) {
+    const auto i = static_cast<std::size_t>(std::clamp(rank, 1.0, n)) - 1;
+    return finite(lives[i]);
+  };
+  for (const double share : kShares) {
+    const boost::math::binomial counts(n, share);
+    LifePercentile row{.share = share, .life = at(std::ceil(n * share))};
+    const double low = std::floor(boost::math::quantile(counts, kTail));
+    const double high =
+        std::ceil(boost::math::quantile(boost::math::complement(counts, kTail))) + 1;
+    row.lower = low >= 1 ? at(low) : std::optional(0.0);
+    row.upper = high <= n ? at(high) : std::nullopt;
+    report.percentiles.push_back(row);
+  }
+}
+
+/// Linear shares of the inputs in the scatter of the logarithm of the lives that end (IR-8).
+void add_shares(InspectionReport& report, const GearSet& gear, const Study& study,
+                const std::vector<DrawnLife>& draws) {
+  const std::size_t inputs = gear.scatter.size();
+  std::vector<double> logs;
+  std::vector<std::vector<double>> normals;
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    if (draws[i].refused || !std::isfinite(draws[i].part.failure) || draws[i].part.failure <= 0)
+      continue;
+    logs.push_back(std::log(draws[i].part.failure));
+    normals.push_back(study.normals_of(i));
+  }
+  if (logs.size() < 10 * inputs + 10) return;
+  const auto n = static_cast<double>(logs.size());
+  double mean = 0.0;
+  for (const double value : logs) mean += value / n;
+  double variance = 0.0;
+  for (const double value : logs) variance += (value - mean) * (value - mean) / n;
+  if (!(variance > 0)) return;
+  std::vector<double> slope(inputs, 0.0);
+  double linear = 0.0;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    double sum = 0.0;
+    double squares = 0.0;
+    double average = 0.0;
+    for (const auto& u : normals) average += u[i] / n;
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+      const double away = normals[k][i] - average;
+      sum += away * (logs[k] - mean);
+      squares += away * away;
+    }
+    slope[i] = sum / squares;
+    linear += sum * sum / squares / n;
+  }
+  const std::vector<double> shares = study.normals().shares(study.normals().slope_in_z(slope));
+  for (std::size_t i = 0; i < inputs; ++i)
+    report.shares.push_back(
+        {.path = gear.scatter[i].path, .share = shares[i] * std::min(1.0, linear / variance)});
+  std::ranges::stable_sort(report.shares, std::ranges::greater{}, &LifeShare::share);
+}
+
+std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
+
+std::string risk_words(double probability, double low, double high) {
+  return fmt::format("{:.3g} (95 % limits {:.2g} to {:.2g})", probability, low, high);
+}
+
+}  // namespace
+
+InspectionReport inspection_report(const GearSet& gear, const InspectionOptions& options,
+                                   const Progress& progress) {
+  check_options(options);
+  require_scatter(gear);
+  if (!gear.duty)
+    throw InputError("duty", "must be given; add [duty] with its [[duty.block]]s or a history");
+  InspectionReport report;
+  report.draws = options.draws;
+  report.seed = options.seed;
+  const LifeTrace nominal = life_trace(gear, options.growth);
+  if (nominal.cracks.empty())
+    throw InputError("duty",
+                     "no crack of this drive grows by a known law, so no life can be drawn");
+  report.nominal_life = nominal.life;
+  if (!options.until && !nominal.life)
+    throw InputError("until",
+                     "must be given, because the life at the values of the file has no end");
+  report.until = options.until.value_or(nominal.life.value_or(0.0));
+
+  const Study study(gear, options);
+  const std::vector<DrawnLife> draws = study.draws(progress);
+  std::vector<DrawnPart> parts;
+  std::vector<double> lives;
+  for (const DrawnLife& draw : draws) {
+    if (draw.refused) {
+      ++report.outcomes.refused;
+      continue;
+    }
+    const bool by_end = draw.part.failure <= report.until;
+    if (draw.arrested)
+      ++report.outcomes.arrested;
+    else if (by_end)
+      ++report.outcomes.failed;
+    else
+      ++report.outcomes.later;
+    if (draw.out_of_range) ++report.outcomes.out_of_range;
+    parts.push_back(draw.part);
+    lives.push_back(draw.part.failure);
+  }
+  if (parts.size() < 20)
+    throw InputError("scatter", fmt::format("lets {} of {} drawn drives break a rule of the input, "
+                                            "so too few lives are left; narrow the scatter",
+                                            report.outcomes.refused, options.draws));
+  add_percentiles(report, lives);
+  add_shares(report, gear, study, draws);
+  report.equations = {"IR-3", "IR-7", "IR-8"};
+
+  std::vector<double> schedule = options.times.at;
+  std::ranges::sort(schedule);
+  std::optional<DetectionCurve> curve;
+  std::unique_ptr<bool[]> seen;
+  std::span<const bool> sees;
+  if (options.method) {
+    const InspectionMethod& method = *options.method;
+    curve.emplace(method.form, method.a50, method.a90);
+    const std::vector<char> marks = seen_cracks(nominal.cracks, method);
+    seen = std::make_unique<bool[]>(marks.size());
+    for (std::size_t k = 0; k < marks.size(); ++k) seen[k] = marks[k] != 0;
+    sees = {seen.get(), marks.size()};
+    report.equations.insert(report.equations.end(), {"IR-1", "IR-2", "IR-4"});
+    if (options.times.every)
+      schedule = equal_inspections(options.times.first.value_or(*options.times.every),
+                                   *options.times.every, report.until);
+    if (options.times.risk) {
+      const auto add = [&](std::string kind, const InspectionPlan& plan) {
+        report.plans.push_back({.kind = std::move(kind),
+                                .reached = plan.reached,
+                                .inspections = static_cast<int>(plan.times.size()),
+                                .times = plan.times,
+                                .risk = plan.risk.probability,
+                                .risk_low = plan.risk.low,
+                                .risk_high = plan.risk.high});
+        return plan.times;
+      };
+      const auto most = static_cast<std::size_t>(options.times.most);
+      const double wanted = *options.times.risk;
+      const std::vector<double> equal =
+          add("equal", equal_plan(parts, report.until, wanted, most, *curve, sees));
+      add("least", least_plan(parts, report.until, wanted, most, *curve, sees));
+      report.equations.insert(report.equations.end(), {"IR-5", "IR-6"});
+      if (schedule.empty()) schedule = equal;
+    }
+    // From the size that nine of ten inspections find to the end, at the values of the file.
+    if (nominal.life)
+      for (std::size_t k = 0; k < nominal.sizes.size(); ++k) {
+        if (!seen[k]) continue;
+        const DrawnPart of = part_of(nominal);
+        for (std::size_t i = 0; i < nominal.times.size(); ++i)
+          if (nominal.sizes[k][i] >= method.a90) {
+            double at = nominal.times[i];
+            if (i > 0) {  // the size is linear in its logarithm between two times
+              double low = nominal.times[i - 1];
+              for (int step = 0; step < 60; ++step) {
+                const double middle = (low + at) / 2;
+                (of.size_at(k, middle) >= method.a90 ? at : low) = middle;
+              }
+            }
+            const double half = (*nominal.life - at) / 2;
+            report.half_interval = std::max(report.half_interval.value_or(0.0), half);
+            break;
+          }
+      }
+  }
+
+  const auto point_at = [&](double time) {
+    const RiskEstimate without = failure_risk(parts, time);
+    RiskPoint point{.time = time,
+                    .without = without.probability,
+                    .without_low = without.low,
+                    .without_high = without.high};
+    if (schedule.empty()) return point;
+    const RiskEstimate with = inspected_risk(parts, time, schedule, *curve, sees);
+    point.inspected = with.probability;
+    point.inspected_low = with.low;
+    point.inspected_high = with.high;
+    return point;
+  };
+  for (int i = 0; i < kRiskPoints; ++i)
+    report.risk.push_back(point_at(report.until * i / (kRiskPoints - 1)));
+  report.at_end = point_at(report.until);
+  for (std::size_t k = 0; k < schedule.size(); ++k) {
+    InspectionRow row{.time = schedule[k]};
+    const std::vector<double> before(schedule.begin(),
+                                     schedule.begin() + static_cast<std::ptrdiff_t>(k));
+    for (const DrawnPart& part : parts) {
+      if (part.failure <= schedule[k]) continue;
+      double left = 1.0;
+      for (const double time : before) left *= 1 - part.found_at(time, *curve, sees);
+      const double found = part.found_at(schedule[k], *curve, sees);
+      row.in_service += left;
+      row.found += left * found;
+      row.false_call += left * (1 - found) * options.method->false_calls;
+    }
+    const auto n = static_cast<double>(parts.size());
+    row.in_service /= n;
+    row.found /= n;
+    row.false_call /= n;
+    std::vector<double> with_this = before;
+    with_this.push_back(schedule[k]);
+    row.remaining = inspected_risk(parts, report.until, with_this, *curve, sees).probability;
+    report.inspections.push_back(row);
+  }
+
+  const int total = static_cast<int>(parts.size());
+  report.sentence = fmt::format(
+      "Up to {} the probability of failure is {}", hours(report.until),
+      risk_words(report.at_end.without, report.at_end.without_low, report.at_end.without_high));
+  if (report.at_end.inspected)
+    report.sentence +=
+        fmt::format(" without inspections, and {} with {}",
+                    risk_words(*report.at_end.inspected, *report.at_end.inspected_low,
+                               *report.at_end.inspected_high),
+                    schedule.size() == 1 ? std::string("one inspection")
+                                         : fmt::format("{} inspections", schedule.size()));
+  report.sentence += ".";
+  if (report.outcomes.arrested > 0)
+    report.notes.push_back(
+        {.code = "inspection.arrested",
+         .text =
+             fmt::format("in {} of {} drives no crack grows any more; their life has no end and "
+                         "is in no mean",
+                         report.outcomes.arrested, total),
+         .path = "duty",
+         .equation = "IR-7",
+         .severity = Severity::information});
+  if (report.outcomes.out_of_range > 0)
+    report.notes.push_back(
+        {.code = "inspection.range",
+         .text =
+             fmt::format("in {} of {} drives a crack leaves the range of its solution, where the "
+                         "rest is not known; this counts as a failure at that time",
+                         report.outcomes.out_of_range, total),
+         .path = nominal.governing,
+         .equation = "IR-3",
+         .severity = Severity::care});
+  if (report.outcomes.refused > 0)
+    report.notes.push_back(
+        {.code = "inspection.refused",
+         .text = fmt::format("{} of {} draws break a rule of the input and are left out",
+                             report.outcomes.refused, options.draws),
+         .path = "scatter",
+         .equation = "IR-3",
+         .severity = Severity::care,
+         .next_step = "Narrow the scatter, or use a distribution without such values."});
+  const double wanted = options.times.risk.value_or(0.0);
+  const bool resolved = options.times.risk
+                            ? std::ranges::all_of(report.plans,
+                                                  [&](const PlannedInspections& plan) {
+                                                    return plan.reached && plan.risk_high <= wanted;
+                                                  })
+                            : report.at_end.without_low > 0;
+  if (!resolved)
+    report.notes.push_back(
+        {.code = "inspection.draws",
+         .text =
+             options.times.risk
+                 ? "the upper limit of the risk of a plan is above the wanted risk, or the plan "
+                   "does not reach it, so the plan is not proven"
+                 : "no drawn drive fails, so only the upper limit of the risk is known",
+         .path = "",
+         .equation = "IR-4",
+         .severity = Severity::cannot_tell,
+         .next_step = options.times.risk
+                          ? fmt::format("Ask for more --draws, more inspections by --most, or a "
+                                        "better method; {} draws resolve a risk of {:.2g}.",
+                                        static_cast<std::int64_t>(std::ceil(3.7 / wanted)), wanted)
+                          : "Ask for more --draws."});
+  return report;
+}
+
+}  // namespace strainwave

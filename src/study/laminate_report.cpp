@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/laminate_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/drive_cracks/wall_laminate.hpp"
+#include "strainwave/laminate/ply_failure.hpp"
+#include "strainwave/model/input/section_materials.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+std::array<double, 6> entries(const InPlane<>& m) {
+  return {m.m11, m.m12, m.m22, m.m16, m.m26, m.m66};
+}
+
+double largest(const InPlane<>& m) {
+  double most = 0.0;
+  for (const double entry : entries(m)) most = std::max(most, std::abs(entry));
+  return most;
+}
+
+/// Strengths of a ply; those of an isotropic one make the criterion of von Mises of (LA-12).
+std::optional<LaminaStrength> strength_of(const Material& material) {
+  if (material.ply_strength) {
+    const PlyStrength& s = *material.ply_strength;
+    return LaminaStrength{.fibre_tension = s.fibre_tension,
+                          .fibre_compression = s.fibre_compression,
+                          .transverse_tension = s.transverse_tension,
+                          .transverse_compression = s.transverse_compression,
+                          .shear = s.shear};
+  }
+  if (!material.is_isotropic() || !material.yield_strength) return std::nullopt;
+  const double yield = *material.yield_strength;
+  return LaminaStrength{.fibre_tension = yield,
+                        .fibre_compression = yield,
+                        .transverse_tension = yield,
+                        .transverse_compression = yield,
+                        .shear = yield / std::sqrt(3.0)};
+}
+
+/// The plies of the file in the order of the wall.
+std::vector<const Ply*> listed(const Material& laminate) {
+  std::vector<const Ply*> plies;
+  for (const Ply& ply : laminate.ply) plies.push_back(&ply);
+  if (laminate.stacking == Stacking::symmetric)
+    for (auto ply = laminate.ply.rbegin(); ply != laminate.ply.rend(); ++ply)
+      plies.push_back(&*ply);
+  return plies;
+}
+
+LaminaStress negative(const LaminaStress& s) { return {-s.along, -s.across, -s.shear}; }
+
+void take_least(std::optional<double>& least, const std::optional<double>& other) {
+  if (other && (!least || *other < *least)) least = other;
+}
+
+class Walls {
+ public:
+  Walls(const GearSet& gear, LaminateReport& report) : gear_(gear), report_(report) {}
+
+  void add(const std::string& path, const TubeSection& section) {
+    LaminateWall wall = basics(path, section, section.wall_thickness);
+    const double r = (section.outer_diameter - section.wall_thickness) / 2;
+    const TubeTorsion<> torsion = tube_torsion<double>(plies_, section.wall_thickness, r);
+    wall.torsional_rigidity = torsion.stiffness;
+    wall.compliance = section.length / torsion.stiffness;
+    wall.axial_strain = torsion.axial_strain * gear_.load.torque;
+    wall.hoop_strain = torsion.hoop_strain * gear_.load.torque;
+    add_plies(wall, r);
+    note(wall);
+    report_.walls.push_back(std::move(wall));
+  }
+
+  void add(const std::string& path, const Diaphragm& section) {
+    LaminateWall wall = basics(path, section, section.thickness);
+    if (!isotropic_in_plane(stiffness_))
+      report_.notes.push_back(
+          {.code = "laminate.bottom",
+           .text =
+               "the bottom is not as stiff in every direction of its plane, so its twist is not "
+               "derived",
+           .path = path,
+           .equation = "LA-10",
+           .severity = Severity::cannot_tell,
+           .next_step = "Give quasi-isotropic plies, such as 0, 45, -45 and 90 deg."});
+    note(wall);
+    report_.walls.push_back(std::move(wall));
+  }
+
+ private:
+  template <class Section>
+  LaminateWall basics(const std::string& path, const Section& section, const double& thickness) {
+    const Flexspline& fs = *gear_.flexspline;
+    LaminateWall wall{.path = path, .material = material_name(fs, section)};
+    material_ = &material_of(gear_, wall.material, "flexspline.material");
+    plies_ = plies_of(Lift<double>(), gear_, *material_);
+    stiffness_ = laminate_stiffness<double>(plies_, thickness);
+    wall.thickness = thickness;
+    wall.thickness_of_plies = strainwave::thickness_of_plies(*material_);
+    const InPlane<> a = sheet_compliance(stiffness_);  // (LA-4)
+    wall.E_x = 1 / a.m11;
+    wall.E_y = 1 / a.m22;
+    wall.G_xy = 1 / a.m66;
+    wall.nu_xy = -a.m12 / a.m11;
+    wall.A = entries(stiffness_.A);
+    wall.B = entries(stiffness_.B);
+    wall.D = entries(stiffness_.D);
+    wall.hoop_bending = hoop_bending_stiffness(stiffness_);
+    constexpr double kRounding = 1e-9;
+    wall.symmetric = largest(stiffness_.B) <= kRounding * largest(stiffness_.A) * thickness;
+    wall.balanced = std::max(std::abs(stiffness_.A.m16), std::abs(stiffness_.A.m26)) <=
+                    kRounding * largest(stiffness_.A);
+    return wall;
+  }
+
+  void add_plies(LaminateWall& wall, double radius) {
+    const int U = gear_.drive.wave_number;
+    const double curvature =
+        (U * U - 1) * gear_.drive.radial_displacement / (radius * radius);  // (LA-6)
+    const double K_u = gear_.flexspline->stress_nonuniformity;
+    const auto stresses = [&](double torque) {
+      return ply_stresses(plies_, wall.thickness,
+                          {.radius = radius,
+                           .torque = torque,
+                           .axial_force = gear_.load.axial_force,
+                           .curvature = curvature});
+    };
+    const std::vector<PlyFace> given = stresses(K_u * gear_.load.torque);
+    const std::vector<PlyFace> other = stresses(-K_u * gear_.load.torque);
+    const std::vector<const Ply*> named = listed(*material_);
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      const Material& of = material_of(gear_, named[i]->material, "material.ply.material");
+      PlyState ply{.number = static_cast<int>(i) + 1,
+                   .material = named[i]->material,
+                   .angle = named[i]->angle,
+                   .thickness = named[i]->thickness / wall.thickness_of_plies * wall.thickness};
+      const std::optional<LaminaStrength> strength = strength_of(of);
+      for (const std::size_t face : {2 * i, 2 * i + 1}) {
+        const LaminaStress& bent = given[face].assembly;
+        ply.load_along = given[face].load.along;
+        ply.load_across = given[face].load.across;
+        ply.load_shear = given[face].load.shear;
+        ply.assembly_along = std::max(ply.assembly_along, std::abs(bent.along));
+        ply.assembly_across = std::max(ply.assembly_across, std::abs(bent.across));
+        ply.assembly_shear = std::max(ply.assembly_shear, std::abs(bent.shear));
+        if (!strength) continue;
+        for (const LaminaStress& fixed : {bent, negative(bent)})
+          for (const LaminaStress& load : {given[face].load, other[face].load}) {
+            take_least(ply.tsai_wu, tsai_wu_factor(fixed, load, *strength));
+            take_least(ply.largest_strain, strain_factor(fixed, load, plies_[i].lamina, *strength));
+          }
+      }
+      if (!strength) without_strength_ = named[i]->material;
+      std::optional<double> least = ply.tsai_wu;
+      take_least(least, ply.largest_strain);
+      if (least && (!wall.reserve || *least < *wall.reserve)) {
+        wall.reserve = least;
+        wall.first_ply = ply.number;
+      }
+      wall.plies.push_back(std::move(ply));
+    }
+    if (without_strength_.empty()) return;
+    wall.reserve.reset();
+    wall.first_ply = 0;
+    report_.notes.push_back(
+        {.code = "laminate.no_strength",
+         .text = fmt::format("{} has no strengths, so the first failure is not known",
+                             shown(without_strength_)),
+         .path = wall.path,
+         .equation = "LA-12",
+         .severity = Severity::cannot_tell,
+         .next_step = "Give ply_strength of the layer, or yield_strength of an isotropic ply."});
+    without_strength_.clear();
+  }
+
+  void note(const LaminateWall& wall) {
+    constexpr double kRounded = 0.01;
+    if (std::abs(wall.thickness_of_plies / wall.thickness - 1) > kRounded)
+      report_.notes.push_back(
+          {.code = "laminate.thickness",
+           .text = fmt::format("the plies add up to {}, and the wall has {}; the plies are scaled "
+                               "to fill the wall",
+                               shown_quantity(wall.thickness_of_plies, "m", 4),
+                               shown_quantity(wall.thickness, "m", 4)),
+           .path = wall.path,
+           .equation = "LA-3",
+           .severity = Severity::care,
+           .next_step = "Give the plies of this wall, or check their thicknesses."});
+    if (!wall.symmetric)
+      report_.notes.push_back(
+          {.code = "laminate.unsymmetric",
+           .text =
+               "the plies are not symmetric about the middle of the wall, so curing, moisture "
+               "and assembly bend the wall; only the bending by the assembly is in the stresses",
+           .path = wall.path,
+           .equation = "LA-3",
+           .severity = Severity::care,
+           .next_step = "Set stacking = \"symmetric\", unless the laminate is meant so."});
+    if (!wall.balanced && wall.axial_strain)
+      report_.notes.push_back(
+          {.code = "laminate.unbalanced",
+           .text =
+               fmt::format("torque changes the length of this section, by a strain of {:.3g} at "
+                           "the torque of the load",
+                           *wall.axial_strain),
+           .path = wall.path,
+           .equation = "LA-5",
+           .severity = Severity::care});
+  }
+
+  const GearSet& gear_;
+  LaminateReport& report_;
+  const Material* material_ = nullptr;
+  std::vector<LaminatePly<>> plies_;
+  LaminateStiffness<> stiffness_;
+  std::string without_strength_;
+};
+
+std::string sentence_of(const LaminateReport& report) {
+  const LaminateWall* first = nullptr;
+  bool known = true;
+  for (const LaminateWall& wall : report.walls) {
+    if (wall.plies.empty()) continue;
+    known = known && wall.reserve;
+    if (wall.reserve && (first == nullptr || *wall.reserve < *first->reserve)) first = &wall;
+  }
+  if (first == nullptr || !known)
+    return "It is not known at which load the first ply fails; the notes say what is missing.";
+  if (*first->reserve == 0)
+    return fmt::format("Ply {} of {} fails when the wave generator is put in.", first->first_ply,
+                       first->path);
+  return fmt::format("Ply {} of {} fails first, at {:.3g} times the load.", first->first_ply,
+                     first->path, *first->reserve);
+}
+
+}  // namespace
+
+LaminateReport laminate_report(const GearSet& gear) {
+  LaminateReport report;
+  if (!gear.flexspline)
+    throw InputError("flexspline", "must be given, because its walls are asked for");
+  Walls walls(gear, report);
+  for_each_section(*gear.flexspline, [&](std::string_view name, const auto& section) {
+    const std::string& material = material_name(*gear.flexspline, section);
+    if (material_of(gear, material, "flexspline.material").is_laminate())
+      walls.add(fmt::format("flexspline.{}", name), section);
+  });
+  if (report.walls.empty())
+    throw InputError("flexspline.material",
+                     "is no laminate, and no section has one; give plies of the material, "
+                     "[[material.NAME.ply]]");
+  if (gear.drive.wave_number < 2)
+    report.notes.push_back({.code = "laminate.one_lobe",
+                            .text = "one lobe shifts the wall without bending it",
+                            .path = "drive.wave_number",
+                            .equation = "LA-6",
+                            .severity = Severity::information});
+  report.notes.push_back(
+      {.code = "laminate.left_out",
+       .text = "stresses by curing and moisture, by the ends of the sections and by the teeth, and "
+               "delamination are left out",
+       .path = "flexspline",
+       .equation = "LA-11",
+       .severity = Severity::care});
+  for (const LaminateWall& wall : report.walls) take_least(report.reserve, wall.reserve);
+  report.sentence = sentence_of(report);
+  if (report.reserve && *report.reserve < 1)
+    report.notes.push_back({.code = "laminate.fails",
+                            .text = "a ply fails below the load",
+                            .path = "load.torque",
+                            .equation = "LA-14",
+                            .severity = Severity::critical,
+                            .next_step = "Lower the load or the wall thickness, or change the "
+                                         "plies."});
+  report.equations = {"LA-1", "LA-2",  "LA-3",  "LA-4",  "LA-5",
+                      "LA-6", "LA-11", "LA-12", "LA-13", "LA-14"};
+  return report;
+}
+
+}  // namespace strainwave

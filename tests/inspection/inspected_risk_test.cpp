@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Detection, risk without and with inspections, and plans.
+#include "strainwave/inspection/inspected_risk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "strainwave/core/counter_random.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::array kSees = {true, true};
+const DetectionCurve kCurve(DetectionForm::log_logistic, 2e-3, 4e-3);
+
+/// An edge crack of 1 mm under 200 MPa with Y = 1.12 and Paris' law C = 6.9e-12 m, m = 3, to 10 mm.
+/// Cycles stand for time.
+double size_after(double cycles, double factor = 1.0) {
+  const double k = 6.9e-12 * std::pow(1.12 * 200 * std::sqrt(pi), 3) * factor;
+  return std::pow(1 / std::sqrt(1e-3) - k * cycles / 2, -2);
+}
+double life_to(double size, double factor = 1.0) {
+  const double k = 6.9e-12 * std::pow(1.12 * 200 * std::sqrt(pi), 3) * factor;
+  return 2 / k * (1 / std::sqrt(1e-3) - 1 / std::sqrt(size));
+}
+
+DrawnPart part_of(double factor = 1.0) {
+  DrawnPart part{.failure = life_to(10e-3, factor)};
+  constexpr int n = 4000;
+  part.sizes.resize(1);
+  for (int i = 0; i <= n; ++i) {
+    part.times.push_back(part.failure * i / n);
+    part.sizes[0].push_back(size_after(part.times.back(), factor));
+  }
+  return part;
+}
+
+/// Lives that scatter by ln C with a standard deviation.
+std::vector<DrawnPart> drawn(std::size_t n, double deviation = 0.25) {
+  std::vector<DrawnPart> parts;
+  for (std::size_t i = 0; i < n; ++i) {
+    DrawnPart part;
+    const double factor = std::exp(deviation * counter_normal(3, i, 0));
+    part.failure = life_to(10e-3, factor);
+    part.sizes.resize(1);
+    for (int k = 0; k <= 60; ++k) {
+      part.times.push_back(part.failure * k / 60);
+      part.sizes[0].push_back(size_after(part.times.back(), factor));
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+// Kind: reference (IR-1), (IR-2), (IR-4).  Source: closed form of Paris' law and of the
+// log-logistic curve with a50 2 mm and a90 4 mm; inspections at 40, 60 and 80 thousand cycles and
+// every 25 thousand.  Tolerance: 1e-6, the sizes between 4000 points.
+TEST(InspectedRisk, ReferenceOneCrackOfParis) {
+  const DrawnPart part = part_of();
+  test::expect_relative(part.failure, 100143.6698064, 1e-9);
+  const std::vector<DrawnPart> parts = {part};
+  constexpr std::array times = {40e3, 60e3, 80e3};
+  constexpr std::array sizes = {1.89265034e-3, 2.86957313e-3, 4.85662098e-3};
+  constexpr std::array found = {0.456390661, 0.758485464, 0.943339235};
+  for (std::size_t i = 0; i < 3; ++i) {
+    test::expect_relative(part.size_at(0, times[i]), sizes[i], 1e-7);
+    test::expect_relative(part.found_at(times[i], kCurve, {kSees.data(), 1}), found[i], 1e-6);
+  }
+  const double end = 1.1 * part.failure;
+  EXPECT_EQ(failure_risk(parts, end).probability, 1);
+  test::expect_relative(inspected_risk(parts, end, times, kCurve, {kSees.data(), 1}).probability,
+                        7.43896669e-3, 1e-5);
+  const std::vector<double> every = equal_inspections(25e3, 25e3, end);
+  EXPECT_EQ(every.size(), 4U);
+  test::expect_relative(inspected_risk(parts, end, every, kCurve, {kSees.data(), 1}).probability,
+                        1.52910616e-4, 1e-5);
+}
+
+// Kind: limit (IR-4).  Perfect and blind inspections, none, and those after the failure.
+TEST(InspectedRisk, LimitPerfectBlindNever) {
+  const std::vector<DrawnPart> parts = drawn(300);
+  const double end = 90e3;
+  const double without = failure_risk(parts, end).probability;
+  EXPECT_GT(without, 0.1);
+  const std::vector<double> early = {1e3};
+  const auto risk = [&](double a50, std::span<const double> times) {
+    const DetectionCurve curve(DetectionForm::log_normal, a50, 1.01 * a50);
+    return inspected_risk(parts, end, times, curve, {kSees.data(), 1}).probability;
+  };
+  EXPECT_EQ(risk(1e-6, early), 0);
+  EXPECT_EQ(risk(1.0, early), without);
+  EXPECT_EQ(risk(1e-6, {}), without);
+  const std::vector<double> late = {1e9};
+  EXPECT_EQ(risk(1e-6, late), without);
+  // A crack that is not seen is never found.
+  constexpr std::array kBlind = {false};
+  EXPECT_EQ(inspected_risk(parts, end, early, kCurve, {kBlind.data(), 1}).probability, without);
+}
+
+// Kind: reference (IR-3).  Limits of Clopper and Pearson for 0, 5 and all of 100 (tables).
+// Tolerance: the digits of the tables.
+TEST(InspectedRisk, ReferenceLimits) {
+  std::vector<DrawnPart> parts(100, {.failure = 10, .times = {0}, .sizes = {{1e-3}}});
+  EXPECT_EQ(failure_risk(parts, 5).probability, 0);
+  EXPECT_EQ(failure_risk(parts, 5).low, 0);
+  EXPECT_NEAR(failure_risk(parts, 5).high, 0.03622, 1e-5);
+  for (int i = 0; i < 5; ++i) parts[static_cast<std::size_t>(i)].failure = 3;
+  EXPECT_NEAR(failure_risk(parts, 5).low, 0.01643, 1e-5);
+  EXPECT_NEAR(failure_risk(parts, 5).high, 0.11284, 1e-5);
+  EXPECT_EQ(failure_risk(parts, 10).high, 1);
+  EXPECT_NEAR(failure_risk(parts, 10).low, 1 - 0.03622, 1e-5);
+}
+
+// Kind: cross-check (IR-3).  Lives with ln C of deviation 0.25: the probability of a life below 60
+// thousand cycles by the normal distribution is 0.020228849.  Tolerance: the limits contain it.
+TEST(InspectedRisk, CrosscheckLogNormalLives) {
+  const std::vector<DrawnPart> parts = drawn(20000);
+  const RiskEstimate risk = failure_risk(parts, 60e3);
+  EXPECT_LT(risk.low, 0.020228849);
+  EXPECT_GT(risk.high, 0.020228849);
+  EXPECT_NEAR(risk.probability, 0.0202, 0.003);
+}
+
+// Kind: behaviour (IR-4).  The limits contain the risk of many more draws, without and with
+// inspections.
+TEST(InspectedRisk, BehaviourLimitsContainTheRisk) {
+  const std::vector<DrawnPart> many = drawn(20000);
+  const std::vector<DrawnPart> few(many.begin(), many.begin() + 400);
+  const std::vector<double> times = {30e3, 50e3};
+  for (const double end : {60e3, 80e3, 100e3}) {
+    const double truth = inspected_risk(many, end, times, kCurve, {kSees.data(), 1}).probability;
+    const RiskEstimate risk = inspected_risk(few, end, times, kCurve, {kSees.data(), 1});
+    EXPECT_LT(risk.low, truth);
+    EXPECT_GT(risk.high, truth);
+    EXPECT_LT(risk.high, failure_risk(few, end).high);
+  }
+  // One failure: its remaining share says nothing of others.  0.0253 is half of the 2.5 % quantile
+  // of chi squared with two degrees of freedom.
+  std::vector<DrawnPart> one(50, {.failure = 1e9, .times = {0}, .sizes = {{3e-3}}});
+  one[7].failure = 10;
+  const std::vector<double> at = {5};
+  const RiskEstimate single = inspected_risk(one, 20, at, kCurve, {kSees.data(), 1});
+  test::expect_relative(single.low, 0.0253178 * (1 - kCurve.at(3e-3)) / 50, 1e-5);
+  EXPECT_GT(single.high, 3.68 / 50);
+  EXPECT_LT(single.high, failure_risk(one, 20).high);
+  const RiskEstimate unharmed = inspected_risk(one, 5, at, kCurve, {kSees.data(), 1});
+  EXPECT_EQ(unharmed.low, 0);
+  EXPECT_EQ(unharmed.high, failure_risk(one, 5).high);
+}
+
+// Kind: identity (IR-2).  Two cracks are missed independently; sizes stay after the last time.
+TEST(InspectedRisk, IdentityTwoCracks) {
+  const DrawnPart part{.failure = 10, .times = {1, 2}, .sizes = {{1e-3, 4e-3}, {2e-3, 2e-3}}};
+  test::expect_relative(part.size_at(0, 1.5), 2e-3, 1e-12);
+  EXPECT_EQ(part.size_at(0, 0.5), 1e-3);
+  EXPECT_EQ(part.size_at(0, 7), 4e-3);
+  test::expect_relative(part.found_at(2, kCurve, kSees), 1 - 0.1 * 0.5, 1e-12);
+  constexpr std::array kSecond = {false, true};
+  test::expect_relative(part.found_at(2, kCurve, kSecond), 0.5, 1e-12);
+}
+
+// Kind: identity (IR-1).  Both forms at a50 and a90, rising, and 0 without a crack.
+TEST(InspectedRisk, IdentityDetectionCurves) {
+  for (const DetectionForm form : {DetectionForm::log_logistic, DetectionForm::log_normal}) {
+    const DetectionCurve curve(form, 1e-3, 2.5e-3);
+    test::expect_relative(curve.at(1e-3), 0.5, 1e-13);
+    test::expect_relative(curve.at(2.5e-3), 0.9, 1e-12);
+    test::expect_relative(curve.at(0.4e-3), 0.1, 1e-12);
+    EXPECT_EQ(curve.at(0), 0);
+    EXPECT_LT(curve.at(1.5e-3), curve.at(1.6e-3));
+  }
+  EXPECT_NE(DetectionCurve(DetectionForm::log_logistic, 1e-3, 2.5e-3).at(5e-3),
+            DetectionCurve(DetectionForm::log_normal, 1e-3, 2.5e-3).at(5e-3));
+}
+
+// Kind: behaviour (IR-5), (IR-6).  Plans are the fewest that reach the risk; free times need no
+// more than equal ones and no risk above theirs; what cannot be reached is said.
+TEST(InspectedRisk, BehaviourPlans) {
+  const std::vector<DrawnPart> parts = drawn(400);
+  const std::span<const bool> sees(kSees.data(), 1);
+  const double end = 95e3;
+  for (const double wanted : {0.1, 0.01, 1e-3}) {
+    const InspectionPlan equal = equal_plan(parts, end, wanted, 20, kCurve, sees);
+    const InspectionPlan least = least_plan(parts, end, wanted, 20, kCurve, sees);
+    ASSERT_TRUE(equal.reached);
+    ASSERT_TRUE(least.reached);
+    EXPECT_LE(equal.risk.probability, wanted);
+    EXPECT_LE(least.risk.probability, wanted);
+    EXPECT_LE(least.times.size(), equal.times.size());
+    EXPECT_TRUE(std::ranges::is_sorted(least.times));
+    ASSERT_FALSE(equal.times.empty());
+    const double interval = end / static_cast<double>(equal.times.size());
+    EXPECT_GT(
+        inspected_risk(parts, end, equal_inspections(interval, interval, 0.999 * end), kCurve, sees)
+            .probability,
+        wanted);
+    if (least.times.size() == equal.times.size()) {
+      EXPECT_LE(least.risk.probability, equal.risk.probability);
+    }
+  }
+  const InspectionPlan none = equal_plan(parts, end, 0.99, 20, kCurve, sees);
+  EXPECT_TRUE(none.reached && none.times.empty());
+  const InspectionPlan few = least_plan(parts, end, 1e-9, 2, kCurve, sees);
+  EXPECT_FALSE(few.reached);
+  EXPECT_EQ(few.times.size(), 2U);
+  // One known part: the last moment before its failure is the best one.
+  const std::vector<DrawnPart> one = {part_of()};
+  const InspectionPlan last = least_plan(one, 110e3, 0.5, 1, kCurve, sees);
+  EXPECT_GT(last.times.at(0), 0.98 * one[0].failure);
+  EXPECT_LT(last.times.at(0), one[0].failure);
+}
+
+// Kind: input.  Every rule of the curve is broken once.
+TEST(InspectedRisk, InputCurves) {
+  const auto message = [](double a50, double a90) {
+    return test::broken_rule(
+        [&] { return DetectionCurve(DetectionForm::log_logistic, a50, a90).at(1.0); });
+  };
+  EXPECT_NE(message(2e-3, 1e-3).find("a90"), std::string::npos);
+  EXPECT_NE(message(2e-3, 2e-3).find("a larger crack is found more often"), std::string::npos);
+  EXPECT_NE(message(0, 1e-3).find("a50"), std::string::npos);
+  EXPECT_NE(message(std::nan(""), 1e-3).find("a50"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stress of the plies and their first failure.
+#include "strainwave/laminate/ply_failure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+const Lamina<> kPlyCarbon{.E1 = 181e9, .E2 = 10.3e9, .G12 = 7.17e9, .nu12 = 0.28};
+const LaminaStrength kStrength{.fibre_tension = 1500e6,
+                               .fibre_compression = 1500e6,
+                               .transverse_tension = 40e6,
+                               .transverse_compression = 246e6,
+                               .shear = 68e6};
+
+// Kind: identity (LA-12).  The criterion is 1 at each strength; with equal strengths it is that of
+// von Mises.  Tolerance: rounding.
+TEST(PlyFailure, IdentityCriterionAtTheStrengths) {
+  const double all[][3] = {{1500e6, 0, 0}, {-1500e6, 0, 0}, {0, 40e6, 0},
+                           {0, -246e6, 0}, {0, 0, 68e6},    {0, 0, -68e6}};
+  for (const auto& s : all)
+    test::expect_relative(tsai_wu({.along = s[0], .across = s[1], .shear = s[2]}, kStrength), 1,
+                          1e-13);
+  const double y = 900e6;
+  const LaminaStrength metal{y, y, y, y, y / std::sqrt(3.0)};
+  const LaminaStress stress{.along = 300e6, .across = -200e6, .shear = 150e6};
+  const double mises = std::sqrt(300e6 * 300e6 + 200e6 * 200e6 + 300e6 * 200e6 + 3 * 150e6 * 150e6);
+  test::expect_relative(tsai_wu(stress, metal), mises * mises / (y * y), 1e-13);
+}
+
+// Kind: reference (LA-12).  Source: hand calculation of the criterion for T300/5208 at (400, -100,
+// 30) MPa: 0.071111 + 1.016260 + 0.194637 + 0.268826 - 2.093496 = -0.542662, which is not a
+// failure. Tolerance: six digits of the hand calculation.
+TEST(PlyFailure, ReferenceCriterionOfACombinedStress) {
+  EXPECT_NEAR(tsai_wu({.along = 400e6, .across = -100e6, .shear = 30e6}, kStrength), -0.542662,
+              2e-6);
+}
+
+// Kind: identity (LA-13), (LA-14).  At the factor the criterion is met, and below it is not; a
+// fixed stress beyond the limit gives 0; no load gives none.  Tolerance: rounding.
+TEST(PlyFailure, IdentityFactorsMeetTheirLimits) {
+  const LaminaStress fixed{.along = 100e6, .across = 12e6, .shear = -8e6};
+  for (const LaminaStress& load : {LaminaStress{200e6, 5e6, 3e6}, LaminaStress{-200e6, -5e6, 3e6},
+                                   LaminaStress{0, -7e6, 0}, LaminaStress{0, 0, 4e6}}) {
+    const double f = tsai_wu_factor(fixed, load, kStrength).value();
+    const auto at = [&](double factor) {
+      return LaminaStress{fixed.along + factor * load.along, fixed.across + factor * load.across,
+                          fixed.shear + factor * load.shear};
+    };
+    EXPECT_GT(f, 0);
+    test::expect_relative(tsai_wu(at(f), kStrength), 1, 1e-10);
+    EXPECT_LT(tsai_wu(at(0.99 * f), kStrength), 1);
+    const double g = strain_factor(fixed, load, kPlyCarbon, kStrength).value();
+    const LaminaStress s = at(g);
+    const double along = (s.along - 0.28 * s.across) / 1500e6;
+    const double across = s.across - 0.28 * 10.3 / 181 * s.along;
+    const double used =
+        std::max({std::abs(along), across / 40e6, -across / 246e6, std::abs(s.shear) / 68e6});
+    test::expect_relative(used, 1, 1e-12);
+  }
+  EXPECT_EQ(tsai_wu_factor({.along = 0, .across = 50e6, .shear = 0}, fixed, kStrength), 0.0);
+  EXPECT_EQ(strain_factor({.along = 0, .across = 50e6, .shear = 0}, fixed, kPlyCarbon, kStrength),
+            0.0);
+  EXPECT_EQ(strain_factor({.along = 0, .across = 0, .shear = -69e6}, fixed, kPlyCarbon, kStrength),
+            0.0);
+  EXPECT_FALSE(tsai_wu_factor(fixed, {}, kStrength));
+  EXPECT_FALSE(strain_factor(fixed, {}, kPlyCarbon, kStrength));
+}
+
+// Kind: identity (LA-11).  The stresses of all plies, turned to the axes of the wall, add up to the
+// forces; their first moment about the neutral surface is the bending stiffness times the
+// curvature. Tolerance: rounding.
+TEST(PlyFailure, IdentityStressesBalanceTheLoads) {
+  const std::vector<LaminatePly<>> plies = {
+      {kPlyCarbon, 0.5, 1}, {kPlyCarbon, -0.9, 2}, {kPlyCarbon, 0.1, 1}};
+  const TubeLoads loads{.radius = 0.04, .torque = 137, .axial_force = -900, .curvature = 0.3};
+  const double h = 1.2e-3;
+  const std::vector<PlyFace> faces = ply_stresses(plies, h, loads);
+  ASSERT_EQ(faces.size(), 6U);
+  double Nx = 0, Ny = 0, Nxy = 0, hoop = 0, moment = 0;
+  double z = -h / 2;
+  for (std::size_t i = 0; i < plies.size(); ++i) {
+    const double t = plies[i].thickness / 4 * h;
+    const double c = std::cos(plies[i].angle);
+    const double s = std::sin(plies[i].angle);
+    const auto turned_y = [&](const LaminaStress& of) {
+      return s * s * of.along + c * c * of.across + 2 * c * s * of.shear;
+    };
+    const LaminaStress& load = faces[2 * i].load;
+    Nx += t * (c * c * load.along + s * s * load.across - 2 * c * s * load.shear);
+    Ny += t * turned_y(load);
+    Nxy += t * (c * s * (load.along - load.across) + (c * c - s * s) * load.shear);
+    const double y0 = turned_y(faces[2 * i].assembly);
+    const double y1 = turned_y(faces[2 * i + 1].assembly);
+    hoop += t * (y0 + y1) / 2;
+    moment += t * ((y0 + y1) / 2 * (z + t / 2) + (y1 - y0) * t / 12);
+    z += t;
+    EXPECT_FALSE(faces[2 * i].outer);
+    EXPECT_TRUE(faces[2 * i + 1].outer);
+    EXPECT_EQ(faces[2 * i + 1].ply, i);
+  }
+  test::expect_relative(Nx, -900 / (2 * pi * 0.04), 1e-12);
+  EXPECT_NEAR(Ny, 0, 1e-10 * std::abs(Nx));
+  test::expect_relative(Nxy, -137 / (2 * pi * 0.04 * 0.04), 1e-12);
+  EXPECT_NEAR(hoop, 0, 1e-9 * moment / h);
+  test::expect_relative(moment, hoop_bending_stiffness(laminate_stiffness<double>(plies, h)) * 0.3,
+                        1e-11);
+}
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lives of drives whose numbers scatter, and inspections.
+#include "strainwave/study/inspection_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/drive_growth/life_trace.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/inspection.hpp"
+#include "support/expect.hpp"
+#include "support/program.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kHour = 3600;
+
+GearSet scattering_shaft() {
+  GearSet gear = read_gear_set_file(std::string(STRAINWAVE_EXAMPLES) + "/inspected_shaft.toml");
+  return gear;
+}
+
+/// Only the coefficient of growth scatters.
+GearSet only_coefficient() {
+  GearSet gear = scattering_shaft();
+  gear.scatter.resize(1);
+  return gear;
+}
+
+InspectionOptions options_of(int draws, std::optional<double> until = std::nullopt) {
+  InspectionOptions options;
+  options.growth.tolerance = 1e-6;
+  options.draws = draws;
+  options.until = until;
+  return options;
+}
+
+bool has(const InspectionReport& report, const std::string& code) {
+  return std::ranges::any_of(report.notes, [&](const Note& note) { return note.code == code; });
+}
+
+// Kind: reference (IR-3), (IR-7).  Only C scatters, so a life is that of the file over C: lives are
+// log-normal with the drawn numbers, and their order is known.  Tolerance: 1e-4 of the tolerance
+// and the bisection of the assessment.
+TEST(InspectionReport, ReferenceLogNormalLives) {
+  const GearSet gear = only_coefficient();
+  const InspectionReport report = inspection_report(gear, options_of(200));
+  const double sigma = std::sqrt(std::log1p(0.25 * 0.25));
+  std::vector<double> lives;
+  for (std::size_t i = 0; i < 200; ++i)
+    lives.push_back(*report.nominal_life * std::exp(-sigma * counter_normal(1, i, 0)));
+  std::ranges::sort(lives);
+  ASSERT_EQ(report.percentiles.size(), 4U);
+  test::expect_relative(*report.percentiles[1].life, lives[19], 1e-4);
+  test::expect_relative(*report.percentiles[2].life, lives[99], 1e-4);
+  EXPECT_LT(*report.percentiles[2].lower, *report.nominal_life);
+  EXPECT_GT(*report.percentiles[2].upper, *report.nominal_life);
+  const auto failed =
+      std::ranges::count_if(lives, [&](double life) { return life <= *report.nominal_life; });
+  EXPECT_NEAR(report.at_end.without, static_cast<double>(failed) / 200, 1e-12);
+  ASSERT_EQ(report.shares.size(), 1U);
+  EXPECT_NEAR(report.shares[0].share, 1, 1e-3);
+}
+
+// Kind: identity.  The answer does not depend on the number of threads, and depends on the seed.
+TEST(InspectionReport, IdentityThreads) {
+  const GearSet gear = scattering_shaft();
+  InspectionOptions options = options_of(40, 300 * kHour);
+  options.threads = 1;
+  const InspectionReport one = inspection_report(gear, options);
+  options.threads = 3;
+  const InspectionReport three = inspection_report(gear, options);
+  for (std::size_t i = 0; i < one.percentiles.size(); ++i)
+    EXPECT_EQ(one.percentiles[i].life, three.percentiles[i].life);
+  options.seed = 2;
+  EXPECT_NE(inspection_report(gear, options).percentiles[2].life, one.percentiles[2].life);
+}
+
+// Kind: identity (IR-4).  Inspections conserve: what is found, what is in service and what has
+// failed make the whole; remaining risks fall, and the last one is that of all inspections.
+TEST(InspectionReport, IdentityInspectionsConserve) {
+  const GearSet gear = scattering_shaft();
+  InspectionOptions options = options_of(100, 400 * kHour);
+  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3, .false_calls = 0.05};
+  options.times.every = 100 * kHour;
+  options.times.first = 150 * kHour;
+  const InspectionReport report = inspection_report(gear, options);
+  ASSERT_EQ(report.inspections.size(), 3U);
+  test::expect_relative(report.inspections[0].time, 150 * kHour, 1e-12);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_LT(report.inspections[i].remaining, report.inspections[i - 1].remaining);
+    EXPECT_LE(report.inspections[i].in_service,
+              report.inspections[i - 1].in_service - report.inspections[i - 1].found + 1e-12);
+  }
+  test::expect_relative(report.inspections[2].remaining, *report.at_end.inspected, 1e-12);
+  const double missed = report.inspections[0].in_service - report.inspections[0].found;
+  test::expect_relative(report.inspections[0].false_call, 0.05 * missed, 1e-12);
+  EXPECT_TRUE(report.half_interval && *report.half_interval > 0);
+  for (const RiskPoint& point : report.risk) EXPECT_LE(*point.inspected, point.without);
+}
+
+// Kind: reference.  The trace is the path of grow_cracks, without its evidence.  Tolerance: 1e-6.
+TEST(InspectionReport, ReferenceTraceOfTheFile) {
+  const GearSet gear = scattering_shaft();
+  const LifeTrace trace = life_trace(gear);
+  const GrowthReport full = grow_cracks(gear);
+  test::expect_relative(*trace.life, *full.life, 1e-6);
+  EXPECT_EQ(trace.governing, full.governing);
+  EXPECT_EQ(trace.end, full.end);
+  ASSERT_EQ(trace.sizes.size(), 1U);
+  EXPECT_EQ(trace.cracks.front(), "output_shaft.crack[0]");
+  EXPECT_TRUE(std::ranges::is_sorted(trace.times));
+  EXPECT_TRUE(std::ranges::is_sorted(trace.sizes[0]));
+  test::expect_relative(trace.sizes[0].back(), full.cracks[0].series.back().size, 1e-6);
+}
+
+// Kind: behaviour.  Half of the cracks are below their threshold: they have an endless life.
+TEST(InspectionReport, BehaviourArrestIsAnOutcome) {
+  GearSet gear = scattering_shaft();
+  gear.scatter.erase(gear.scatter.begin());  // of the coefficient
+  gear.material.at("steel").growth_bounds.emplace().threshold = 6.8e6;
+  gear.scatter.resize(1);
+  const InspectionReport report = inspection_report(gear, options_of(60, 500 * kHour));
+  EXPECT_GT(report.outcomes.arrested, 15);
+  EXPECT_LT(report.outcomes.arrested, 45);
+  EXPECT_EQ(report.outcomes.arrested + report.outcomes.failed + report.outcomes.later, 60);
+  EXPECT_TRUE(has(report, "inspection.arrested"));
+  EXPECT_FALSE(report.percentiles[3].life);
+}
+
+// Kind: behaviour.  Notes: no failure among the draws; a plan that is not proven; draws that break
+// a rule.
+TEST(InspectionReport, BehaviourNotes) {
+  const GearSet gear = scattering_shaft();
+  EXPECT_TRUE(has(inspection_report(gear, options_of(30, 1 * kHour)), "inspection.draws"));
+  InspectionOptions options = options_of(30, 450 * kHour);
+  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3};
+  options.times.risk = 1e-4;
+  const InspectionReport planned = inspection_report(gear, options);
+  ASSERT_EQ(planned.plans.size(), 2U);
+  EXPECT_TRUE(has(planned, "inspection.draws"));
+  EXPECT_FALSE(planned.inspections.empty());
+  GearSet wild = scattering_shaft();
+  wild.scatter.resize(2);
+  wild.scatter[1].relative_standard_deviation = 1.0;
+  wild.scatter[1].distribution = ScatterDistribution::normal;
+  const InspectionReport refused = inspection_report(wild, options_of(60, 400 * kHour));
+  EXPECT_GT(refused.outcomes.refused, 0);
+  EXPECT_TRUE(has(refused, "inspection.refused"));
+  // A hollow shaft of a steel that does not break: the crack leaves the range of its solution.
+  GearSet tough = only_coefficient();
+  tough.output_shaft->inner_diameter = 0.04;
+  std::get<AnnularCrack>(tough.output_shaft->crack[0]).solution = AnnularSolution::improved;
+  Material& steel = tough.material.at("steel");
+  steel.fracture_toughness = 1e11;
+  steel.yield_strength = 1e12;
+  steel.ultimate_strength = 2e12;
+  const InspectionReport ranged = inspection_report(tough, options_of(30, 1e6 * kHour));
+  EXPECT_EQ(ranged.outcomes.out_of_range, 30);
+  EXPECT_EQ(ranged.outcomes.failed, 30);
+  EXPECT_TRUE(has(ranged, "inspection.range"));
+}
+
+// Kind: input.  What is missing or contradicts.
+TEST(InspectionReport, InputIsRefused) {
+  const auto message = [](const GearSet& gear, const InspectionOptions& options) {
+    return test::broken_rule([&] { return inspection_report(gear, options); });
+  };
+  const GearSet gear = scattering_shaft();
+  InspectionOptions options = options_of(40);
+  options.times.every = kHour;
+  EXPECT_NE(message(gear, options).find("a50: must be given"), std::string::npos);
+  options.method = InspectionMethod{.a50 = 2e-3, .a90 = 1e-3};
+  EXPECT_NE(message(gear, options).find("a90"), std::string::npos);
+  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3, .see = {"output_shaft.crack[7]"}};
+  EXPECT_NE(message(gear, options).find("is not a growing crack"), std::string::npos);
+  options.method->see.clear();
+  options.times.at = {kHour};
+  EXPECT_NE(message(gear, options).find("every: is given beside at"), std::string::npos);
+  options.times.every.reset();
+  options.times.first = kHour;
+  EXPECT_NE(message(gear, options).find("first: is read with the interval only"),
+            std::string::npos);
+  options.times.first.reset();
+  options.times.risk = 1.0;
+  EXPECT_NE(message(gear, options).find("risk = 1"), std::string::npos);
+  EXPECT_NE(message(gear, options_of(5)).find("draws"), std::string::npos);
+  EXPECT_NE(message(gear, options_of(40, -1.0)).find("until"), std::string::npos);
+  GearSet sure = gear;
+  sure.scatter.clear();
+  EXPECT_NE(message(sure, options_of(40)).find("scatter"), std::string::npos);
+  GearSet idle = gear;
+  idle.duty.reset();
+  EXPECT_NE(message(idle, options_of(40)).find("duty: must be given"), std::string::npos);
+}
+
+// Kind: behaviour.  The documents contain the curve and all tables.
+TEST(InspectionReport, BehaviourDocuments) {
+  const GearSet gear = scattering_shaft();
+  InspectionOptions options = options_of(60, 450 * kHour);
+  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3};
+  options.times.risk = 0.05;
+  const InspectionReport report = inspection_report(gear, options);
+  const std::string text = inspection_text(report, gear);
+  for (const char* const title : {"Outcomes of 60 drawn drives", "Percentiles of the life",
+                                  "Inspections (IR-2)", "Fewest inspections"})
+    EXPECT_NE(text.find(title), std::string::npos) << title;
+  EXPECT_EQ(std::ranges::count(inspection_csv(report), '\n'), 62);
+  EXPECT_NE(inspection_plot(report, gear).find("<svg"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
