@@ -149,10 +149,14 @@ class SeriesModel {
                                  .length = lift_(*fs.length)},
                  elastic_constants(lift_, part(fs.material)).G);  // (ST-4)
     }
-    Real sum = twist(*fs.barrel);
-    if (fs.rim) sum += twist(*fs.rim);
-    if (fs.boss) sum += twist(*fs.boss);
-    if (fs.diaphragm) sum += twist(*fs.diaphragm);
+    const Material& base = part(fs.material);
+    const auto twist_of = [&](const auto& section) {
+      return twist(section, section.material ? part(*section.material) : base);
+    };
+    Real sum = twist_of(*fs.barrel);
+    if (fs.rim) sum += twist_of(*fs.rim);
+    if (fs.boss) sum += twist_of(*fs.boss);
+    if (fs.diaphragm) sum += twist_of(*fs.diaphragm);
     return sum + lift_(fs.joint_compliance) + lift_(fs.flange_compliance);
   }
 
@@ -177,28 +181,27 @@ class SeriesModel {
   }
 
   /// Torsional compliance of a tube of the flexspline.
-  [[nodiscard]] Real twist(const TubeSection& section) const {
-    const std::string& name = material_name(*gear_.flexspline, section);
-    if (const auto torsion = laminate_torsion(lift_, gear_, name, section))
+  [[nodiscard]] Real twist(const TubeSection& section, const Material& of) const {
+    if (const auto torsion = laminate_torsion(lift_, gear_, of, section))
       return lift_(section.length) / torsion->stiffness;  // (LA-5)
-    return torsional_compliance(tube(section), elastic_constants(lift_, part(name)).G);
+    return torsional_compliance(tube(section), elastic_constants(lift_, of).G);
   }
 
   /// Torsional compliance of the bottom of the flexspline.
-  [[nodiscard]] Real twist(const Diaphragm& diaphragm) const {
-    const std::string& name = material_name(*gear_.flexspline, diaphragm);
+  [[nodiscard]] Real twist(const Diaphragm& diaphragm, const Material& of) const {
     const Real thickness = lift_(diaphragm.thickness);
-    if (const auto wall = wall_laminate(lift_, gear_, name, thickness)) {
-      // The fibres do not follow the hoop direction, so the shear must be as stiff in every one.
-      if (!isotropic_in_plane(*wall_laminate(Lift<double>(), gear_, name, diaphragm.thickness)))
-        throw InputError("flexspline.diaphragm.material",
-                         fmt::format("\"{}\" is not as stiff in every direction of its plane; a "
-                                     "bottom of a laminate needs quasi-isotropic plies, such as "
-                                     "0, 45, -45 and 90 deg",
-                                     shown(name)));
-      return torsional_compliance(lift_, diaphragm, Real(wall->A.m66 / thickness));  // (LA-10)
-    }
-    return torsional_compliance(lift_, diaphragm, elastic_constants(lift_, part(name)).G);
+    const auto wall = wall_laminate(lift_, gear_, of, thickness);
+    if (!wall) return torsional_compliance(lift_, diaphragm, elastic_constants(lift_, of).G);
+    // The fibres do not follow the hoop direction, so the shear must be as stiff in every one.
+    if (!isotropic_in_plane(*wall_laminate(Lift<double>(), gear_, of, diaphragm.thickness),
+                            kNearlyIsotropic))
+      throw InputError(
+          "flexspline.diaphragm.material",
+          fmt::format("\"{}\" is not as stiff in every direction of its plane; a bottom of a "
+                      "laminate needs quasi-isotropic plies, such as 0, 45, -45 and 90 deg",
+                      shown(material_name(*gear_.flexspline, diaphragm))));
+    return torsional_compliance(lift_, diaphragm,
+                                Real(mean_shear_stiffness(*wall) / thickness));  // (LA-10)
   }
 
   [[nodiscard]] BasicTube<Real> tube(const TubeSection& section) const {

@@ -83,7 +83,7 @@ class Walls {
 
   void add(const std::string& path, const Diaphragm& section) {
     LaminateWall wall = basics(path, section, section.thickness);
-    if (!isotropic_in_plane(stiffness_))
+    if (!isotropic_in_plane(stiffness_, kNearlyIsotropic))
       report_.notes.push_back(
           {.code = "laminate.bottom",
            .text =

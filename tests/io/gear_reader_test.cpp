@@ -485,9 +485,11 @@ TEST(GearReader, BehaviourATableOfTheFileWinsOverTheLibrary) {
   EXPECT_EQ(gear.material.at("17-4PH H900").origin, "");
   // Table and library are not mixed: missing fields of the table are not filled in.
   const std::string_view E = "youngs_modulus = \"210 GPa\"\n";
-  EXPECT_EQ(refusal(text.replace(text.find(E), E.size(), "")),
-            "gear.toml:4:1: material.17-4PH H900.youngs_modulus: must be given (Young's modulus E "
-            "[Pa])");
+  EXPECT_EQ(
+      refusal(text.replace(text.find(E), E.size(), "")),
+      "gear.toml:4:1: material.17-4PH H900.youngs_modulus: must be given (Young's modulus E; of a "
+      "layer, E1 along the fibres "
+      "[Pa])");
 }
 
 TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {

@@ -122,7 +122,9 @@ struct Unwrap<std::optional<T>> {
 
 template <class T>
 constexpr bool is_required(const Field& field) {
-  return !is_optional<T> && !is_vector<T> && !is_string_map<T> && field.fallback.empty();
+  const bool conditional = !field.unless.front().empty();
+  return (!is_optional<T> || conditional) && !is_vector<T> && !is_string_map<T> &&
+         field.fallback.empty();
 }
 
 std::string unquoted(std::string_view text) {
@@ -280,6 +282,8 @@ TEST(InputTemplate, BehaviourStatesTheFallbackAsDefault) {
 TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
   // Other fields that a field needs or contradicts, by the heading above it.
   const std::map<std::string, std::string> refused = {
+      {"[material.steel] transverse_modulus", "must be given beside transverse_modulus (G12)"},
+      {"[material.steel] stacking", "is read only beside ply"},
       {"[[wave_generator.crack]] stress", "is read only with stress_driver = \"given\""},
       {"[[flexspline.crack]] compliance_table", "is not a file beside the input"},
       {"[[flexspline.crack]] turn_table", "is not a file beside the input"},
@@ -450,6 +454,23 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     }
     lines.insert(lines.erase(at, at + 3), points.begin(), points.end());
   };
+  // The strengths of a layer, and the plies of a laminate, are those of other materials.
+  const std::function<void(Lines&)> of_a_layer = [](Lines& lines) {
+    const auto at = std::ranges::find_if(lines, [](const std::string& line) {
+      return line.starts_with("[material.steel.ply_strength]");
+    });
+    ASSERT_NE(at, lines.end());
+    *at = "[material.layer.ply_strength]";
+    const Lines layer = {"[material.layer]", "youngs_modulus = \"181 GPa\"",
+                         "transverse_modulus = \"10.3 GPa\"", "shear_modulus = \"7.17 GPa\"",
+                         "poissons_ratio = 0.28"};
+    lines.insert(at, layer.begin(), layer.end());
+  };
+  const std::function<void(Lines&)> of_a_laminate = [](Lines& lines) {
+    std::ranges::replace_if(
+        lines, [](const std::string& line) { return line.starts_with("[[material.steel.ply]]"); },
+        "[[material.tube.ply]]");
+  };
   // Two quantiles, and no deviation.
   const std::function<void(Lines&)> with_quantiles = [&](Lines& lines) {
     switch_on(lines, "[[scatter]]");
@@ -502,6 +523,9 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[flexspline.barrel]", "is read only where crack_free = \"sections\"", all_sections},
       {"[flexspline.diaphragm]", "is read only where crack_free = \"sections\"", all_sections},
       {"[wave_generator.cam]", "wave_generator.cam.arc_angle: must be left out", as_ellipse},
+      {"[material.steel.ply_strength]", "is read only beside transverse_modulus", of_a_layer},
+      {"[[material.steel.ply]]", "is not read beside ply, because the plies give it",
+       of_a_laminate},
       {"[[wave_generator.cam.point]]", "wave_generator.cam.profile: must be given", with_points},
       {"[[flexspline.diaphragm.profile]]", "flexspline.diaphragm.outer_diameter: must be given",
        all_sections},
@@ -751,7 +775,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 65);
+  EXPECT_EQ(n, 67);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -784,7 +808,7 @@ TEST(InputSchema, BehaviourRequiredIsWhatTheReaderDemands) {
         const Json& table = dot == std::string::npos ? s : schema_at(s, path.substr(0, dot));
         const Json names = table.value("required", Json::array());
         EXPECT_EQ(std::ranges::find(names, field.name) != names.end(),
-                  is_required<Value>(field) && field.unless.empty())
+                  is_required<Value>(field) && field.unless.front().empty())
             << path;
         // The schema gives a default exactly for fields with a fallback.
         EXPECT_EQ(schema_at(s, path).contains("default"), !field.fallback.empty()) << path;
@@ -916,7 +940,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 65);
+  EXPECT_EQ(tables, 67);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {
@@ -946,9 +970,11 @@ TEST(InputFormat, BehaviourAMaterialNeedsYoungsModulusOrARecord) {
   const auto& material = schema["properties"]["material"]["additionalProperties"];
   EXPECT_EQ(
       material["anyOf"],
-      nlohmann::json::parse(R"([{"required":["youngs_modulus"]},{"required":["based_on"]}])"));
+      nlohmann::json::parse(
+          R"([{"required":["youngs_modulus"]},{"required":["based_on"]},{"required":["ply"]}])"));
   EXPECT_FALSE(material.contains("required"));
-  EXPECT_NE(input_reference().find("required unless `based_on` is given"), std::string::npos);
+  EXPECT_NE(input_reference().find("required unless `based_on` or `ply` is given"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1773,6 +1773,7 @@ TEST(CheckRange, ReferenceRanges) {
                                              "wave_generator.bearing.clearance",
                                              "wave_generator.cam_flattening",
                                              "flexspline.flange_compliance",
+                                             "flexspline.joint_compliance",
                                              "mesh.gap_factor",
                                              "mesh.coning",
                                              "rating.friction_torque",
@@ -1801,6 +1802,7 @@ TEST(CheckRange, ReferenceRanges) {
                                              "duty.resonance.frequency_ratio"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},
+      {"material.steel.ply[0].angle", ">= -90 deg and <= 90 deg"},
       {"material.steel.fatigue.slope", ">= 1"},
       {"material.steel.fatigue.size_factor", "> 0 and <= 1"},
       {"material.steel.growth[2].gamma", ">= 0 and <= 1"},

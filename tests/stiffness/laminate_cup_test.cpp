@@ -190,9 +190,10 @@ TEST(LaminateCup, CrosscheckCracksByTheEnergyTensor) {
 TEST(LaminateCup, ReferenceCrackOfAnAnglePlyTube) {
   GearSet gear = tube_gear({45, -45, -45, 45});
   add_crack(gear, 5 * mm, 45 * deg);
-  const double g =
-      tip_energy(sheet_compliance(*wall_laminate(Lift<double>(), gear, "tube", kThickness)), 0.3)
-          .opening;
+  const double g = tip_energy(sheet_compliance(*wall_laminate(
+                                  Lift<double>(), gear, gear.material.at("tube"), kThickness)),
+                              0.3)
+                       .opening;
   const double added = flexspline_compliance(gear).cracks.at(0).positive.at_output.value;
   test::expect_relative(added, 25e-6 * g / (2 * pi * std::pow(kMeanRadius, 4) * kThickness), 1e-11);
   EXPECT_EQ(drive_cracks(gear).at(0).material, "tube");

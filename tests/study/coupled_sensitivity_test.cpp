@@ -96,6 +96,7 @@ GearSet inside(GearSet gear) {
   gear.wave_generator->cam_flattening = 0.3;
   *gear.flexspline->length += 1e-4;
   gear.flexspline->flange_compliance = 1e-7;
+  gear.flexspline->joint_compliance = 1e-7;
   gear.mesh->lobe_gap = 1.5e-6;
   if (gear.rating) gear.rating->friction_torque = 0.3;
   if (gear.output_shaft) gear.output_shaft->inner_diameter = 3e-3;

@@ -45,9 +45,9 @@ bool has(const InspectionReport& report, const std::string& code) {
   return std::ranges::any_of(report.notes, [&](const Note& note) { return note.code == code; });
 }
 
-// Kind: reference (IR-3), (IR-7).  Only C scatters, so a life is that of the file over C: lives are
-// log-normal with the drawn numbers, and their order is known.  Tolerance: 1e-4 of the tolerance
-// and the bisection of the assessment.
+// Kind: reference (IR-3), (IR-7), (IR-8).  Only C scatters, so a life is that of the file over C:
+// lives are log-normal with the drawn numbers, and their order is known.  Tolerance: 1e-4 of the
+// tolerance and the bisection of the assessment.
 TEST(InspectionReport, ReferenceLogNormalLives) {
   const GearSet gear = only_coefficient();
   const InspectionReport report = inspection_report(gear, options_of(200));

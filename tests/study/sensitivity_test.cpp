@@ -180,6 +180,7 @@ GearSet profiled_cup() {
   fs.diaphragm->profile = {{.radius = 23 * mm, .thickness = 2 * mm},
                            {.radius = 30 * mm, .thickness = 1.2 * mm}};
   fs.flange_compliance = 1e-7;
+  fs.joint_compliance = 1e-7;
   DiaphragmArcCrack arc;
   arc.half_length = 2 * mm;
   arc.radius = 26 * mm;

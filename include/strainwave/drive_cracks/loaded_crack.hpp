@@ -270,10 +270,11 @@ class CrackLoads {
   [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> numbers(
       const WallThroughCrack& crack) const {
     const Wall<Real> wall = wall_of(crack.section);
-    if (const auto laminate = wall_laminate(
-            lift_, gear_, material_name(*gear_.flexspline, crack.section), wall.thickness))
+    const Material& of =
+        material_of(gear_, material_name(*gear_.flexspline, crack.section), "flexspline.material");
+    if (const auto laminate = wall_laminate(lift_, gear_, of, wall.thickness))
       return in_laminate(crack, wall, *laminate);
-    const Elastic steel = wall_steel(crack.section);
+    const Elastic steel = elastic_constants(lift_, of);
     Numbers<sif::BasicThroughCrackInTube<Real>> result{
         .parameters = {.half_length = lift_(crack.half_length),
                        .mean_radius = wall.mean_radius,

@@ -47,12 +47,12 @@ template <class Real>
 }
 
 /// Torsion of a tube whose material is a laminate; empty if the material is isotropic.
+/// @param of  material of the tube
 template <class Real>
 [[nodiscard]] std::optional<TubeTorsion<Real>> laminate_torsion(const Lift<Real>& lift,
                                                                 const GearSet& gear,
-                                                                std::string_view material,
+                                                                const Material& of,
                                                                 const TubeSection& section) {
-  const Material& of = material_of(gear, material, "flexspline.material");
   if (!of.is_laminate()) return std::nullopt;
   const std::vector<LaminatePly<Real>> plies = plies_of(lift, gear, of);
   const Real thickness = lift(section.wall_thickness);
@@ -60,12 +60,13 @@ template <class Real>
 }
 
 /// Stiffness of a wall whose material is a laminate; empty if the material is isotropic.
+/// @param of         material of the wall
+/// @param thickness  of the wall [m]
 template <class Real>
 [[nodiscard]] std::optional<LaminateStiffness<Real>> wall_laminate(const Lift<Real>& lift,
                                                                    const GearSet& gear,
-                                                                   std::string_view material,
+                                                                   const Material& of,
                                                                    const Real& thickness) {
-  const Material& of = material_of(gear, material, "flexspline.material");
   if (!of.is_laminate()) return std::nullopt;
   const std::vector<LaminatePly<Real>> plies = plies_of(lift, gear, of);
   return laminate_stiffness<Real>(plies, thickness);
@@ -75,6 +76,7 @@ template <class Real>
 ///
 /// The stress intensity factors have the signs of the crack's plane (FR-6), in which a positive
 /// K_II shears the faces against the sense of the laminate's axes.
+/// @param angle  of the crack [rad]
 template <class Real>
 [[nodiscard]] BasicCrackModuli<Real> crack_moduli(const LaminateStiffness<Real>& wall,
                                                   const Real& angle) {

@@ -291,6 +291,16 @@ template <class Real>
   return tip_energy(along);
 }
 
+/// Mean over all directions of the shear stiffness A66 [N/m]; theory manual eq. (LA-10).
+template <class Real>
+[[nodiscard]] Real mean_shear_stiffness(const LaminateStiffness<Real>& of) {
+  return (of.A.m11 + of.A.m22 - 2 * of.A.m12 + 4 * of.A.m66) / 8;  // (LA-10)
+}
+
+/// Largest difference of the stiffness in two directions at which a bottom counts as isotropic in
+/// its plane, relative [-].  Angles of plies scatter by a degree or two.
+inline constexpr double kNearlyIsotropic = 0.05;
+
 /// Whether the wall is as stiff in its plane in every direction, to a relative tolerance.
 [[nodiscard]] bool isotropic_in_plane(const LaminateStiffness<double>& of, double tolerance = 1e-9);
 

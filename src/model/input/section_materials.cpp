@@ -176,8 +176,7 @@ namespace {
 bool has_layers(const GearSet& gear) {
   const auto special = [](const auto& named) {
     const Material& material = named.second;
-    return !material.is_isotropic() || material.ply_strength ||
-           material.stacking != Stacking::as_listed;
+    return !material.is_isotropic() || material.ply_strength || material.stacking;
   };
   if (std::ranges::any_of(gear.material, special)) return true;
   if (!gear.flexspline) return false;
@@ -202,8 +201,7 @@ void check_laminates(const GearSet& gear) {
       refuse_if_given(material.ply_strength.has_value(), path / "ply_strength",
                       "is read only beside transverse_modulus");
     if (!material.is_laminate())
-      refuse_if_given(material.stacking != Stacking::as_listed, path / "stacking",
-                      "is read only beside ply");
+      refuse_if_given(material.stacking.has_value(), path / "stacking", "is read only beside ply");
   }
   if (gear.wave_generator)
     check_part(gear, gear.wave_generator->material, FieldPath("wave_generator") / "material",

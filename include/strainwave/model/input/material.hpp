@@ -39,7 +39,7 @@ struct Material {
   std::optional<double> transverse_modulus = {};  ///< E2 of a layer [Pa]; > 0
   std::optional<PlyStrength> ply_strength = {};   ///< of a layer
   std::vector<Ply> ply = {};                      ///< of a laminate
-  Stacking stacking = Stacking::as_listed;        ///< of the plies
+  std::optional<Stacking> stacking = {};          ///< of the plies; absent: as listed
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
@@ -152,9 +152,8 @@ struct Material {
     field(Field{.name = "stacking",
                 .unit = "",
                 .doc = "whether the plies fill the wall as listed, or the list is followed by its "
-                       "mirror image",
+                       "mirror image; as listed if left out",
                 .example = R"("symmetric")",
-                .fallback = R"("as_listed")",
                 .in_template = InTemplate::commented},
           &Material::stacking);
   }
