@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "strainwave/chart/chart.hpp"
@@ -24,7 +25,7 @@ std::string share_text(double share) { return fmt::format("{:.3g}", share); }
 
 TitledTable outcome_table(const InspectionReport& report) {
   Table table{.head = {"what becomes of a drive", "drives"}};
-  const auto row = [&](std::string words, int count) {
+  const auto row = [&](std::string_view words, int count) {
     table.rows.push_back(cells(words, fmt::format("{}", count)));
   };
   row("fails before the end of service", report.outcomes.failed);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "drawn_drive.hpp"
@@ -23,7 +22,6 @@
 namespace strainwave {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kTail = 0.025;
 constexpr int kRiskPoints = 61;
 constexpr std::array kShares = {0.01, 0.1, 0.5, 0.9};

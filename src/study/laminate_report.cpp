@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 
 #include "strainwave/core/error.hpp"
@@ -16,8 +15,6 @@
 
 namespace strainwave {
 namespace {
-
-using std::numbers::pi;
 
 std::array<double, 6> entries(const InPlane<>& m) {
   return {m.m11, m.m12, m.m22, m.m16, m.m26, m.m66};

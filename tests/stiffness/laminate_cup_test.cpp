@@ -158,7 +158,7 @@ TEST(LaminateCup, CrosscheckCracksByTheEnergyTensor) {
       const double a = 2 * mm;
       add_crack(gear, a, crack * deg);
       check(gear);
-      const auto& report = flexspline_compliance(gear).cracks.at(0);
+      const CrackReport report = flexspline_compliance(gear).cracks.at(0);
       ASSERT_EQ(report.opens_under, OpensUnder::positive);
       // Unit torque; x along the tube, y against the hoop direction.
       const double tau = -1 / (2 * pi * kMeanRadius * kMeanRadius * kThickness);
