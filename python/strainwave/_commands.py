@@ -478,18 +478,20 @@ class DriveCommands:
             until: end of service, a time of duty with its unit; the life at the values of the file
                 if left out
             a50: size of a crack that one inspection finds in half of the cases, a number with its
-                unit; no inspections if left out
+                unit: the depth, or the half length of a crack through the wall; no inspections if
+                left out
             a90: size that is found in nine of ten cases, a number with its unit
-            detection: form of the probability of detection over the size
-            false_calls: probability that an inspection finds a crack that is not there
+            detection: form of the probability of detection over the size; log_logistic if left out
+            false_calls: probability that an inspection finds a crack that is not there; 0 if left
+                out
             see: path of a crack that the inspections can see, once for each; all cracks if left out
             at: time of an inspection, with its unit, once for each
             every: interval of the inspections, a time with its unit
             first: first inspection of the intervals; one interval if left out
             risk: wanted probability of failure up to the end of service; plans the fewest
                 inspections for it
-            most: largest number of inspections of a plan, at most 100
-            draws: number of drives drawn from [[scatter]], 20 to 1e7
+            most: largest number of inspections of a plan, 1 to 100; 20 if left out
+            draws: number of drives drawn from [[scatter]], 20 to 1e6
             seed: seed of the draws
             threads: threads; 0: as many as the machine runs; the answer does not depend on them
             texts: texts that options name, by their names; an option may also be a pathlib.Path,

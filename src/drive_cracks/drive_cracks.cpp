@@ -151,8 +151,8 @@ class Maker {
           made.path = path;
           made.kind = std::decay_t<decltype(crack)>::kKind;
           if constexpr (requires { member.material; }) made.material = member.material;
-          if constexpr (requires { crack.section; })
-            made.material = material_name(*gear_.flexspline, crack.section);
+          if (name == "flexspline")
+            made.material = material_name(*gear_.flexspline, crack.place().part);
           made.material = solid_name(gear_, made.material);
           made.wave_number = gear_.drive.wave_number;
           fill(made, crack, loaded);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 namespace {
@@ -185,15 +186,17 @@ GearInertias gear_inertias(const GearSet& gear) {
   GearInertias own;
   if (gear.flexspline) {
     const Flexspline& of = *gear.flexspline;
-    const std::optional<double> density =
-        material_of(gear, of.material, "flexspline.material").density;
-    if (density && of.crack_free == CrackFree::sections) {
-      const double barrel = tube_inertia(*density, *of.barrel);
-      own.rim = (of.rim ? tube_inertia(*density, *of.rim) : 0.0) + barrel / 2;
+    if (of.crack_free == CrackFree::sections) {
+      // A section without a density has no inertia here; the caller notes it.
+      const auto density = [&](const auto& section) {
+        return density_of(gear, material_name(of, section)).value_or(0.0);
+      };
+      const double barrel = tube_inertia(density(*of.barrel), *of.barrel);
+      own.rim = (of.rim ? tube_inertia(density(*of.rim), *of.rim) : 0.0) + barrel / 2;
       own.hub = barrel / 2;
-      if (of.diaphragm) own.hub += diaphragm_inertia(*density, *of.diaphragm);
-      if (of.boss) own.hub += tube_inertia(*density, *of.boss);
-    } else if (density) {
+      if (of.diaphragm) own.hub += diaphragm_inertia(density(*of.diaphragm), *of.diaphragm);
+      if (of.boss) own.hub += tube_inertia(density(*of.boss), *of.boss);
+    } else if (const auto density = density_of(gear, of.material)) {
       const double diameter = gear.drive.pitch_diameter;
       const double tube =
           tube_inertia(*density, diameter, diameter - 2 * *of.wall_thickness, *of.length);

@@ -19,16 +19,16 @@ constexpr int kMostRounds = 40;
 
 /// Share of the failures of a part that inspections leave.
 double missed(const DrawnPart& part, std::span<const double> inspections,
-              const DetectionCurve& curve, std::span<const bool> seen) {
+              const DetectionCurve& curve, const std::vector<bool>& seen) {
   double left = 1.0;
   for (const double time : inspections)
     if (time < part.failure) left *= 1 - part.found_at(time, curve, seen);
   return left;
 }
 
-/// The risk alone.
+/// The risk alone, for searches.
 double risk_of(std::span<const DrawnPart> parts, double until, std::span<const double> inspections,
-               const DetectionCurve& curve, std::span<const bool> seen) {
+               const DetectionCurve& curve, const std::vector<bool>& seen) {
   double sum = 0.0;
   for (const DrawnPart& part : parts)
     if (part.failure <= until) sum += missed(part, inspections, curve, seen);
@@ -66,7 +66,7 @@ double DrawnPart::size_at(std::size_t crack, double time) const {
 }
 
 double DrawnPart::found_at(double time, const DetectionCurve& curve,
-                           std::span<const bool> seen) const {
+                           const std::vector<bool>& seen) const {
   double none = 1.0;
   for (std::size_t k = 0; k < sizes.size(); ++k)
     if (seen[k]) none *= 1 - curve.at(size_at(k, time));
@@ -86,7 +86,7 @@ RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
 
 RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                             std::span<const double> inspections, const DetectionCurve& curve,
-                            std::span<const bool> seen) {
+                            const std::vector<bool>& seen) {
   using ChiSquared = boost::math::chi_squared;
   const auto n = static_cast<double>(parts.size());
   double sum = 0.0;
@@ -120,7 +120,7 @@ std::vector<double> equal_inspections(double first, double interval, double unti
 
 InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until, double wanted,
                           std::size_t most, const DetectionCurve& curve,
-                          std::span<const bool> seen) {
+                          const std::vector<bool>& seen) {
   InspectionPlan plan;
   for (std::size_t n = 0; n <= most; ++n) {
     const double interval = until / static_cast<double>(n + 1);
@@ -135,7 +135,7 @@ InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until, double
 
 InspectionPlan least_plan(std::span<const DrawnPart> parts, double until, double wanted,
                           std::size_t most, const DetectionCurve& curve,
-                          std::span<const bool> seen) {
+                          const std::vector<bool>& seen) {
   InspectionPlan plan;
   double risk = risk_of(parts, until, plan.times, curve, seen);
   // Only parts that fail matter, so the search looks at them alone.

@@ -31,6 +31,8 @@ TitledTable outcome_table(const InspectionReport& report) {
   row("fails before the end of service", report.outcomes.failed);
   row("fails later", report.outcomes.later);
   row("its cracks stand still: endless life", report.outcomes.arrested);
+  if (report.outcomes.unfinished > 0)
+    row("no end in the longest duty that is computed", report.outcomes.unfinished);
   return {.title = fmt::format("Outcomes of {} drawn drives", report.draws),
           .table = std::move(table)};
 }

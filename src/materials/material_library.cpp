@@ -321,7 +321,7 @@ Material completed(const Material& own, const MaterialRecord& record) {
   take(material.poissons_ratio, "poissons_ratio",
        !own.poissons_ratio && (layer || !own.shear_modulus));
   if (!own.ply_strength && record.fibre_tension) {
-    PlyStrength strength;
+    LaminaStrength strength;
     take(strength.fibre_tension, "fibre_tension", true);
     take(strength.fibre_compression, "fibre_compression", true);
     take(strength.transverse_tension, "transverse_tension", true);

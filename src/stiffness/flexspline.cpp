@@ -33,18 +33,7 @@ void note_laminate(MemberCompliance& member, const std::string& path, const Sect
     wall = section.thickness;
     use_equations(member.equations, {"LA-1", "LA-2", "LA-3", "LA-10"});
   }
-  constexpr double kRounded = 0.01;
-  const double given = thickness_of_plies(laminate);
-  if (std::abs(given / wall - 1) > kRounded)
-    member.notes.push_back(
-        {.code = "laminate.thickness",
-         .text = fmt::format("the plies add up to {}, and the wall has {}; the plies are scaled to "
-                             "fill the wall",
-                             shown_quantity(given, "m", 4), shown_quantity(wall, "m", 4)),
-         .path = path,
-         .equation = "LA-3",
-         .severity = Severity::care,
-         .next_step = "Give the plies of this wall, or check their thicknesses."});
+  note_thickness(member.notes, path, laminate, wall);
 }
 
 void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
@@ -374,7 +363,7 @@ void FlexsplineCracks::add_in_laminate(CrackReport report, const WallThroughCrac
   const double uncertainty = accuracy::combined(accuracy::kLaminateCrack, curvature);
   if (lambda > kMaxShellParameter)
     member.unusable_because = fmt::format(
-        "{}: a flat sheet does not represent so long a crack of a tube; shorten its half length to "
+        "{}: the crack is too long for the solution of a flat sheet; shorten its half length to "
         "{}, where the shell parameter is {:g}",
         report.path, shown_quantity(crack.half_length * kMaxShellParameter / lambda, "m", 3),
         kMaxShellParameter);

@@ -7,6 +7,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "drawn_drive.hpp"
 #include "drawn_outputs.hpp"
@@ -24,11 +25,15 @@ namespace {
 
 constexpr double kTail = 0.025;
 constexpr int kRiskPoints = 61;
+/// A drawn history takes about two kilobytes.
+constexpr int kMostDraws = 1'000'000;
+constexpr double kMostInspections = 1000;
 constexpr std::array kShares = {0.01, 0.1, 0.5, 0.9};
 
 /// What became of one draw.
 struct DrawnLife {
-  bool refused = false;
+  bool refused = false;     ///< breaks a rule of the input, or has no answer
+  bool unfinished = false;  ///< no end within the longest duty that is computed
   bool out_of_range = false;
   bool arrested = false;
   DrawnPart part;
@@ -81,7 +86,9 @@ class Study {
       result.part = part_of(trace);
       result.arrested = trace.end == DriveEnd::arrested;
       result.out_of_range = trace.end == DriveEnd::range;
-    } catch (const InputError&) {
+      result.unfinished = trace.end == DriveEnd::too_slow;
+      result.refused = trace.end == DriveEnd::not_known;
+    } catch (const Error&) {
       result.refused = true;
     }
     return result;
@@ -94,15 +101,18 @@ class Study {
 };
 
 void check_options(const InspectionOptions& options) {
-  require(options.draws >= 20 && options.draws <= 10'000'000, "draws", options.draws, "1",
-          ">= 20 and <= 1e7");
+  require(options.draws >= 20 && options.draws <= kMostDraws, "draws", options.draws, "1",
+          ">= 20 and <= 1e6");
   if (options.until)
     require(*options.until > 0 && std::isfinite(*options.until), "until", *options.until, "s",
             "> 0");
   const InspectionTimes& times = options.times;
-  for (const double time : times.at) require(time > 0, "at", time, "s", "> 0");
-  if (times.every) require(*times.every > 0, "every", *times.every, "s", "> 0");
-  if (times.first) require(*times.first > 0, "first", *times.first, "s", "> 0");
+  for (const double time : times.at)
+    require(time > 0 && std::isfinite(time), "at", time, "s", "> 0");
+  if (times.every)
+    require(*times.every > 0 && std::isfinite(*times.every), "every", *times.every, "s", "> 0");
+  if (times.first)
+    require(*times.first > 0 && std::isfinite(*times.first), "first", *times.first, "s", "> 0");
   if (times.risk)
     require(*times.risk > 0 && *times.risk < 1, "risk", *times.risk, "1", "> 0 and < 1");
   require(times.most >= 1 && times.most <= 100, "most", times.most, "1", ">= 1 and <= 100");
@@ -110,6 +120,8 @@ void check_options(const InspectionOptions& options) {
     throw InputError("first", "is read with the interval only; give every");
   if (times.every && !times.at.empty())
     throw InputError("every", "is given beside at; give one of them");
+  if (options.method && !times.every && times.at.empty() && !times.risk)
+    throw InputError("a50", "is read with inspections only; give at, every or risk");
   if (!options.method && (times.every || !times.at.empty() || times.risk))
     throw InputError("a50", "must be given for inspections, with a90");
   if (options.method)
@@ -118,16 +130,16 @@ void check_options(const InspectionOptions& options) {
 }
 
 /// Which of the cracks of the histories an inspection sees.
-std::vector<char> seen_cracks(const std::vector<std::string>& cracks,
+std::vector<bool> seen_cracks(const std::vector<std::string>& cracks,
                               const InspectionMethod& method) {
-  std::vector<char> seen(cracks.size(), method.see.empty() ? 1 : 0);
+  std::vector<bool> seen(cracks.size(), method.see.empty());
   for (const std::string& path : method.see) {
     const auto at = std::ranges::find(cracks, path);
     if (at == cracks.end())
       throw InputError("see",
                        fmt::format("\"{}\" is not a growing crack of this drive: {}", shown(path),
                                    shown(fmt::format("{}", fmt::join(cracks, ", ")))));
-    seen[static_cast<std::size_t>(at - cracks.begin())] = 1;
+    seen[static_cast<std::size_t>(at - cracks.begin())] = true;
   }
   return seen;
 }
@@ -197,6 +209,23 @@ void add_shares(InspectionReport& report, const GearSet& gear, const Study& stud
   std::ranges::stable_sort(report.shares, std::ranges::greater{}, &LifeShare::share);
 }
 
+/// Half of the time from the size a90 of the crack that ends the life to this end [s]; absent if
+/// the life has no end, or if inspections do not see the crack.
+std::optional<double> half_interval(const LifeTrace& trace, double a90,
+                                    const std::vector<bool>& seen) {
+  const auto governing = std::ranges::find(trace.cracks, trace.governing);
+  if (!trace.life || governing == trace.cracks.end()) return std::nullopt;
+  const auto k = static_cast<std::size_t>(governing - trace.cracks.begin());
+  if (!seen[k]) return std::nullopt;
+  const DrawnPart part = part_of(trace);
+  if (part.size_at(k, *trace.life) < a90) return 0.0;  // the part fails before a90
+  double below = 0.0;
+  double above = *trace.life;
+  for (double middle = above / 2; below < middle && middle < above; middle = (below + above) / 2)
+    (part.size_at(k, middle) >= a90 ? above : below) = middle;
+  return (*trace.life - above) / 2;
+}
+
 std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
 
 std::string risk_words(double probability, double low, double high) {
@@ -223,12 +252,18 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     throw InputError("until",
                      "must be given, because the life at the values of the file has no end");
   report.until = options.until.value_or(nominal.life.value_or(0.0));
+  for (const double time : options.times.at)
+    require(time < report.until, FieldPath("at"), time, "s",
+            [&] { return fmt::format("before the end of service, {}", hours(report.until)); });
+  if (options.times.every)
+    require(*options.times.every * kMostInspections >= report.until, "every", *options.times.every,
+            "s", "at most 1000 inspections up to the end of service");
 
   const Study study(gear, options);
-  const std::vector<DrawnLife> draws = study.draws(progress);
+  std::vector<DrawnLife> draws = study.draws(progress);
   std::vector<DrawnPart> parts;
   std::vector<double> lives;
-  for (const DrawnLife& draw : draws) {
+  for (DrawnLife& draw : draws) {
     if (draw.refused) {
       ++report.outcomes.refused;
       continue;
@@ -236,13 +271,15 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     const bool by_end = draw.part.failure <= report.until;
     if (draw.arrested)
       ++report.outcomes.arrested;
+    else if (draw.unfinished)
+      ++report.outcomes.unfinished;
     else if (by_end)
       ++report.outcomes.failed;
     else
       ++report.outcomes.later;
     if (draw.out_of_range) ++report.outcomes.out_of_range;
-    parts.push_back(draw.part);
     lives.push_back(draw.part.failure);
+    parts.push_back(std::move(draw.part));
   }
   if (parts.size() < 20)
     throw InputError("scatter", fmt::format("lets {} of {} drawn drives break a rule of the input, "
@@ -255,15 +292,11 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   std::vector<double> schedule = options.times.at;
   std::ranges::sort(schedule);
   std::optional<DetectionCurve> curve;
-  std::unique_ptr<bool[]> seen;
-  std::span<const bool> sees;
+  std::vector<bool> seen;
   if (options.method) {
     const InspectionMethod& method = *options.method;
     curve.emplace(method.form, method.a50, method.a90);
-    const std::vector<char> marks = seen_cracks(nominal.cracks, method);
-    seen = std::make_unique<bool[]>(marks.size());
-    for (std::size_t k = 0; k < marks.size(); ++k) seen[k] = marks[k] != 0;
-    sees = {seen.get(), marks.size()};
+    seen = seen_cracks(nominal.cracks, method);
     report.equations.insert(report.equations.end(), {"IR-1", "IR-2", "IR-4"});
     if (options.times.every)
       schedule = equal_inspections(options.times.first.value_or(*options.times.every),
@@ -282,31 +315,12 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
       const auto most = static_cast<std::size_t>(options.times.most);
       const double wanted = *options.times.risk;
       const std::vector<double> equal =
-          add("equal", equal_plan(parts, report.until, wanted, most, *curve, sees));
-      add("least", least_plan(parts, report.until, wanted, most, *curve, sees));
+          add("equal", equal_plan(parts, report.until, wanted, most, *curve, seen));
+      add("least", least_plan(parts, report.until, wanted, most, *curve, seen));
       report.equations.insert(report.equations.end(), {"IR-5", "IR-6"});
       if (schedule.empty()) schedule = equal;
     }
-    // From the size that nine of ten inspections find to the end, at the values of the file.
-    if (nominal.life)
-      for (std::size_t k = 0; k < nominal.sizes.size(); ++k) {
-        if (!seen[k]) continue;
-        const DrawnPart of = part_of(nominal);
-        for (std::size_t i = 0; i < nominal.times.size(); ++i)
-          if (nominal.sizes[k][i] >= method.a90) {
-            double at = nominal.times[i];
-            if (i > 0) {  // the size is linear in its logarithm between two times
-              double low = nominal.times[i - 1];
-              for (int step = 0; step < 60; ++step) {
-                const double middle = (low + at) / 2;
-                (of.size_at(k, middle) >= method.a90 ? at : low) = middle;
-              }
-            }
-            const double half = (*nominal.life - at) / 2;
-            report.half_interval = std::max(report.half_interval.value_or(0.0), half);
-            break;
-          }
-      }
+    report.half_interval = half_interval(nominal, method.a90, seen);
   }
 
   const auto point_at = [&](double time) {
@@ -316,7 +330,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
                     .without_low = without.low,
                     .without_high = without.high};
     if (schedule.empty()) return point;
-    const RiskEstimate with = inspected_risk(parts, time, schedule, *curve, sees);
+    const RiskEstimate with = inspected_risk(parts, time, schedule, *curve, seen);
     point.inspected = with.probability;
     point.inspected_low = with.low;
     point.inspected_high = with.high;
@@ -332,8 +346,8 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     for (const DrawnPart& part : parts) {
       if (part.failure <= schedule[k]) continue;
       double left = 1.0;
-      for (const double time : before) left *= 1 - part.found_at(time, *curve, sees);
-      const double found = part.found_at(schedule[k], *curve, sees);
+      for (const double time : before) left *= 1 - part.found_at(time, *curve, seen);
+      const double found = part.found_at(schedule[k], *curve, seen);
       row.in_service += left;
       row.found += left * found;
       row.false_call += left * (1 - found) * options.method->false_calls;
@@ -344,7 +358,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     row.false_call /= n;
     std::vector<double> with_this = before;
     with_this.push_back(schedule[k]);
-    row.remaining = inspected_risk(parts, report.until, with_this, *curve, sees).probability;
+    row.remaining = inspected_risk(parts, report.until, with_this, *curve, seen).probability;
     report.inspections.push_back(row);
   }
 
@@ -383,8 +397,9 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   if (report.outcomes.refused > 0)
     report.notes.push_back(
         {.code = "inspection.refused",
-         .text = fmt::format("{} of {} draws break a rule of the input and are left out",
-                             report.outcomes.refused, options.draws),
+         .text = fmt::format(
+             "{} of {} draws break a rule of the input, or have no answer, and are left out",
+             report.outcomes.refused, options.draws),
          .path = "scatter",
          .equation = "IR-3",
          .severity = Severity::care,
@@ -408,9 +423,9 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
          .equation = "IR-4",
          .severity = Severity::cannot_tell,
          .next_step = options.times.risk
-                          ? fmt::format("Ask for more --draws, more inspections by --most, or a "
-                                        "better method; {} draws resolve a risk of {:.2g}.",
-                                        static_cast<std::int64_t>(std::ceil(3.7 / wanted)), wanted)
+                          ? fmt::format("Plan for a smaller --risk, whose upper limit is below the "
+                                        "wanted one, with more than {} draws.",
+                                        static_cast<std::int64_t>(std::ceil(3.7 / wanted)))
                           : "Ask for more --draws."});
   return report;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -28,14 +27,7 @@ double largest(const InPlane<>& m) {
 
 /// Strengths of a ply; those of an isotropic one make the criterion of von Mises of (LA-12).
 std::optional<LaminaStrength> strength_of(const Material& material) {
-  if (material.ply_strength) {
-    const PlyStrength& s = *material.ply_strength;
-    return LaminaStrength{.fibre_tension = s.fibre_tension,
-                          .fibre_compression = s.fibre_compression,
-                          .transverse_tension = s.transverse_tension,
-                          .transverse_compression = s.transverse_compression,
-                          .shear = s.shear};
-  }
+  if (material.ply_strength) return material.ply_strength;
   if (!material.is_isotropic() || !material.yield_strength) return std::nullopt;
   const double yield = *material.yield_strength;
   return LaminaStrength{.fibre_tension = yield,
@@ -181,18 +173,7 @@ class Walls {
   }
 
   void note(const LaminateWall& wall) {
-    constexpr double kRounded = 0.01;
-    if (std::abs(wall.thickness_of_plies / wall.thickness - 1) > kRounded)
-      report_.notes.push_back(
-          {.code = "laminate.thickness",
-           .text = fmt::format("the plies add up to {}, and the wall has {}; the plies are scaled "
-                               "to fill the wall",
-                               shown_quantity(wall.thickness_of_plies, "m", 4),
-                               shown_quantity(wall.thickness, "m", 4)),
-           .path = wall.path,
-           .equation = "LA-3",
-           .severity = Severity::care,
-           .next_step = "Give the plies of this wall, or check their thicknesses."});
+    note_thickness(report_.notes, wall.path, *material_, wall.thickness);
     if (!wall.symmetric)
       report_.notes.push_back(
           {.code = "laminate.unsymmetric",
@@ -223,16 +204,21 @@ class Walls {
   std::string without_strength_;
 };
 
-std::string sentence_of(const LaminateReport& report) {
-  const LaminateWall* first = nullptr;
-  bool known = true;
+/// The least reserve of all tubes; absent if that of one of them is not known.
+std::optional<double> reserve_of(const LaminateReport& report) {
+  std::optional<double> least;
   for (const LaminateWall& wall : report.walls) {
-    if (wall.plies.empty()) continue;
-    known = known && wall.reserve;
-    if (wall.reserve && (first == nullptr || *wall.reserve < *first->reserve)) first = &wall;
+    if (wall.plies.empty()) continue;  // a bottom
+    if (!wall.reserve) return std::nullopt;
+    take_least(least, wall.reserve);
   }
-  if (first == nullptr || !known)
+  return least;
+}
+
+std::string sentence_of(const LaminateReport& report) {
+  if (!report.reserve)
     return "It is not known at which load the first ply fails; the notes say what is missing.";
+  const auto first = std::ranges::find(report.walls, report.reserve, &LaminateWall::reserve);
   if (*first->reserve == 0)
     return fmt::format("Ply {} of {} fails when the wave generator is put in.", first->first_ply,
                        first->path);
@@ -254,7 +240,7 @@ LaminateReport laminate_report(const GearSet& gear) {
   });
   if (report.walls.empty())
     throw InputError("flexspline.material",
-                     "is no laminate, and no section has one; give plies of the material, "
+                     "names no laminate, and no section names one; give the material plies, "
                      "[[material.NAME.ply]]");
   if (gear.drive.wave_number < 2)
     report.notes.push_back({.code = "laminate.one_lobe",
@@ -269,7 +255,7 @@ LaminateReport laminate_report(const GearSet& gear) {
        .path = "flexspline",
        .equation = "LA-11",
        .severity = Severity::care});
-  for (const LaminateWall& wall : report.walls) take_least(report.reserve, wall.reserve);
+  report.reserve = reserve_of(report);
   report.sentence = sentence_of(report);
   if (report.reserve && *report.reserve < 1)
     report.notes.push_back({.code = "laminate.fails",
@@ -277,8 +263,7 @@ LaminateReport laminate_report(const GearSet& gear) {
                             .path = "load.torque",
                             .equation = "LA-14",
                             .severity = Severity::critical,
-                            .next_step = "Lower the load or the wall thickness, or change the "
-                                         "plies."});
+                            .next_step = "Lower the load, or change the plies."});
   report.equations = {"LA-1", "LA-2",  "LA-3",  "LA-4",  "LA-5",
                       "LA-6", "LA-11", "LA-12", "LA-13", "LA-14"};
   return report;

@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -120,9 +124,9 @@ VibratingParts coupled_members(const GearSet& gear, const CurvePoint& at, double
 }
 
 void note_inertias(const GearSet& gear, std::vector<Note>& notes) {
-  const auto missing = [&](std::string_view words, const std::string& name,
+  const auto missing = [&](const std::string& words, const std::string& name,
                            const std::string& path) {
-    if (material_of(gear, name, path).density) return;
+    if (density_of(gear, name)) return;
     notes.push_back({"modes.no_density",
                      fmt::format("the inertia of the {} is left out, because its material has no "
                                  "density; this changes only modes far above the first one",
@@ -131,8 +135,16 @@ void note_inertias(const GearSet& gear, std::vector<Note>& notes) {
                      fmt::format("Give the density of the material {}.", name)});
   };
   const bool spline_turns = gear.drivetrain->fixed == FixedMember::flexspline;
-  if (gear.flexspline && !spline_turns)
-    missing("flexspline", gear.flexspline->material, "flexspline.material");
+  if (gear.flexspline && !spline_turns) {
+    std::set<std::string> names;
+    for_each_section(*gear.flexspline, [&](std::string_view, const auto& section) {
+      names.insert(material_name(*gear.flexspline, section));
+    });
+    if (names.empty()) names.insert(gear.flexspline->material);
+    for (const std::string& name : names)
+      missing(names.size() == 1 ? "flexspline" : "flexspline's sections of " + name, name,
+              "flexspline.material");
+  }
   if (gear.circular_spline && spline_turns)
     missing("circular spline", gear.circular_spline->material, "circular_spline.material");
   if (gear.output_shaft)

@@ -189,6 +189,35 @@ TEST(DrivetrainChain, ReferenceInertiaOfADiaphragmWithAProfile) {
   test::expect_relative(gear_inertias(gear).hub, conical, 1e-8);
 }
 
+// Kind: reference (DY-9).  Sections of their own materials have their own densities, and plies
+// without a density of the laminate the mean of theirs.  Tolerance: rounding.
+TEST(DrivetrainChain, ReferenceInertiasOfSectionsOfOtherMaterials) {
+  GearSet gear = cup();
+  const GearInertias steel = gear_inertias(gear);
+  Material layer;
+  layer.youngs_modulus = 181e9;
+  layer.transverse_modulus = 10.3e9;
+  layer.shear_modulus = 7.17e9;
+  layer.poissons_ratio = 0.28;
+  layer.density = 1600;
+  gear.material["light"] = layer;
+  layer.density = 2000;
+  gear.material["heavy"] = layer;
+  gear.material["tube"].ply = {{.material = "light", .angle = 0.0, .thickness = 1e-3},
+                               {.material = "heavy", .angle = 1.0, .thickness = 3e-3}};
+  gear.flexspline->barrel->material = "tube";
+  GearSet half = gear;
+  half.flexspline->barrel->length /= 2;
+  // Half of the barrel less takes a quarter of its inertia from the rim, and as much from the hub.
+  const double barrel = 4 * (gear_inertias(gear).rim - gear_inertias(half).rim);
+  const double of_steel = 2 * (steel.rim - gear_inertias(gear).rim) + barrel;
+  test::expect_relative(barrel / of_steel, 1900.0 / 7850.0, 1e-10);
+  gear.material.at("heavy").density.reset();
+  EXPECT_LT(gear_inertias(gear).rim, gear_inertias(half).rim);
+  gear.material.at("tube").density = 1900;
+  test::expect_relative(4 * (gear_inertias(gear).rim - gear_inertias(half).rim), barrel, 1e-10);
+}
+
 TEST(DrivetrainChain, IdentityWithoutADensityPartsHaveNoInertia) {
   GearSet gear = cup();
   gear.material["steel"].density.reset();

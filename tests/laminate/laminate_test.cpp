@@ -149,7 +149,7 @@ std::map<std::string, std::vector<LaminatePly<>>> reference_walls() {
 
 // Kind: cross-check (LA-5).  Source: layered cylinders in elasticity theory,
 // tests/data/laminate.csv. Tolerance: what the radial stress changes, 0.15 % at r/h = 40 and 0.6 %
-// at r/h = 10; the lengthening of a balanced wall is a rounding error of both.
+// at r/h = 10; the lengthening of a balanced wall is nearly zero in both.
 TEST(Laminate, CrosscheckTubesByElasticityTheory) {
   const auto walls = reference_walls();
   int rows = 0;

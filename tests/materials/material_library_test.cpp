@@ -423,6 +423,40 @@ TEST(MaterialLibraryData, BehaviourTheSteelsOfTheseDrivesAreThere) {
   EXPECT_EQ(uses.size(), EnumNames<MaterialUse>::names.size());
 }
 
+// Kind: reference.  Three layers against the numbers of their sources, and as materials of a drive:
+// a layer keeps an own number, and takes all others.
+TEST(MaterialLibraryData, ReferenceLayers) {
+  struct Layer {
+    const char* name;
+    double E1, E2, G12, nu12, X, X_pressed, Y, Y_pressed, S;
+  };
+  for (const Layer& layer :
+       {Layer{"T300/5208", 181, 10.3, 7.17, 0.28, 1500, 1500, 40, 246, 68},
+        Layer{"AS4/3501-6", 126, 11, 6.6, 0.28, 1950, 1480, 48, 200, 79},
+        Layer{"E-glass/MY750", 45.6, 16.2, 5.83, 0.278, 1280, 800, 40, 145, 73}}) {
+    const Material of = as_material(require_material(layer.name));
+    EXPECT_TRUE(of.is_layer());
+    EXPECT_NEAR(*of.youngs_modulus, layer.E1 * 1e9, 1);
+    EXPECT_NEAR(*of.transverse_modulus, layer.E2 * 1e9, 1);
+    EXPECT_NEAR(*of.shear_modulus, layer.G12 * 1e9, 1);
+    EXPECT_EQ(*of.poissons_ratio, layer.nu12);
+    EXPECT_NEAR(of.ply_strength->fibre_tension, layer.X * 1e6, 1);
+    EXPECT_NEAR(of.ply_strength->fibre_compression, layer.X_pressed * 1e6, 1);
+    EXPECT_NEAR(of.ply_strength->transverse_tension, layer.Y * 1e6, 1);
+    EXPECT_NEAR(of.ply_strength->transverse_compression, layer.Y_pressed * 1e6, 1);
+    EXPECT_NEAR(of.ply_strength->shear, layer.S * 1e6, 1);
+    EXPECT_TRUE(of.verified);
+  }
+  Material own;
+  own.based_on = "T300/5208";
+  own.shear_modulus = 6e9;
+  const Material both = completed(own, require_material("T300/5208"));
+  EXPECT_EQ(both.shear_modulus, 6e9);
+  EXPECT_EQ(both.youngs_modulus, 181e9);
+  EXPECT_EQ(both.poissons_ratio, 0.28);
+  EXPECT_EQ(both.transverse_modulus, 10.3e9);
+}
+
 TEST(MaterialLibraryData, LimitNumbersAreThoseOfSteels) {
   // All known steels lie within these bounds, so a wrong prefix or digit is detected.
   for (const MaterialRecord& record : material_library()) {

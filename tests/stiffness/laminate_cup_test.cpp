@@ -257,7 +257,7 @@ const Refused kRules[] = {
      "material.tube.fracture_toughness: is not read for a laminate"},
     {"StrengthWithoutLayer",
      [](GearSet& g) {
-       g.material.at(fs(g).material).ply_strength = PlyStrength{1, 1, 1, 1, 1};
+       g.material.at(fs(g).material).ply_strength = LaminaStrength{1, 1, 1, 1, 1};
      },
      "ply_strength: is read only beside transverse_modulus"},
     {"StackingWithoutPlies",
@@ -342,6 +342,37 @@ TEST(LaminateCup, InputBottomWithADirection) {
                                                           .thickness = 2 * mm},
                                              G),
                         1e-7);
+}
+
+// Kind: identity.  A crack is of the material of its section, in moduli and in name; a rule that a
+// missing section breaks is told as such.
+TEST(LaminateCup, IdentityCrackOfItsSection) {
+  GearSet gear = tube_gear({45, -45});
+  Flexspline& of = *gear.flexspline;
+  of.shape = FlexsplineShape::cup;
+  of.barrel->material.reset();
+  gear.material["soft"] = gear.material.at(of.material);
+  *gear.material["soft"].youngs_modulus /= 2;
+  *gear.material["soft"].shear_modulus /= 2;
+  of.diaphragm = Diaphragm{.outer_diameter = 2 * kMeanRadius,
+                           .inner_diameter = 60 * mm,
+                           .thickness = 2 * mm,
+                           .profile = {}};
+  of.crack = {DiaphragmArcCrack{.half_length = 4 * mm, .radius = 45 * mm}};
+  const auto added = [&] {
+    check(gear);
+    return flexspline_compliance(gear).cracks.at(0).positive.at_output.value;
+  };
+  const double steel = added();
+  EXPECT_EQ(drive_cracks(gear).at(0).material, of.material);
+  of.diaphragm->material = "soft";
+  test::expect_relative(added(), 2 * steel, 1e-12);
+  EXPECT_EQ(drive_cracks(gear).at(0).material, "soft");
+  of.shape = FlexsplineShape::cylinder;
+  of.diaphragm.reset();
+  of.barrel->material = "tube";
+  EXPECT_NE(test::broken_rule([&] { check(gear); }).find("flexspline.diaphragm"),
+            std::string::npos);
 }
 
 // Kind: input.  What is derived for one isotropic material refuses a wall of another.

@@ -68,6 +68,34 @@ TEST(InspectionReport, ReferenceLogNormalLives) {
   EXPECT_NEAR(report.shares[0].share, 1, 1e-3);
 }
 
+// Kind: cross-check (IR-8).  Two inputs: the life is proportional to 1/C, so the share of C is the
+// variance of ln C over that of ln L.  Tolerance: 0.1, the sampling error of 400 draws.
+TEST(InspectionReport, CrosscheckShareOfTheCoefficient) {
+  GearSet gear = scattering_shaft();
+  gear.scatter.resize(2);
+  const InspectionReport report = inspection_report(gear, options_of(400));
+  const double of_C = std::sqrt(std::log1p(0.25 * 0.25));
+  const double of_depth = std::sqrt(std::log1p(0.3 * 0.3));
+  GrowthOptions fast;
+  fast.tolerance = 1e-5;
+  std::vector<double> logs;
+  for (std::size_t i = 0; i < 400; ++i) {
+    GearSet drawn = gear;
+    drawn.scatter.clear();
+    set_number(drawn, "output_shaft.crack[0].depth",
+               0.5e-3 * std::exp(of_depth * counter_normal(1, i, 1)));
+    logs.push_back(std::log(*life_trace(drawn, fast).life) - of_C * counter_normal(1, i, 0));
+  }
+  double mean = 0.0;
+  for (const double value : logs) mean += value / 400;
+  double variance = 0.0;
+  for (const double value : logs) variance += (value - mean) * (value - mean) / 400;
+  const auto share =
+      std::ranges::find(report.shares, "material.steel.growth[0].coefficient", &LifeShare::path);
+  ASSERT_NE(share, report.shares.end());
+  EXPECT_NEAR(share->share, of_C * of_C / variance, 0.1);
+}
+
 // Kind: identity.  The answer does not depend on the number of threads, and depends on the seed.
 TEST(InspectionReport, IdentityThreads) {
   const GearSet gear = scattering_shaft();
@@ -101,7 +129,13 @@ TEST(InspectionReport, IdentityInspectionsConserve) {
   test::expect_relative(report.inspections[2].remaining, *report.at_end.inspected, 1e-12);
   const double missed = report.inspections[0].in_service - report.inspections[0].found;
   test::expect_relative(report.inspections[0].false_call, 0.05 * missed, 1e-12);
-  EXPECT_TRUE(report.half_interval && *report.half_interval > 0);
+  const LifeTrace trace = life_trace(gear, options.growth);
+  const DrawnPart part{.failure = *trace.life, .times = trace.times, .sizes = trace.sizes};
+  test::expect_relative(part.size_at(0, *trace.life - 2 * report.half_interval.value()), 2e-3,
+                        1e-9);
+  options.method->a50 = 0.05;  // larger than the shaft
+  options.method->a90 = 0.1;
+  EXPECT_EQ(inspection_report(gear, options).half_interval, 0.0);
   for (const RiskPoint& point : report.risk) EXPECT_LE(*point.inspected, point.without);
 }
 
@@ -188,6 +222,13 @@ TEST(InspectionReport, InputIsRefused) {
   EXPECT_NE(message(gear, options).find("first: is read with the interval only"),
             std::string::npos);
   options.times.first.reset();
+  options.times.at = {1e9};
+  EXPECT_NE(message(gear, options).find("before the end of service"), std::string::npos);
+  options.times.at.clear();
+  EXPECT_NE(message(gear, options).find("give at, every or risk"), std::string::npos);
+  options.times.every = 1.0;
+  EXPECT_NE(message(gear, options).find("at most 1000 inspections"), std::string::npos);
+  options.times.every.reset();
   options.times.risk = 1.0;
   EXPECT_NE(message(gear, options).find("risk = 1"), std::string::npos);
   EXPECT_NE(message(gear, options_of(5)).find("draws"), std::string::npos);

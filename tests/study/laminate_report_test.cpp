@@ -123,6 +123,16 @@ TEST(LaminateReport, BehaviourNotes) {
   EXPECT_TRUE(has(unknown, "laminate.no_strength"));
   EXPECT_FALSE(unknown.reserve);
   EXPECT_NE(unknown.sentence.find("It is not known"), std::string::npos);
+  // One tube without strengths leaves the whole reserve unknown.
+  GearSet two = read_gear_set(drive(kAnglePly), "drive.toml");
+  two.flexspline->rim->material = "tube";
+  EXPECT_TRUE(laminate_report(two).reserve);
+  two.material["layer"] = two.material.at("T300/5208");
+  two.material.at("layer").ply_strength.reset();
+  two.material["weak"] = two.material.at("tube");
+  for (Ply& ply : two.material.at("weak").ply) ply.material = "layer";
+  two.flexspline->rim->material = "weak";
+  EXPECT_FALSE(laminate_report(two).reserve);
   EXPECT_FALSE(has(report_of(drive(kAnglePly)), "laminate.thickness"));
   GearSet one = read_gear_set(drive(kAnglePly), "drive.toml");
   one.drive.wave_number = 1;
@@ -158,7 +168,7 @@ TEST(LaminateReport, BehaviourCrackDoesNotGrow) {
 TEST(LaminateReport, InputWithoutLaminates) {
   std::string text = drive(kAnglePly);
   text.replace(text.find("material = \"tube\""), 17, "material = \"steel\"");
-  EXPECT_NE(test::broken_rule([&] { return report_of(text); }).find("is no laminate"),
+  EXPECT_NE(test::broken_rule([&] { return report_of(text); }).find("names no laminate"),
             std::string::npos);
   std::string bare = drive(kAnglePly);
   bare.replace(bare.find("angle = \"45 deg\""), 16, "angle = 45");

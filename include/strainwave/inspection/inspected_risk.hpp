@@ -58,7 +58,7 @@ struct DrawnPart {
   /// Probability that one inspection at a time finds at least one crack (IR-2).
   /// @param seen  whether an inspection can see each crack, shape (cracks)
   [[nodiscard]] double found_at(double time, const DetectionCurve& curve,
-                                std::span<const bool> seen) const;
+                                const std::vector<bool>& seen) const;
 };
 
 /// A probability with limits that contain it with 95 % confidence.
@@ -81,7 +81,8 @@ struct RiskEstimate {
 /// @param inspections  times [s], ascending
 [[nodiscard]] RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                                           std::span<const double> inspections,
-                                          const DetectionCurve& curve, std::span<const bool> seen);
+                                          const DetectionCurve& curve,
+                                          const std::vector<bool>& seen);
 
 /// Inspections at equal intervals before a time [s]: first, first + interval, ...
 [[nodiscard]] std::vector<double> equal_inspections(double first, double interval, double until);
@@ -98,12 +99,12 @@ struct InspectionPlan {
 /// @param most  largest number of inspections
 [[nodiscard]] InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until,
                                         double wanted, std::size_t most,
-                                        const DetectionCurve& curve, std::span<const bool> seen);
+                                        const DetectionCurve& curve, const std::vector<bool>& seen);
 
 /// The fewest inspections at times of least risk whose risk is at most `wanted`; theory manual eq.
 /// (IR-6).  The times are moved in turn until none of them lowers the risk further.
 [[nodiscard]] InspectionPlan least_plan(std::span<const DrawnPart> parts, double until,
                                         double wanted, std::size_t most,
-                                        const DetectionCurve& curve, std::span<const bool> seen);
+                                        const DetectionCurve& curve, const std::vector<bool>& seen);
 
 }  // namespace strainwave

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "strainwave/laminate/lamina_strength.hpp"
 #include "strainwave/laminate/laminate.hpp"
 
 /// @file
@@ -13,15 +14,6 @@
 /// failure.
 
 namespace strainwave {
-
-/// Strengths of a layer, all > 0 [Pa].
-struct LaminaStrength {
-  double fibre_tension = 0.0;           ///< X
-  double fibre_compression = 0.0;       ///< X'
-  double transverse_tension = 0.0;      ///< Y
-  double transverse_compression = 0.0;  ///< Y'
-  double shear = 0.0;                   ///< S
-};
 
 /// Stress of a layer in the axes of its fibres [Pa].
 struct LaminaStress {
@@ -61,7 +53,10 @@ struct PlyFace {
   LaminaStress assembly;  ///< by the curvature, where it is positive
 };
 
-/// Stress of both faces of each ply; theory manual eq. (LA-11).
+/// Computes the stress of both faces of each ply; theory manual eq. (LA-11).
+/// @param plies      from the inner face of the wall to the outer one
+/// @param thickness  of the wall [m]
+/// @return           two faces for each ply, the inner one first
 [[nodiscard]] std::vector<PlyFace> ply_stresses(std::span<const LaminatePly<double>> plies,
                                                 double thickness, const TubeLoads& loads);
 

@@ -52,8 +52,9 @@ struct DrawnOutcomes {
   int failed = 0;        ///< a crack ends the life before the end of service
   int later = 0;         ///< a crack ends the life after the end of service
   int arrested = 0;      ///< no crack grows any more
+  int unfinished = 0;    ///< no end within the longest duty that is computed
   int out_of_range = 0;  ///< a crack leaves the range of its solution; counts as a failure
-  int refused = 0;       ///< the drawn numbers break a rule; not counted among the others
+  int refused = 0;       ///< a rule is broken, or there is no answer; not counted among the others
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -61,14 +62,18 @@ struct DrawnOutcomes {
     field({"failed", "", "a crack ends the life before the end of service"}, &O::failed);
     field({"later", "", "a crack ends the life after the end of service"}, &O::later);
     field({"arrested", "", "no crack grows any more: the life has no end"}, &O::arrested);
+    field({"unfinished", "", "no end within the longest duty that is computed"}, &O::unfinished);
     field({"out_of_range", "",
            "a crack leaves the range of its solution, which counts as a failure at that time"},
           &O::out_of_range);
-    field({"refused", "", "the drawn numbers break a rule of the input; left out"}, &O::refused);
+    field(
+        {"refused", "", "the drawn numbers break a rule of the input, or have no answer; left out"},
+        &O::refused);
   }
 };
 
-/// A percentile of the life; an arrested crack has an endless life.
+/// A percentile of the life; a drive whose cracks stand still has an endless life, and one without
+/// an end in the longest duty counts so.
 struct LifePercentile {
   static constexpr bool kTableRow = true;
   double share = 0.0;                ///< of the drives with a shorter life [-]
@@ -207,7 +212,8 @@ struct InspectionReport {
     field({"inspections", "", "each inspection"}, &R::inspections);
     field({"plans", "", "inspections that keep the wanted risk"}, &R::plans);
     field({"half_interval", "s",
-           "half of the time from the size a90 to the end of the life, at the values of the file"},
+           "half of the time from the size a90 of the crack that ends the life to this end, at the "
+           "values of the file"},
           &R::half_interval);
   }
 };

@@ -22,15 +22,18 @@ class Outcomes(Part):
     """a crack ends the life after the end of service"""
     arrested: int
     """no crack grows any more: the life has no end"""
+    unfinished: int
+    """no end within the longest duty that is computed"""
     out_of_range: int
     """a crack leaves the range of its solution, which counts as a failure at that time"""
     refused: int
-    """the drawn numbers break a rule of the input; left out"""
+    """the drawn numbers break a rule of the input, or have no answer; left out"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "failed": ("failed", _to.plain),
         "later": ("later", _to.plain),
         "arrested": ("arrested", _to.plain),
+        "unfinished": ("unfinished", _to.plain),
         "out_of_range": ("out_of_range", _to.plain),
         "refused": ("refused", _to.plain),
     }
@@ -243,8 +246,8 @@ class InspectResult(Result):
     plans: tuple[Plans, ...]
     """inspections that keep the wanted risk"""
     half_interval: Optional[Quantity]
-    """half of the time from the size a90 to the end of the life, at the values of the file [s];
-    None if absent"""
+    """half of the time from the size a90 of the crack that ends the life to this end, at the
+    values of the file [s]; None if absent"""
 
     command: ClassVar[str] = "inspect"
     documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")

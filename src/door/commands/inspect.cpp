@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <string_view>
+
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/inspection.hpp"
@@ -10,14 +14,14 @@ struct InspectOptions {
   std::optional<std::string> until;
   std::optional<std::string> a50;
   std::optional<std::string> a90;
-  DetectionForm detection = DetectionForm::log_logistic;
-  double false_calls = 0.0;
+  std::optional<DetectionForm> detection;
+  std::optional<double> false_calls;
   std::vector<std::string> see;
   std::vector<std::string> at;
   std::optional<std::string> every;
   std::optional<std::string> first;
   std::optional<double> risk;
-  int most = 20;
+  std::optional<int> most;
   int draws = 500;
   std::uint64_t seed = 1;
   int threads = 0;
@@ -31,20 +35,17 @@ struct InspectOptions {
           &O::until);
     field(
         {"a50", "",
-         "size of a crack that one inspection finds in half of the cases, a number with its unit; "
-         "no inspections if left out"},
+         "size of a crack that one inspection finds in half of the cases, a number with its unit: "
+         "the depth, or the half length of a crack through the wall; no inspections if left out"},
         &O::a50);
     field({"a90", "", "size that is found in nine of ten cases, a number with its unit"}, &O::a90);
-    field({.name = "detection",
-           .unit = "",
-           .doc = "form of the probability of detection over the size",
-           .fallback = "log_logistic"},
+    field({"detection", "",
+           "form of the probability of detection over the size; log_logistic if left out"},
           &O::detection);
     field({.name = "false_calls",
            .unit = "1",
-           .doc = "probability that an inspection finds a crack that is not there",
-           .range = {.lower = 0.0, .lower_open = false, .upper = 1.0},
-           .fallback = "0"},
+           .doc = "probability that an inspection finds a crack that is not there; 0 if left out",
+           .range = {.lower = 0.0, .lower_open = false, .upper = 1.0}},
           &O::false_calls);
     field({"see", "",
            "path of a crack that the inspections can see, once for each; all cracks if left out"},
@@ -58,14 +59,11 @@ struct InspectOptions {
                   "inspections for it",
            .range = {.lower = 0.0, .upper = 1.0}},
           &O::risk);
-    field({.name = "most",
-           .unit = "",
-           .doc = "largest number of inspections of a plan, at most 100",
-           .fallback = "20"},
+    field({"most", "", "largest number of inspections of a plan, 1 to 100; 20 if left out"},
           &O::most);
     field({.name = "draws",
            .unit = "",
-           .doc = "number of drives drawn from [[scatter]], 20 to 1e7",
+           .doc = "number of drives drawn from [[scatter]], 20 to 1e6",
            .fallback = "500"},
           &O::draws);
     field({.name = "seed", .unit = "", .doc = "seed of the draws", .fallback = "1"}, &O::seed);
@@ -77,6 +75,11 @@ struct InspectOptions {
   }
 };
 
+/// Refuses an option that is read with another one only, if that one is missing.
+void needs(bool given, const char* option, bool other, std::string_view name) {
+  if (given && !other) throw OptionError(option, fmt::format("is read with --{} only", name));
+}
+
 InspectionReport inspect(const Request& request, const InspectOptions& o) {
   InspectionOptions options;
   options.growth.tolerance = 1e-6;
@@ -86,17 +89,21 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   if (o.until) options.until = time("--until", *o.until);
   if (o.a50.has_value() != o.a90.has_value())
     throw OptionError(o.a50 ? "a90" : "a50", "must be given: a50 and a90 belong together");
+  needs(o.detection.has_value(), "detection", o.a50.has_value(), "a50");
+  needs(o.false_calls.has_value(), "false_calls", o.a50.has_value(), "a50");
+  needs(!o.see.empty(), "see", o.a50.has_value(), "a50");
+  needs(o.most.has_value(), "most", o.risk.has_value(), "risk");
   if (o.a50)
-    options.method = InspectionMethod{.form = o.detection,
+    options.method = InspectionMethod{.form = o.detection.value_or(DetectionForm::log_logistic),
                                       .a50 = parse_quantity("--a50", *o.a50, "m"),
                                       .a90 = parse_quantity("--a90", *o.a90, "m"),
-                                      .false_calls = o.false_calls,
+                                      .false_calls = o.false_calls.value_or(0.0),
                                       .see = o.see};
   for (const std::string& at : o.at) options.times.at.push_back(time("--at", at));
   if (o.every) options.times.every = time("--every", *o.every);
   if (o.first) options.times.first = time("--first", *o.first);
   options.times.risk = o.risk;
-  options.times.most = o.most;
+  if (o.most) options.times.most = *o.most;
   options.draws = o.draws;
   options.seed = o.seed;
   options.threads = o.threads;

@@ -42,10 +42,8 @@ void check_material(const FieldPath& path, const Material& material) {
     if (material.is_isotropic()) (void)elastic_constants(material);
   } catch (const InputError& error) {
     const std::string field = (path / error.field()).text();
-    if (error.rule().empty())
-      throw InputError(field, error.field() == "youngs_modulus"
-                                  ? "must be given"
-                                  : "must be given, or shear_modulus");
+    const std::string what = error.what();
+    if (error.rule().empty()) throw InputError(field, what.substr(error.field().size() + 2));
     throw InputError(field, material.shear_modulus.value_or(0.0), "Pa", error.rule());
   }
   if (material.growth.size() > 1)

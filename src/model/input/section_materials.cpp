@@ -97,9 +97,8 @@ void check_crack(const GearSet& gear, const FieldPath& path, const FlexsplineCra
       "is in a laminate; the stress intensity of a laminate is known for kind = \"through\" only";
   std::visit(
       [&](const auto& crack) {
-        using Crack = std::decay_t<decltype(crack)>;
-        if constexpr (std::is_same_v<Crack, WallThroughCrack>) {
-          if (!is_laminate(gear, material_name(fs, crack.section))) return;
+        if (!is_laminate(gear, material_name(fs, crack.place().part))) return;
+        if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, WallThroughCrack>) {
           if (crack.shell_correction)
             refuse("shell_correction",
                    "must be false for a crack in a laminate, because the correction for the "
@@ -108,12 +107,7 @@ void check_crack(const GearSet& gear, const FieldPath& path, const FlexsplineCra
             refuse("compliance_table", "is for isotropic walls; the crack is in a laminate");
           if (crack.turn_table)
             refuse("turn_table", "is for isotropic walls; the crack is in a laminate");
-        } else if constexpr (std::is_same_v<Crack, WallSurfaceCrack>) {
-          if (is_laminate(gear, material_name(fs, crack.section))) refuse("kind", kOnlyThrough);
-        } else if constexpr (std::is_same_v<Crack, DiaphragmArcCrack> ||
-                             std::is_same_v<Crack, DiaphragmGroove>) {
-          if (is_laminate(gear, material_name(fs, *fs.diaphragm))) refuse("kind", kOnlyThrough);
-        } else if (fs.rim && is_laminate(gear, material_name(fs, *fs.rim))) {
+        } else {
           refuse("kind", kOnlyThrough);
         }
       },
@@ -141,10 +135,20 @@ void check_sections(const GearSet& gear) {
 
 }  // namespace
 
-const std::string& material_name(const Flexspline& flexspline, WallSection section) {
-  if (flexspline.crack_free == CrackFree::factor) return flexspline.material;
-  return section == WallSection::rim ? material_name(flexspline, *flexspline.rim)
-                                     : material_name(flexspline, *flexspline.barrel);
+const std::string& material_name(const Flexspline& flexspline, CrackedPart part) {
+  const auto of = [&](const auto& section) -> const std::string& {
+    return section ? material_name(flexspline, *section) : flexspline.material;
+  };
+  switch (part) {
+    case CrackedPart::rim:
+      return of(flexspline.rim);
+    case CrackedPart::barrel:
+      return of(flexspline.barrel);
+    case CrackedPart::diaphragm:
+      return of(flexspline.diaphragm);
+    default:
+      return flexspline.material;
+  }
 }
 
 const Material& only_material(const GearSet& gear, const Flexspline& flexspline) {
@@ -170,9 +174,40 @@ double thickness_of_plies(const Material& laminate) {
   return laminate.stacking == Stacking::symmetric ? 2 * sum : sum;
 }
 
+std::optional<double> density_of(const GearSet& gear, std::string_view material) {
+  const Material& of = material_of(gear, material, "material");
+  if (of.density || !of.is_laminate()) return of.density;
+  double mass = 0.0;
+  double thickness = 0.0;
+  for (const Ply& ply : of.ply) {
+    const std::optional<double> density = density_of(gear, ply.material);
+    if (!density) return std::nullopt;
+    mass += *density * ply.thickness;
+    thickness += ply.thickness;
+  }
+  return mass / thickness;
+}
+
+void note_thickness(std::vector<Note>& notes, const std::string& path, const Material& laminate,
+                    double thickness) {
+  constexpr double kRounded = 0.01;
+  const double plies = thickness_of_plies(laminate);
+  if (std::abs(plies / thickness - 1) <= kRounded) return;
+  notes.push_back(
+      {.code = "laminate.thickness",
+       .text = fmt::format("the plies add up to {}, and the wall has {}; the plies are "
+                           "scaled to fill the wall",
+                           shown_quantity(plies, "m", 4), shown_quantity(thickness, "m", 4)),
+       .path = path,
+       .equation = "LA-3",
+       .severity = Severity::care,
+       .next_step = "Give the plies of this wall, or check their thicknesses."});
+}
+
 namespace {
 
-/// Whether the drive has anything that `check_laminates` must look at; most drives have not.
+/// Whether the drive has a layer, a laminate or a section with its own material.  Most drives have
+/// none of them, and need no check.
 bool has_layers(const GearSet& gear) {
   const auto special = [](const auto& named) {
     const Material& material = named.second;

@@ -55,36 +55,4 @@ struct EnumNames<Stacking> {
   static constexpr std::array<std::string_view, 2> names = {"as_listed", "symmetric"};
 };
 
-/// Strength of a layer under a stress of one kind, all > 0 [Pa].
-struct PlyStrength {
-  double fibre_tension = 0.0;
-  double fibre_compression = 0.0;
-  double transverse_tension = 0.0;
-  double transverse_compression = 0.0;
-  double shear = 0.0;
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    const auto stress = [&](std::string_view name, std::string_view doc, std::string_view example,
-                            auto member) {
-      field(Field{.name = name,
-                  .unit = "Pa",
-                  .doc = doc,
-                  .range = kPositive,
-                  .example = example,
-                  .usual = {.lower = 1e6, .upper = 1e10}},
-            member);
-    };
-    stress("fibre_tension", "tensile strength along the fibres", R"("1500 MPa")",
-           &PlyStrength::fibre_tension);
-    stress("fibre_compression", "compressive strength along the fibres, as a positive number",
-           R"("1500 MPa")", &PlyStrength::fibre_compression);
-    stress("transverse_tension", "tensile strength across the fibres", R"("40 MPa")",
-           &PlyStrength::transverse_tension);
-    stress("transverse_compression", "compressive strength across the fibres, as a positive number",
-           R"("246 MPa")", &PlyStrength::transverse_compression);
-    stress("shear", "strength in shear along the fibres", R"("68 MPa")", &PlyStrength::shear);
-  }
-};
-
 }  // namespace strainwave

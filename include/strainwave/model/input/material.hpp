@@ -9,6 +9,7 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/lift.hpp"
 #include "strainwave/growth_laws/rate_law.hpp"
+#include "strainwave/laminate/lamina_strength.hpp"
 #include "strainwave/model/input/layup.hpp"
 #include "strainwave/model/input/material_life.hpp"
 
@@ -36,10 +37,10 @@ struct Material {
   std::optional<FatigueStrength> fatigue = {};
   std::vector<RateLaw> growth = {};  ///< law of crack growth; at most one
   std::optional<GrowthBounds> growth_bounds = {};
-  std::optional<double> transverse_modulus = {};  ///< E2 of a layer [Pa]; > 0
-  std::optional<PlyStrength> ply_strength = {};   ///< of a layer
-  std::vector<Ply> ply = {};                      ///< of a laminate
-  std::optional<Stacking> stacking = {};          ///< of the plies; absent: as listed
+  std::optional<double> transverse_modulus = {};    ///< E2 of a layer [Pa]; > 0
+  std::optional<LaminaStrength> ply_strength = {};  ///< of a layer
+  std::vector<Ply> ply = {};                        ///< of a laminate
+  std::optional<Stacking> stacking = {};            ///< of the plies; absent: as listed
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};

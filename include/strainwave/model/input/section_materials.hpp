@@ -4,9 +4,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/evidence.hpp"
 
 /// @file
 /// The materials of the sections of a flexspline.
@@ -29,8 +30,13 @@ template <class Section>
   return section.material ? *section.material : flexspline.material;
 }
 
-/// The name of the material of the wall that contains a crack.
-[[nodiscard]] const std::string& material_name(const Flexspline& flexspline, WallSection section);
+/// The name of the material of the part that contains a crack of the flexspline; that of the
+/// flexspline if the part is not given.
+[[nodiscard]] const std::string& material_name(const Flexspline& flexspline, CrackedPart part);
+[[nodiscard]] inline const std::string& material_name(const Flexspline& flexspline,
+                                                      WallSection section) {
+  return material_name(flexspline, part_of(section));
+}
 
 /// The one isotropic material of a flexspline, for a model that knows no other wall.
 /// @throws InputError  if the flexspline is of a laminate, or of several materials
@@ -38,6 +44,14 @@ template <class Section>
 
 /// Sum of the thicknesses of all plies of a laminate, as the file gives them [m].
 [[nodiscard]] double thickness_of_plies(const Material& laminate);
+
+/// Density of a material [kg/m^3]: its own, or the mean of its plies; absent if one is not known.
+[[nodiscard]] std::optional<double> density_of(const GearSet& gear, std::string_view material);
+
+/// Adds a note if the plies of a wall do not add up to its thickness (LA-3).
+/// @param thickness  of the wall [m]
+void note_thickness(std::vector<Note>& notes, const std::string& path, const Material& laminate,
+                    double thickness);
 
 /// Checks the plies of all laminates, and the materials of the sections of the flexspline.
 /// @throws InputError  naming the field and the rule
