@@ -26,8 +26,10 @@
 /* NOLINTBEGIN(modernize-use-using,readability-identifier-naming): C has its own conventions */
 
 #if defined(__GNUC__)
+/** Marks a function that the library exports. */
 #define SW_API __attribute__((visibility("default")))
 #else
+/** Marks a function that the library exports. */
 #define SW_API
 #endif
 
@@ -41,8 +43,8 @@ typedef struct sw_error sw_error;   /**< why a function failed */
 
 /** Text that another party owns; data may be NULL if size is 0. */
 typedef struct sw_text {
-  const char* data;
-  size_t size; /**< [bytes] */
+  const char* data; /**< UTF-8; need not end with a null byte */
+  size_t size;      /**< [bytes] */
 } sw_text;
 
 /** A source of text, read piece by piece. */
@@ -52,7 +54,7 @@ typedef struct sw_source {
   ptrdiff_t (*next)(void* context, char* bytes, size_t size);
   /** Called once after the last read, also after a fault; may be NULL. */
   void (*close)(void* context);
-  void* context;
+  void* context; /**< passed to both functions */
 } sw_source;
 
 /** A sink for a document, written piece by piece. */
@@ -62,24 +64,25 @@ typedef struct sw_sink {
   /** Called once, after the last byte; before this call the document is not complete.
    *  Returns 0, or anything else for a fault; may be NULL. */
   int (*commit)(void* context);
-  void* context;
+  void* context; /**< passed to both functions */
 } sw_sink;
 
 /** A text with the name that a drive or an option gives. */
 typedef struct sw_attachment {
-  sw_text name;
-  sw_text text;
+  sw_text name; /**< as the drive or the option gives it */
+  sw_text text; /**< its content */
 } sw_attachment;
 
 /** Texts that a drive names, such as compliance tables.  The array is searched first; for a name
- *  that it lacks, the callback is called.  Each text is at most 1 MiB. */
+ *  that it lacks, the callback is called.  A compliance table is at most 1 MiB
+ *  long; the other texts are read piece by piece and have no limit. */
 typedef struct sw_attachments {
-  const sw_attachment* array;
-  size_t count;
+  const sw_attachment* array; /**< may be NULL if count is 0 */
+  size_t count;               /**< number of texts in the array */
   /** Opens the text with a name: sets *text and returns 0, or returns anything else if the text
    * does not exist; may be NULL. */
   int (*find)(void* context, sw_text name, sw_source* text);
-  void* context;
+  void* context; /**< passed to find */
 } sw_attachments;
 
 /** Lets a caller follow the progress of a computation and stop it. */
@@ -87,7 +90,7 @@ typedef struct sw_progress {
   /** Receives the completed fraction, 0 to 1, on the thread that called the library, at least every
    *  50 ms; returns 0 to continue, or anything else to stop. */
   int (*report)(void* context, double fraction);
-  void* context;
+  void* context; /**< passed to report */
 } sw_progress;
 
 /** Reason of a failure; the numbers are the exit codes of the program, which never exits with
@@ -125,14 +128,14 @@ typedef enum sw_row_code {
 
 /** Many evaluations of one drive with different numbers. */
 typedef struct sw_batch_task {
-  const sw_text* paths; /**< n_paths: "output_shaft.crack[0].depth" */
-  size_t n_paths;
-  const double* values; /**< shape (n_rows, n_paths), row after row [SI unit of the field] */
-  size_t n_rows;
+  const sw_text* paths;   /**< n_paths: "output_shaft.crack[0].depth" */
+  size_t n_paths;         /**< numbers of the drive that vary; 1 or more */
+  const double* values;   /**< shape (n_rows, n_paths), row after row [SI unit of the field] */
+  size_t n_rows;          /**< number of evaluations */
   const sw_text* outputs; /**< n_outputs: "cracked.positive.stiffness" */
-  size_t n_outputs;
-  sw_text method; /**< "as-printed", "repaired" or "corrected" */
-  int threads;    /**< 1 to 256; 0: as many as the machine has */
+  size_t n_outputs;       /**< numbers that each evaluation gives */
+  sw_text method;         /**< "as-printed", "repaired" or "corrected" */
+  int threads;            /**< 1 to 256; 0: as many as the machine has */
 } sw_batch_task;
 
 /** Version of the library, "0.1.0"; never freed. */
@@ -143,7 +146,8 @@ SW_API const char* sw_version(void);
 SW_API sw_error* sw_commands(sw_text* json);
 
 /** Reads a drive from TOML text of at most 1 MiB.
- * @param name         name of the text in messages @param attachments  may be NULL */
+ *  @param name         name of the text in messages
+ *  @param attachments  may be NULL */
 SW_API sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attachments,
                          sw_drive** drive);
 /** Reads a drive from a source; otherwise as sw_read. */
@@ -155,16 +159,17 @@ SW_API sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachmen
 SW_API sw_error* sw_drive_fields(const sw_drive* drive, sw_text* json);
 
 /** Sets one field, crack or section in the TOML text of a drive, and keeps everything else.
- * @param path    "output_shaft.crack[0].depth"; "[+]" adds an element @param value   TOML as behind
- *                `=`; NULL removes the present value @param edited  the new text; the caller frees
- *                it */
+ *  @param path    "output_shaft.crack[0].depth"; "[+]" adds an element
+ *  @param value   TOML as behind `=`; NULL removes the present value
+ *  @param edited  the new text; the caller frees it */
 SW_API sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_text* edited);
 
 /** Runs a command.
- * @param drive     may be NULL for a command without a drive @param command   "stiffness" @param
- *                  options   JSON object, {"method": "corrected"}; empty: no option @param texts
- *                  n_texts texts that options name; may be NULL if n_texts is 0 @param progress
- *                  may be NULL */
+ *  @param drive     may be NULL for a command without a drive
+ *  @param command   "stiffness"
+ *  @param options   JSON object, {"method": "corrected"}; empty: no option
+ *  @param texts     n_texts texts that options name; may be NULL if n_texts is 0
+ *  @param progress  may be NULL */
 SW_API sw_error* sw_run(const sw_drive* drive, sw_text command, sw_text options,
                         const sw_attachment* texts, size_t n_texts, const sw_progress* progress,
                         sw_answer** answer);
@@ -188,18 +193,22 @@ SW_API sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task,
                           const sw_progress* progress, double* numbers, int* codes,
                           sw_text* faults);
 
+/** Reason of the failure that an error reports. */
 SW_API sw_code sw_error_code(const sw_error* error);
 /** A part of an error, valid as long as the error; empty if the error lacks the part. */
 SW_API sw_text sw_error_text(const sw_error* error, sw_error_part part);
-/** Line and column of the fault in its file, counted from 1; 0 if unknown. */
+/** Line of the fault in its file, counted from 1; 0 if unknown. */
 SW_API size_t sw_error_line(const sw_error* error);
+/** Column of the fault in its line, counted from 1; 0 if unknown. */
 SW_API size_t sw_error_column(const sw_error* error);
 
-/* NULL and an empty text may be passed to these functions. */
+/** Frees a drive.  NULL may be passed. */
 SW_API void sw_drive_free(sw_drive* drive);
+/** Frees an answer.  NULL may be passed. */
 SW_API void sw_answer_free(sw_answer* answer);
+/** Frees an error.  NULL may be passed. */
 SW_API void sw_error_free(sw_error* error);
-/** Frees a text that the library returned for the caller to free. */
+/** Frees a text that the library returned for the caller to free.  An empty text may be passed. */
 SW_API void sw_text_free(sw_text text);
 
 #ifdef __cplusplus

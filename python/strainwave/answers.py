@@ -19,7 +19,16 @@ if TYPE_CHECKING:
 
 
 class Svg(str):
-    """A picture as SVG text, which a notebook shows."""
+    """A picture as SVG text, which a notebook shows.
+
+    Raises:
+        ValueError: if the text is no SVG
+    """
+
+    def __new__(cls, text: str) -> "Svg":
+        if not text.lstrip().startswith(("<svg", "<?xml")):
+            raise ValueError(f"the text is no SVG, it begins with {text[:40]!r}; svg() of an answer gives its picture")
+        return super().__new__(cls, text)
 
     def _repr_svg_(self) -> str:
         return str(self)

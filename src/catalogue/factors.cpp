@@ -23,7 +23,7 @@ constexpr std::array<FactorInfo, kFactors> kInfo = {{
     {"tilt of the teeth by the cup; 1 for uncorrected teeth", 0.1, 1.0, 0.01, 3.0, true},
     {"gap between the flanks over the gap of straight flanks", 0.8, 1.2, 0.2, 4.0, true},
     {"compliance of a pair of teeth over the value in the file", 0.5, 2.0, 0.1, 10.0, true},
-    {"compliance of barrel and diaphragm over the value in the file", 0.6, 1.5, 0.2, 5.0, true},
+    {"thickness of barrel and diaphragm in the file over the fitted one", 0.6, 1.5, 0.2, 5.0, true},
     {"radial play at a ball over w_0", 0.0, 0.01, 0.0, 0.05, false},
     {"depth of the cam inside the cosine; 1.5 for an ellipse", 0.0, 1.5, 0.0, 6.0, false},
 }};

@@ -352,12 +352,17 @@ class ResponseCurve {
         if (const std::optional<Vibration> last = at_frequency(guess, 1.0)) {
           evaluate(*last);
           curve.points.push_back(point(*last));
+          curve.converged = end == high;
         }
-        curve.converged = end == high;
-        if (!curve.converged)
+        if (end != high)
           curve.reason = fmt::format(
               "the curve returns to {:.6g} Hz, where it began; begin at a lower frequency",
               settings_.from);
+        else if (!curve.converged)
+          curve.reason = fmt::format(
+              "no vibration was found at {:.6g} Hz, where the curve ends; end at a higher "
+              "frequency",
+              settings_.to);
         return curve;
       }
       rate = rate_after;

@@ -60,7 +60,8 @@ DesignPoint find_design_point(const LimitState& margin, std::vector<double> star
     return point;
   };
   double penalty = 0.0;
-  for (point.iterations = 1; point.iterations <= kMostIterations; ++point.iterations) {
+  while (point.iterations < kMostIterations) {
+    ++point.iterations;
     const std::optional<Vector> slope = gradient(margin, z, *value);
     if (!slope) return give_up("the output has no value on either side of a place of the search");
     const double size = slope->norm();

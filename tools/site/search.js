@@ -4,7 +4,7 @@
 
 // Kinds in the order of their weight among equally good hits.
 const kinds = ["page", "term", "equation", "command", "note", "field", "material", "solution", "exit status", "guide", "notebook",
-  "theory", "python", "option", "decision", "result"];
+  "theory", "python", "C", "C++", "option", "decision", "result"];
 
 function score(entry, query, words) {
   let best = 0;

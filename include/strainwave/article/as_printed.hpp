@@ -129,8 +129,9 @@ struct SoundCup {
 
 /// Stress intensity factors of two modes.
 struct WallStressIntensity {
+  /// stress intensity factor of mode I [stress times root of length, in the caller's units]
   double K_I = 0.0;
-  double K_II = 0.0;
+  double K_II = 0.0;  ///< stress intensity factor of mode II, in the same unit
 };
 
 /// tau = T/(2 pi r_m^2 delta).  Implements theory manual eq. (AP-10), its first line.
@@ -165,8 +166,9 @@ struct CrackedShaft {
 
 /// Stress intensity factors of two modes.
 struct ShaftStressIntensity {
+  /// stress intensity factor of mode I [stress times root of length, in the caller's units]
   double K_I = 0.0;
-  double K_III = 0.0;
+  double K_III = 0.0;  ///< stress intensity factor of mode III, in the same unit
 };
 
 /// Added compliance of a shaft crack: the two terms of eq. (AP-16).
@@ -174,6 +176,7 @@ struct ShaftCrackCompliance {
   double axial_term = 0.0;    ///< from K_I
   double torsion_term = 0.0;  ///< from K_III
 
+  /// The sum of both terms, as printed, although they have different dimensions.
   [[nodiscard]] double total() const { return axial_term + torsion_term; }
 };
 

@@ -54,9 +54,9 @@ struct StiffnessTarget {
 
 /// The stiffnesses that a drive is calibrated to.
 struct CalibrationTarget {
-  std::string source;  ///< origin of the values, one line
-  std::vector<StiffnessTarget> values;
-  double relative_uncertainty = 0.0;  ///< least standard uncertainty of one value, relative [-]
+  std::string source;                   ///< origin of the values, one line
+  std::vector<StiffnessTarget> values;  ///< the stiffnesses to match; shape (n targets)
+  double relative_uncertainty = 0.0;    ///< least standard uncertainty of one value, relative [-]
   /// Compare the drive without its cracks, output shaft and flange, as a catalogue does.
   bool component_set_only = false;
   const StiffnessRow* row = nullptr;  ///< row of the catalogue that states the values, if any
@@ -125,10 +125,11 @@ struct FactorCombination {
   }
 };
 
+/// One target of a calibration, with its prediction before and after the fit.
 struct CalibratedStiffness {
-  StiffnessTarget target;
-  double before = 0.0;  ///< predicted with the file's values [N*m/rad]
-  double after = 0.0;   ///< predicted with the fitted factors [N*m/rad]
+  StiffnessTarget target;  ///< the stiffness to match, with its torques
+  double before = 0.0;     ///< predicted with the file's values [N*m/rad]
+  double after = 0.0;      ///< predicted with the fitted factors [N*m/rad]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -146,6 +147,7 @@ struct CalibratedStiffness {
   }
 };
 
+/// The result of a calibration: the fitted factors, and how well the targets determine them.
 struct Calibration {
   /// the drive with the fitted factors; `range` widened where the fit passed a limit
   GearSet gear;

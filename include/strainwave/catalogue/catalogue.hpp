@@ -23,6 +23,7 @@ template <>
 struct EnumNames<RatioClass> {
   static constexpr std::array<std::string_view, 3> names = {"30", "50", "80+"};
 };
+/// Number of the classes of ratio.
 inline constexpr std::size_t kRatioClasses = EnumNames<RatioClass>::names.size();
 
 /// The class nearest to a ratio, by its logarithm: 30 below 38.7, 50 below 63.2, else 80+.
@@ -92,6 +93,7 @@ struct StiffnessRow {
   /// Torque up to which K3 is compared, kT3OverT2 times T2 [N*m].  Makers state no upper torque;
   /// this is a convention of the project.
   [[nodiscard]] double T3() const { return kT3OverT2 * T2; }
+  /// Upper torque of the comparison of K3 over T2 [-]; a convention of the project.
   static constexpr double kT3OverT2 = 1.6;
 
   static constexpr bool kTableRow = true;
@@ -153,9 +155,9 @@ struct RatingRow {
 
 /// One row of the tables of friction, at 20 degrees Celsius with grease.
 struct FrictionRow {
-  std::string_view series;
-  int size = 0;
-  int ratio = 0;
+  std::string_view series;    ///< name of the series, as in StiffnessRow
+  int size = 0;               ///< size of the drive, as the maker names it
+  int ratio = 0;              ///< ratio of input speed to output speed [-]
   double rated = 0.0;         ///< rated torque, for the efficiency [N*m]
   double efficiency = 0.0;    ///< at the rated torque and an input of 2000 rpm [-]
   double no_load = 0.0;       ///< torque of the input without load at 2000 rpm [N*m]
@@ -167,7 +169,9 @@ struct FrictionRow {
 [[nodiscard]] std::span<const StiffnessRow> stiffness_rows();
 /// Rows of other series.  They judge only; no fit and no calibration reads them.
 [[nodiscard]] std::span<const StiffnessRow> other_series_rows();
+/// The rows of the rating tables: the series CSG and HFUC with grease.
 [[nodiscard]] std::span<const RatingRow> rating_rows();
+/// The rows of the tables of friction: four sizes of one series at ratio 100.
 [[nodiscard]] std::span<const FrictionRow> friction_rows();
 
 /// Sizes of the stiffness table, in ascending order.
@@ -204,7 +208,7 @@ void require_catalogue_size(int size);
 
 /// Selects rows of the catalogue.
 struct CatalogueFilter {
-  std::optional<int> size;
+  std::optional<int> size;      ///< as the maker names it; absent: all
   std::optional<double> ratio;  ///< selects the catalogue's stiffness rows by class, others exactly
 };
 /// One row of the tables of ratcheting and buckling torque.
@@ -246,7 +250,8 @@ struct RatedLife {
 struct CatalogueRows {
   std::vector<StiffnessRow> stiffness;
   std::vector<RatingRow> ratings;
-  std::vector<TorqueLimitRow> limits;
+  std::vector<TorqueLimitRow> limits;  ///< ratcheting and buckling torques
+  /// lives of the bearings of all series; a filter does not select among them
   std::vector<RatedLife> lives;
   std::map<std::string, std::string> sources;
 
@@ -255,6 +260,9 @@ struct CatalogueRows {
     field({"stiffness", "", "torsional stiffness, input locked, also of other series"},
           &CatalogueRows::stiffness);
     field({"ratings", "", "torques, speeds and inertia"}, &CatalogueRows::ratings);
+    field({"limits", "", "ratcheting and buckling torques"}, &CatalogueRows::limits);
+    field({"lives", "", "lives of the wave generator bearings of all series"},
+          &CatalogueRows::lives);
     field({"sources", "", "publications from which the rows were taken"}, &CatalogueRows::sources);
   }
 };

@@ -15,6 +15,7 @@
 
 namespace strainwave {
 
+/// The unknowns of a drive that a calibration may change, each by one number [-].
 enum class Factor {
   support,          ///< s_h, support of the circular spline
   coning,           ///< chi, coning of the teeth
@@ -30,16 +31,19 @@ struct EnumNames<Factor> {
       "support",   "coning",    "gap_factor",    "pair_compliance",
       "structure", "clearance", "cam_flattening"};
 };
+/// Number of the factors.
 inline constexpr std::size_t kFactors = EnumNames<Factor>::names.size();
 
+/// Meaning and limits of a factor.
 struct FactorInfo {
-  std::string_view meaning;
+  std::string_view meaning;  ///< what the factor is, in words
   double lower = 0.0;        ///< lower end of the plausible range [-]
   double upper = 0.0;        ///< upper end of the plausible range [-]
   double least = 0.0;        ///< least value that a fit to one drive may reach [-]
   double most = 0.0;         ///< largest value that a fit to one drive may reach [-]
   bool logarithmic = false;  ///< always positive, so the fit uses its logarithm
 };
+/// Meaning and limits of a factor, which are the same for all drives.
 [[nodiscard]] const FactorInfo& factor_info(Factor factor);
 
 /// The present value of the factor in a drive [-]; 1 for pair_compliance and structure.

@@ -33,10 +33,11 @@ struct EnumNames<Blank> {
 
 /// The kind of a typical drive.
 struct DriveType {
-  FlexsplineForm form = FlexsplineForm::cup;
-  FlexsplineLength length = FlexsplineLength::short_length;
-  Blank blank = Blank::ratio;
+  FlexsplineForm form = FlexsplineForm::cup;                 ///< shape of the flexspline
+  FlexsplineLength length = FlexsplineLength::short_length;  ///< length class of the flexspline
+  Blank blank = Blank::ratio;  ///< the wave for which the walls are made
 
+  /// Order by form, then length, then blank.
   friend auto operator<=>(const DriveType&, const DriveType&) = default;
 };
 
@@ -82,13 +83,13 @@ struct ProportionValues {
 
 /// The knowledge about one proportion.
 struct Proportion {
-  std::string_view name;    ///< name of the member of ProportionValues
-  std::string_view symbol;  ///< symbol with its divisor
-  double ProportionValues::*value;
-  double lower = 0.0;  ///< lower limit [unit of the value]
-  double upper = 0.0;
-  Knowledge knowledge = Knowledge::drawing;
-  std::string_view source;
+  std::string_view name;                     ///< name of the member of ProportionValues
+  std::string_view symbol;                   ///< symbol with its divisor
+  double ProportionValues::*value;           ///< the member of ProportionValues
+  double lower = 0.0;                        ///< lower limit [unit of the value]
+  double upper = 0.0;                        ///< upper limit [unit of the value]
+  Knowledge knowledge = Knowledge::drawing;  ///< kind of the source of the limits
+  std::string_view source;                   ///< what the limits rest on, in words
   /// path of the number in a file; empty if several numbers depend on the proportion
   std::string_view path;
 };
@@ -113,8 +114,8 @@ void require_typical_ratio(double ratio);
 /// Largest bending stresses by which the nominal wave loads the walls of a sound drive [Pa].
 struct WaveStresses {
   double outer_ring = 0.0;  ///< outer ring of the bearing
-  double rim = 0.0;
-  double diaphragm = 0.0;  ///< at its clamped edge
+  double rim = 0.0;         ///< rim of the flexspline
+  double diaphragm = 0.0;   ///< at its clamped edge
 };
 
 /// Implements theory manual eqs. (CV-1) and (CV-2): thin rings that the wave bends, and a plate
@@ -145,7 +146,8 @@ struct WaveStresses {
 
 /// A drive to be written as a file: with ranges, and a remark for each number by its path.
 struct CommentedDrive {
-  GearSet gear;
+  GearSet gear;  ///< the drive, with ranges
+  /// remark for each number, by the path of the number
   std::map<std::string, std::string> comments;
 };
 

@@ -16,6 +16,7 @@ namespace strainwave {
 
 /// 100 rows of the series CSF and CSG: 73 and 27.
 [[nodiscard]] std::span<const TorqueLimitRow> torque_limit_rows();
+/// The lives of the bearing that the maker states, one row for each series.
 [[nodiscard]] std::span<const RatedLife> rated_lives();
 
 /// The lives of a series; null if the maker's statement is not known.

@@ -23,6 +23,7 @@
 
 namespace strainwave {
 
+/// Which factors a validation fits, and to what.
 enum class ValidationMode {
   geometry,             ///< no factor is fitted
   leave_one_size_out,   ///< at most three factors, fitted to all other sizes
@@ -36,8 +37,9 @@ struct EnumNames<ValidationMode> {
                                                             "leave-one-class-out", "per-row"};
 };
 
+/// What a validation predicts, and how.
 struct ValidationOptions {
-  ValidationMode mode = ValidationMode::geometry;
+  ValidationMode mode = ValidationMode::geometry;  ///< which factors are fitted, and to what
   /// Factors for the modes that fit.  If the list is empty, leave-one-size-out and
   /// leave-one-class-out use support, coning and cam_flattening: one unknown each of housing, tooth
   /// and cam, because makers do not publish these.
@@ -47,24 +49,25 @@ struct ValidationOptions {
   Blank blank = Blank::ratio;  ///< of all drives
   bool all_sets = false;       ///< also fit every set of one to three factors to all sizes at once
   int draws = 0;               ///< draws of the proportions for the bands; 0, or 2 to 100000
+  /// seed of the draws of the proportions; the same seed gives the same draws
   std::uint64_t seed = 1;
   std::vector<int> sizes = {};  ///< sizes of the catalogue to predict; empty: all
   /// Rows of a user, which judge only (parse_stiffness_rows).
   std::vector<StiffnessRow> data = {};
-  CoupledOptions coupled = {};
+  CoupledOptions coupled = {};  ///< options of the coupled drive, for all predictions
 };
 
 /// Quantiles 5 %, 50 % and 95 % of the drawn predictions with the discrepancy of the model (CV-3)
 /// [N*m/rad].
 struct PredictionBand {
-  double low = 0.0;
-  double middle = 0.0;
-  double high = 0.0;
+  double low = 0.0;     ///< quantile 5 % [N*m/rad]
+  double middle = 0.0;  ///< quantile 50 % [N*m/rad]
+  double high = 0.0;    ///< quantile 95 % [N*m/rad]
 };
 
 /// One row of a table and its prediction, at one ratio or as the mean over several.
 struct ValidationRow {
-  StiffnessRow catalogue;
+  StiffnessRow catalogue;             ///< the row of the table
   std::vector<double> ratios;         ///< reduction ratios over which `predicted` is the mean
   std::array<double, 3> predicted{};  ///< K1, K2, K3 [N*m/rad]
   std::array<double, 3> least{};      ///< least prediction over the ratios [N*m/rad]
@@ -72,6 +75,7 @@ struct ValidationRow {
   /// values of the factors in the prediction; empty in mode geometry
   std::vector<double> factors;
   std::vector<bool> at_limit;  ///< whether each factor is at a limit
+  /// bands of K1, K2, K3; absent if nothing was drawn
   std::array<std::optional<PredictionBand>, 3> band;
   /// why the row lies outside of what the bands were made from; empty if it lies inside
   std::string outside = {};
@@ -138,7 +142,7 @@ struct ErrorSummary {
   double median = 0.0;
   double worst = 0.0;
   std::array<std::optional<double>, 3> median_of{};  ///< medians of K1, K2, K3; absent: no value
-  std::array<std::optional<double>, 3> worst_of{};
+  std::array<std::optional<double>, 3> worst_of{};  ///< largest of K1, K2, K3 [-]; absent: no value
   /// medians of largest/least - 1 over the ratios of a row, of the rows with several ratios [-]
   std::array<std::optional<double>, 3> spread_of{};
   int in_band = 0;  ///< how many of `values` lie between `low` and `high`
@@ -247,6 +251,7 @@ struct FactorTrial {
   }
 };
 
+/// The result of a validation: predictions of all rows, and their errors.
 struct Validation {
   ValidationOptions options;              ///< with the factors filled in
   std::vector<ValidationRow> rows;        ///< each row, as the mean over its ratios
@@ -256,8 +261,8 @@ struct Validation {
   std::vector<FactorTrial> trials;  ///< the set in use first, then the other sets on request
   std::optional<BandFit> band_fit;  ///< absent if nothing was drawn
   std::vector<BandTest> band_tests;
-  int failed_draws = 0;  ///< draws left out because they have no equilibrium
-  std::vector<Note> notes = {};
+  int failed_draws = 0;          ///< draws left out because they have no equilibrium
+  std::vector<Note> notes = {};  ///< remarks on the validity of the bands
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -29,7 +29,7 @@ namespace strainwave {
 
 /// A drive as a command receives it, together with the text it was read from.
 struct Drive {
-  GearSet gear;
+  GearSet gear;      ///< what the text describes
   std::string text;  ///< the unchanged text; empty if the drive was not read from text
   std::string name;  ///< name of the text in messages: "drive.toml"
 };
@@ -87,6 +87,7 @@ class Recording {
   /// Goes on behind the first `size` bytes of the record and drops the rest.
   /// @throws InputError  if the record is shorter
   virtual void go_on(std::uint64_t size) = 0;
+  /// Adds bytes at the end.  They are stored permanently by the next `keep`.
   virtual void append(std::string_view bytes) = 0;
   /// Bytes of the record, those that were appended included.
   [[nodiscard]] virtual std::uint64_t size() const = 0;
@@ -113,15 +114,17 @@ class KeptText {
   virtual void keep(const std::string& text) = 0;
 };
 
+/// The ranks of a program that runs as a single process.
 inline const Ranks kAlone;
 
 /// Services that only some programs offer to their commands.
 struct Host {
   const Ranks& ranks = kAlone;  ///< processes that all run the same command
+  /// Journal of a command that keeps one.  Null: there is none; a command that needs one refuses.
   Journal* journal = nullptr;
-  Recording* recording = nullptr;
-  KeptText* kept = nullptr;
-  SharedRows* shared = nullptr;  ///< the part of a study that this process computes or reads
+  Recording* recording = nullptr;  ///< takes the rows of a command while it runs; null: none
+  KeptText* kept = nullptr;        ///< the text that a command keeps for later runs; null: none
+  SharedRows* shared = nullptr;    ///< the part of a study that this process computes or reads
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
@@ -137,11 +140,11 @@ struct Host {
 
 /// The input of a command apart from its options.
 struct Request {
-  const Drive& drive;  ///< empty for a command that takes no drive
-  const OptionTexts& texts;
-  const Progress& progress;
-  const Ranks& ranks;
-  Journal* journal;  ///< null unless the command keeps a journal and this is the first rank
+  const Drive& drive;        ///< empty for a command that takes no drive
+  const OptionTexts& texts;  ///< texts that options name
+  const Progress& progress;  ///< reports the progress, and may request a stop
+  const Ranks& ranks;        ///< processes that all run the same command
+  Journal* journal;          ///< null unless the command keeps a journal and this is the first rank
   const std::function<Attachments(const std::string& name)>& beside;  ///< as Host::beside
   const std::function<TextPieces(const std::string& name)>& open;     ///< as Host::open
   Recording* recording = nullptr;  ///< null unless rows are to be recorded
@@ -177,8 +180,8 @@ inline constexpr std::string_view kDefaultDocument = "default";
 
 /// A document that a command can make of its result.
 struct Document {
-  std::string_view name;  ///< "text", "plot"
-  Format format = Format::text;
+  std::string_view name;         ///< "text", "plot"
+  Format format = Format::text;  ///< format of each of its files
   /// The command-line option that requests this document in addition to the main one, and takes its
   /// path.  Empty: this is one of the main documents, from which `--format` chooses.
   std::string_view option = {};
@@ -191,8 +194,8 @@ struct Document {
 
 /// One file of a document that is a folder.
 struct OutputFile {
-  std::string name;
-  std::string text;
+  std::string name;  ///< name in the folder; empty for a document that is a single text
+  std::string text;  ///< content
 };
 
 class Answer;
@@ -200,17 +203,18 @@ struct Command;
 
 /// The input of a document's writer apart from the result.
 struct Rendering {
-  const Drive& drive;
-  const Provenance& provenance;
-  const Ranks& ranks;
-  const Answer& answer;
+  const Drive& drive;            ///< empty for a command that takes no drive
+  const Provenance& provenance;  ///< where the result comes from
+  const Ranks& ranks;            ///< processes that all write the document
+  const Answer& answer;          ///< the answer that the document shows
 };
 
 /// A document and its writer.  A writer returns one text, or the files of a folder; each rank
 /// writes its own files.
 template <class Result>
 struct DocumentOf {
-  Document document;
+  Document document;  ///< name, format and option of the document
+  /// Makes the files of a folder, or a single text as one file without a name.
   std::function<std::vector<OutputFile>(const Result& result, const Rendering& rendering)> write;
 
   /// @param writer  takes the result; or the result and its drive; or the result and the rendering;
@@ -243,11 +247,11 @@ struct DocumentOf {
 
 /// One row of a table of commands.
 struct Command {
-  std::string_view name;  ///< "stiffness", or two words for a command of a group: "sif eval"
-  std::string_view summary;
-  std::string_view description;
-  std::string_view example;  ///< a command line
-  std::string_view journal;  ///< content of its journal; empty: the command keeps no journal
+  std::string_view name;         ///< "stiffness", or two words for a command of a group: "sif eval"
+  std::string_view summary;      ///< what it does, one line for lists of commands
+  std::string_view description;  ///< what it does, a paragraph for its manual page
+  std::string_view example;      ///< a command line
+  std::string_view journal;      ///< content of its journal; empty: the command keeps no journal
   /// Option of the command line that names the journal, which may then be left out.  Empty:
   /// `--output` names it, and it must be given.
   std::string_view journal_option;
@@ -257,31 +261,33 @@ struct Command {
   /// Option of the command line that names a text which later runs read, and its content.  Empty:
   /// the command keeps none.
   std::string_view kept_option;
-  std::string_view kept;
+  std::string_view kept;  ///< content of that text, shown in the help of the option
   /// What one process computes of the command's study, such as "draws", while others compute the
   /// rest (command/shards.hpp).  Empty: the study cannot be shared.
   std::string_view shares;
   /// Option whose result stands neither in the CSV of one drive nor in the text of several.  Empty:
   /// there is none.
   std::string_view not_in_tables;
-  Takes takes = Takes::drive;
+  Takes takes = Takes::drive;  ///< whether it takes a drive
   /// Another spelling on a command line: a command and an option of it whose value is the first
   /// positional argument of this command, such as "grow --fit".  Empty: there is none.
   std::string_view also;
-  OptionsType options;
+  OptionsType options;              ///< its options, with their type erased
   std::vector<Document> documents;  ///< the first is the default
 
-  // The function and its result with their types erased.
+  /// Computes the result; the type of the result is erased.  Use the function `run`, which checks
+  /// the arguments.
   std::shared_ptr<const void> (*run)(const Command& command, const Request& request,
                                      const void* options);
-  std::shared_ptr<const void> function;
+  std::shared_ptr<const void> function;  ///< the function that the member `run` calls
+  /// Whether a result may be used, and on what basis.
   ResultEvidence (*evidence)(const void* result);
-  void (*visit)(const void* result, ValueVisitor& to);
-  void (*walk)(const Field& field, TypeVisitor& to);
+  void (*visit)(const void* result, ValueVisitor& to);  ///< walks a result
+  void (*walk)(const Field& field, TypeVisitor& to);    ///< walks the type of the result
   /// Writes a document: the files of a folder, or a single text as one file without a name.
   std::vector<OutputFile> (*write)(const Command& command, std::size_t document, const void* result,
                                    const Rendering& rendering);
-  std::shared_ptr<const void> writers;
+  std::shared_ptr<const void> writers;  ///< the writers that the member `write` calls
   /// Answers in place of `run`, for a command whose answer is that of another one; usually empty.
   std::function<Answer(const OptionValues& options, const OptionTexts& texts,
                        const Progress& progress, const Host& host)>
@@ -292,6 +298,8 @@ struct Command {
 /// The parts that make a command.
 template <class Options, class Result>
 struct CommandOf {
+  /// See the member of Command with the same name.
+  /// @{
   std::string_view name;
   std::string_view summary;
   std::string_view description;
@@ -305,8 +313,10 @@ struct CommandOf {
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
   std::string_view also = {};
+  /// @}
+  /// Computes the result.  It throws as the function `run` does.
   std::function<Result(const Request& request, const Options& options)> function;
-  std::vector<DocumentOf<Result>> documents;
+  std::vector<DocumentOf<Result>> documents;  ///< with their writers; the first is the default
 };
 
 /// Makes the row of a command from the descriptions of its options and its result.
@@ -359,8 +369,11 @@ class Answer {
   Answer(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
          const OptionTexts& texts, const Progress& progress, const Host& host);
 
+  /// The command that answered.
   [[nodiscard]] const Command& command() const { return *command_; }
+  /// Whether the result may be used, and on what basis.
   [[nodiscard]] const ResultEvidence& evidence() const { return evidence_; }
+  /// Whether the result may be used.  If not, `evidence` gives the reason.
   [[nodiscard]] bool usable() const { return evidence_.unusable_because.empty(); }
 
   /// The result in the envelope of all results, `strainwave-result/1`.
@@ -371,7 +384,7 @@ class Answer {
   /// The files of a document that is a folder; with several ranks, only the files of this rank.
   /// @throws OptionError  if the command does not make this document
   [[nodiscard]] std::vector<OutputFile> files(std::string_view name) const;
-  /// The visitor writes numbers in the units that the options name.
+  /// Walks the result.  The visitor writes numbers in the units that the options name.
   void visit(ValueVisitor& to) const {
     const AskedUnitsScope scope(units_);
     command_->visit(result_.get(), to);

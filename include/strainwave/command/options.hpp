@@ -22,6 +22,7 @@ namespace strainwave {
 class OptionError : public InputError {
  public:
   using InputError::InputError;
+  /// Turns a fault of an input into the same fault of an option.
   explicit OptionError(const InputError& error) : InputError(error) {}
 };
 
@@ -37,15 +38,21 @@ auto from_option(const Parse& parse) {
 }
 
 /// What kind of text an option takes.
-enum class OptionKind { flag, whole, number, text, choice };
+enum class OptionKind {
+  flag,    ///< "true" or "false"
+  whole,   ///< a whole number
+  number,  ///< a number with its unit; a pure number has none
+  text,    ///< any text
+  choice   ///< one of the names in Option::choices
+};
 
 /// One option of a command.
 struct Option {
-  Field field;
-  OptionKind kind = OptionKind::text;
-  bool repeatable = false;
-  bool required = false;
-  std::vector<std::string_view> choices = {};
+  Field field;                                 ///< its name, unit, meaning, range and default value
+  OptionKind kind = OptionKind::text;          ///< of each text that it takes
+  bool repeatable = false;                     ///< whether it may be given several times
+  bool required = false;                       ///< whether it must be given
+  std::vector<std::string_view> choices = {};  ///< the names that a choice takes, else empty
 
   /// The name as spelled on a command line: "all-sets".
   [[nodiscard]] std::string spelled() const;
@@ -124,14 +131,17 @@ void assign_option(Value& value, const Field& field, std::string_view text) {
 
 /// The options of a command with their type erased.
 struct OptionsType {
-  std::vector<Option> options;
-  std::shared_ptr<void> (*make)();
-  std::shared_ptr<void> (*copy)(const void* options);
+  std::vector<Option> options;                         ///< in the order of their description
+  std::shared_ptr<void> (*make)();                     ///< makes options with their default values
+  std::shared_ptr<void> (*copy)(const void* options);  ///< makes a copy of options
+  /// Sets an option from text; a name that is no option has no effect.
+  /// @throws OptionError  if the option does not take this text
   void (*set)(void* options, std::string_view name, std::string_view text);
-  void (*visit)(const void* options, ValueVisitor& to);
-  void (*walk)(const Field& field, TypeVisitor& to);
+  void (*visit)(const void* options, ValueVisitor& to);  ///< walks the values of options
+  void (*walk)(const Field& field, TypeVisitor& to);     ///< walks the type of the options
 };
 
+/// The options that a struct describes, with their type erased.
 template <Described Options>
 [[nodiscard]] OptionsType options_type() {
   OptionsType type{
@@ -159,7 +169,11 @@ template <Described Options>
 /// The options of a command while they are being set.  The type is copyable.
 class OptionValues {
  public:
+  /// Options with their default values.
+  /// @param type  must outlive the options
   explicit OptionValues(const OptionsType& type) : type_(&type), values_(type.make()) {}
+  /// Copy or move options with their texts.
+  /// @{
   OptionValues(const OptionValues& other)
       : type_(other.type_), values_(type_->copy(other.get())), given_(other.given_) {}
   OptionValues(OptionValues&&) noexcept = default;
@@ -169,6 +183,7 @@ class OptionValues {
     given_.swap(other.given_);
     return *this;
   }
+  /// @}
   ~OptionValues() = default;
 
   /// Sets an option from text, as written on the command line; "true" for a flag.  An option that
@@ -179,14 +194,18 @@ class OptionValues {
   /// Sets the options that a JSON object names; a list sets a repeatable option.
   /// @throws OptionError  if the text is not such an object, or for the reasons of `set`
   void set_from_json(std::string_view json);
+  /// Checks that all required options are set.
   /// @throws OptionError  if a required option was not set
   void require_complete() const;
 
+  /// Whether an option was set.
+  /// @param name  as in the struct
   [[nodiscard]] bool given(std::string_view name) const;
   /// Names and texts as they were set, in their order.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& texts() const {
     return given_;
   }
+  /// The struct of the options, of the type that the OptionsType was made for.
   [[nodiscard]] const void* get() const { return values_.get(); }
 
  private:

@@ -19,25 +19,25 @@ namespace strainwave {
 
 /// The study that a shard is a part of.
 struct SharedStudy {
-  std::string program;
-  std::string version;
-  std::string revision;
+  std::string program;   ///< name of the program: "strainwave"
+  std::string version;   ///< of the program
+  std::string revision;  ///< git revision that the program was built from
   /// What the digits of the numbers depend on beside the program: the processor's instructions and
   /// the mathematical library.
   std::string code_path;
-  std::string command;
+  std::string command;  ///< name of the command
   /// Names and texts, as they were set, apart from `threads`, which no answer depends on.
   std::vector<std::pair<std::string, std::string>> options;
-  OptionTexts texts;       ///< that options name
-  std::string drive_name;  ///< empty without a drive
-  std::string drive_text;
+  OptionTexts texts;               ///< that options name
+  std::string drive_name;          ///< empty without a drive
+  std::string drive_text;          ///< TOML; empty without a drive
   Attachments::Texts attachments;  ///< of the drive
 };
 
 /// The computed rows of one share of a study.
 struct Shard {
-  SharedStudy study;
-  Share share;
+  SharedStudy study;     ///< the study, with everything that it needs
+  Share share;           ///< which part of the study was computed
   std::size_t rows = 0;  ///< of the whole study
   std::string bytes;     ///< of the rows of this share (core/records.hpp)
 };
@@ -74,8 +74,7 @@ struct Shard {
 [[nodiscard]] Shard parse_shard(std::string_view text, const std::string& name);
 
 /// The first difference between two studies, such as "the option seed is 1 in one and 2 in the
-/// other"; empty if they are
-/// the same.
+/// other"; empty if they are the same.
 [[nodiscard]] std::string difference(const SharedStudy& one, const SharedStudy& other);
 
 /// The answer of a study from all its shards, in any order.

@@ -16,6 +16,7 @@ struct BasicPointContact {
   /// E*, 1/E* = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2 [Pa]; > 0
   Real contact_modulus{};
 };
+/// BasicPointContact without derivatives.
 using PointContact = BasicPointContact<double>;
 
 /// Solution of the Hertz contact.
@@ -31,6 +32,7 @@ struct BasicHertzContact {
   /// Tangent stiffness dQ/ddelta = 1.5 Q/delta [N/m]; eq. (CO-4).
   Real tangent_stiffness{};
 };
+/// BasicHertzContact without derivatives.
 using HertzContact = BasicHertzContact<double>;
 
 /// Hertz contact of two bodies pressed together by a force.
@@ -50,8 +52,9 @@ using HertzContact = BasicHertzContact<double>;
 /// Ellipse of a contact, which depends on the curvatures alone.
 struct ContactEllipse {
   double axis_ratio = 1.0;  ///< b'/a' [-]
-  double K = 0.0;           ///< complete elliptic integrals of the ellipse [-]
-  double E = 0.0;
+  /// complete elliptic integral of the first kind, of the modulus sqrt(1 - (b'/a')^2) [-]
+  double K = 0.0;
+  double E = 0.0;  ///< that of the second kind [-]
 };
 
 /// The last ellipses, kept by a caller that solves contacts whose curvatures seldom change. Finding
@@ -76,6 +79,7 @@ class ContactEllipses {
 
 /// Peak pressure p_0 = 3Q/(2 pi a' b') of a contact ellipse [Pa]; eq. (CO-3).
 [[nodiscard]] double peak_pressure(double force, double major_semi_axis, double minor_semi_axis);
+/// The peak pressure with derivatives.
 [[nodiscard]] DualReal peak_pressure(const DualReal& force, const DualReal& major_semi_axis,
                                      const DualReal& minor_semi_axis);
 
@@ -85,6 +89,7 @@ class ContactEllipses {
 /// @param axis_ratio  b'/a' [-]; in (0, 1]
 /// Source: harris2001 (secondary).
 [[nodiscard]] double orthogonal_shear_factor(double axis_ratio);
+/// The factor with derivatives.
 [[nodiscard]] DualReal orthogonal_shear_factor(const DualReal& axis_ratio);
 
 /// Depth below the surface at which the orthogonal shear stress is largest, over b' [-]; eq.
@@ -98,6 +103,7 @@ struct BasicEdgeTension {
   Real major_end{};  ///< along the major axis
   Real minor_end{};  ///< along the minor axis, which is the hoop direction for a ball on a raceway
 };
+/// BasicEdgeTension without derivatives.
 using EdgeTension = BasicEdgeTension<double>;
 
 /// Implements theory manual eq. (CO-7): the radial stress at the surface, which decays like 1/r^2
@@ -106,6 +112,7 @@ using EdgeTension = BasicEdgeTension<double>;
 /// @param poissons_ratio  nu [-]
 /// Source: johnson1985 (secondary).
 [[nodiscard]] EdgeTension edge_tension(double axis_ratio, double poissons_ratio);
+/// The tension with derivatives.
 [[nodiscard]] BasicEdgeTension<DualReal> edge_tension(const DualReal& axis_ratio,
                                                       const DualReal& poissons_ratio);
 

@@ -39,6 +39,7 @@ class AskedUnits {
   /// @param unit  unit of the values, such as "m"; text that is not a unit has no other unit
   [[nodiscard]] std::optional<DisplayUnit> of(std::string_view name, std::string_view unit) const;
 
+  /// Whether no unit was asked for, and SI throughout was not asked for either.
   [[nodiscard]] bool empty() const { return asked_.empty() && !si_; }
   /// The units, given without the name of an output, that no written value has.  A unit counts as
   /// used if `of` of this object or of a copy of it met the dimension of the unit.
@@ -79,8 +80,7 @@ class AskedUnitsScope {
 /// The units asked for in the innermost scope; none outside of all.
 [[nodiscard]] const AskedUnits& asked_units();
 /// Whether a scope is active, that is, whether the reader of this thread's output typed units.  A
-/// caller from
-/// code has SI.
+/// caller from code has SI.
 [[nodiscard]] bool within_asked_units();
 
 }  // namespace strainwave

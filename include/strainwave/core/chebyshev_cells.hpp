@@ -26,15 +26,18 @@ namespace strainwave {
 /// questions or on the thread.  All members may be called from several threads at once.
 class ChebyshevCells {
  public:
-  static constexpr std::size_t kMaxVariables = 3;
-  static constexpr std::size_t kMaxValues = 3;
-  static constexpr std::size_t kNodes = 8;  ///< of the polynomials, along each variable
+  static constexpr std::size_t kMaxVariables = 3;  ///< most variables of the function
+  static constexpr std::size_t kMaxValues = 3;     ///< most values of the function at a place
+  static constexpr std::size_t kNodes = 8;         ///< of the polynomials, along each variable
 
+  /// A value of each variable.  Elements beyond the number of variables have no effect.
   using Place = std::array<double, kMaxVariables>;
+  /// The values of the function at a place, of which the first Options::values count.
   using Values = std::array<double, kMaxValues>;
   /// Fills the values at a place; false: the function has no value there.
   using Function = std::function<bool(const Place&, Values&)>;
 
+  /// The boxes, and the accuracy of their polynomials.
   struct Options {
     std::vector<double> widths;  ///< of the boxes along each variable; > 0; 1 to 3 variables
     std::size_t values = 1;      ///< number of values of the function; 1 to kMaxValues
@@ -42,6 +45,8 @@ class ChebyshevCells {
     int halvings = 12;           ///< most halvings of one box
   };
 
+  /// Evaluates nothing yet: a box is filled on the first question in it.
+  /// @param function  may be called from several threads at once
   ChebyshevCells(Function function, Options options);
   ~ChebyshevCells();
   ChebyshevCells(const ChebyshevCells&) = delete;
@@ -84,8 +89,11 @@ class ChebyshevCells {
   mutable std::atomic<std::size_t> evaluations_{0};
 };
 
+/// Answers the questions of one thread.  It remembers the boxes that the thread has used, which
+/// saves a search under a lock.
 class ChebyshevCells::Reader {
  public:
+  /// @param cells  must outlive the reader
   explicit Reader(ChebyshevCells& cells) : cells_(&cells) {}
 
   /// Fills the values at a place.

@@ -26,6 +26,7 @@ class CorrelatedNormals {
   [[nodiscard]] static std::optional<CorrelatedNormals> of(
       std::size_t size, const std::vector<RankCorrelation>& pairs);
 
+  /// Number of variables.
   [[nodiscard]] std::size_t size() const { return size_; }
   /// Whether all variables are independent, so that z = u.
   [[nodiscard]] bool independent() const { return factor_.empty(); }

@@ -33,6 +33,8 @@ concept TableRow = Described<T> && requires {
 template <class T, class Member>
 using MemberValue = std::decay_t<std::invoke_result_t<Member, const T&>>;
 
+/// Whether a type is a list of numbers, which is walked as one column.
+/// @{
 template <class T>
 inline constexpr bool is_array_of_numbers = false;
 template <>
@@ -41,7 +43,9 @@ template <>
 inline constexpr bool is_array_of_numbers<std::vector<std::optional<double>>> = true;
 template <std::size_t N>
 inline constexpr bool is_array_of_numbers<std::array<double, N>> = true;
+/// @}
 
+/// Whether a type is text: std::string, std::string_view, or anything that converts to the latter.
 template <class T>
 inline constexpr bool is_text = std::is_convertible_v<const T&, std::string_view>;
 
@@ -52,21 +56,33 @@ class ValueVisitor {
  public:
   virtual ~ValueVisitor() = default;
 
+  /// Enclose a record.  Its fields come in between, each announced by `field`.
+  /// @{
   virtual void begin_record() = 0;
   virtual void end_record() = 0;
+  /// @}
   /// Announces that the value of this field of a record comes next.  Returning false skips the
   /// field.
   virtual bool field(const Field& field) = 0;
+  /// Enclose a list.  Its elements come in between.
+  /// @{
   virtual void begin_list() = 0;
   virtual void end_list() = 0;
+  /// @}
+  /// Begins a column: a list of numbers, or the values of one field over the rows of a table.
+  /// @param field  describes each element
   virtual void begin_column(const Field& field) = 0;
-  virtual void end_column() = 0;
+  virtual void end_column() = 0;  ///< Ends the column that was begun last.
+  /// Receives a number.
+  /// @param value  in the unit of the field
   virtual void number(double value, const Field& field) = 0;
+  /// Receives a number that has a unit and an accuracy of its own.
   virtual void quantity(const Quantity& value) = 0;
-  virtual void whole(std::int64_t value) = 0;
-  virtual void flag(bool value) = 0;
+  virtual void whole(std::int64_t value) = 0;  ///< Receives a whole number.
+  virtual void flag(bool value) = 0;           ///< Receives a truth value.
+  /// Receives text, or the name of a value of an enumeration.
   virtual void text(std::string_view value) = 0;
-  virtual void nothing() = 0;
+  virtual void nothing() = 0;  ///< Receives an absent element of a column or a list.
 };
 
 template <class T>
@@ -190,25 +206,37 @@ class TypeVisitor {
  public:
   virtual ~TypeVisitor() = default;
 
+  /// Enclose a record.  Its fields come in between, each announced by `field`.
+  /// @{
   virtual void begin_record() = 0;
   virtual void end_record() = 0;
+  /// @}
   /// Announces that the type of this field comes next.  `always`: every value has the field.
   virtual void field(const Field& field, Presence presence) = 0;
+  /// Enclose a list.  The type of its elements comes in between.
+  /// @{
   virtual void begin_list() = 0;
   virtual void end_list() = 0;
+  /// @}
   /// Begins a map from names to the type that comes next.
   virtual void begin_map() = 0;
-  virtual void end_map() = 0;
+  virtual void end_map() = 0;  ///< Ends the map that was begun last.
   /// Begins a choice between the records that come next, each with its kind.
   virtual void begin_alternatives() = 0;
-  virtual void end_alternatives() = 0;
+  virtual void end_alternatives() = 0;  ///< Ends the choice that was begun last.
+  /// Receives the kind of the record that was begun last: the value of its field `kind`.
   virtual void kind(std::string_view kind) = 0;
+  /// Receive a column, a number, a quantity or a whole number.
+  /// @param field  gives its unit, its meaning and its allowed values
+  /// @{
   virtual void column(const Field& field) = 0;
   virtual void number(const Field& field) = 0;
   virtual void quantity(const Field& field) = 0;
   virtual void whole(const Field& field) = 0;
-  virtual void flag() = 0;
-  virtual void text() = 0;
+  /// @}
+  virtual void flag() = 0;  ///< Receives a truth value.
+  virtual void text() = 0;  ///< Receives a text.
+  /// Receives a text that is one of these names.
   virtual void choice(std::span<const std::string_view> names) = 0;
 };
 

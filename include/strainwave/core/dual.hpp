@@ -22,15 +22,18 @@ namespace strainwave {
 /// that of the branch taken.
 template <std::size_t N>
 struct Dual {
-  static constexpr std::size_t kPartials = N;
+  static constexpr std::size_t kPartials = N;  ///< number of derivatives
 
-  double value = 0.0;
-  std::array<double, N> partial{};
+  double value = 0.0;               ///< the number itself, in its own unit
+  std::array<double, N> partial{};  ///< derivatives with respect to the N inputs, in order
 
-  constexpr Dual() = default;
-  // Implicit, because constants of a formula are numbers without derivatives.
+  constexpr Dual() = default;  ///< zero, with derivatives of zero
+  /// A number whose derivatives are zero.  Implicit, because constants of a formula are numbers
+  /// without derivatives.
   constexpr Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
 
+  /// Adds, subtracts, multiplies by or divides by a number, with the derivatives; eq. (SN-2).
+  /// @{
   Dual& operator+=(const Dual& b) {
     value += b.value;
     for (std::size_t k = 0; k < N; ++k) partial[k] += b.partial[k];
@@ -71,7 +74,10 @@ struct Dual {
     for (double& p : partial) p /= b;
     return *this;
   }
+  /// @}
 
+  /// Negatives, sums, differences, products and quotients with their derivatives; eq. (SN-2).
+  /// @{
   friend Dual operator-(Dual a) {
     a.value = -a.value;
     for (double& p : a.partial) p = -p;
@@ -96,9 +102,13 @@ struct Dual {
     const double quotient = a / b.value;
     return chain(b, quotient, -quotient / b.value);
   }
+  /// @}
 
+  /// Compare the values.  The derivatives have no effect.
+  /// @{
   friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
   friend auto operator<=>(const Dual& a, const Dual& b) { return a.value <=> b.value; }
+  /// @}
 
   /// The chain rule: f(x) from f and its derivative at the value of x; eq. (SN-2).
   friend Dual chain(const Dual& x, double f, double slope) {
@@ -110,6 +120,9 @@ struct Dual {
   /// The derivative at 0 is that of +x.  Only even functions use it there, so the choice has no
   /// effect.
   friend Dual abs(const Dual& x) { return std::signbit(x.value) ? -x : x; }
+  /// Elementary functions with their derivatives; eq. (SN-2).  Angles are in rad.  Where the slope
+  /// of a function is infinite, as that of the square root at 0, the derivatives are not finite.
+  /// @{
   friend Dual sqrt(const Dual& x) {
     const double root = std::sqrt(x.value);
     return chain(x, root, 0.5 / root);
@@ -139,6 +152,7 @@ struct Dual {
   friend Dual asinh(const Dual& x) {
     return chain(x, std::asinh(x.value), 1 / std::sqrt(1 + x.value * x.value));
   }
+  /// @}
 };
 
 /// Number of derivatives in the compiled numerical kernels: two vectors of four doubles.
@@ -146,26 +160,35 @@ inline constexpr std::size_t kDualWidth = 8;
 /// The scalar type for which the numerical kernels are compiled in addition to double.
 using DualReal = Dual<kDualWidth>;
 
+/// Whether a type is a Dual.
+/// @{
 template <class T>
 inline constexpr bool is_dual = false;
 template <std::size_t N>
 inline constexpr bool is_dual<Dual<N>> = true;
+/// @}
 
 /// The value, without derivatives.
+/// @{
 [[nodiscard]] constexpr double value_of(double x) { return x; }
 template <std::size_t N>
 [[nodiscard]] constexpr double value_of(const Dual<N>& x) {
   return x.value;
 }
+/// @}
 
 /// True if the value and all derivatives are zero, so a product with the number may be skipped.
+/// @{
 [[nodiscard]] constexpr bool is_nothing(double x) { return x == 0.0; }
 template <std::size_t N>
 [[nodiscard]] constexpr bool is_nothing(const Dual<N>& x) {
   return x.value == 0.0 && std::ranges::all_of(x.partial, [](double p) { return p == 0.0; });
 }
+/// @}
 
 /// Largest magnitude of the value and its derivatives: the norm that adaptive quadrature needs.
+/// Another type, such as a vector, has that of its function `abs`.
+/// @{
 [[nodiscard]] inline double magnitude(double x) { return std::abs(x); }
 template <std::size_t N>
 [[nodiscard]] double magnitude(const Dual<N>& x) {
@@ -178,14 +201,18 @@ template <class Value>
   using std::abs;
   return abs(x);
 }
+/// @}
 
 /// Adds derivatives to a root that was found in doubles, by one Newton step in dual numbers.
 ///
-/// Implements theory manual eq. (SN-3), dx/dp = -(df/dp)/(df/dx).
+/// Implements theory manual eq. (SN-3), dx/dp = -(df/dp)/(df/dx).  The arguments are
 ///
-/// @param root      x with f(x) = 0
-/// @param residual  f of the root held constant, with its derivatives
-/// @param slope     df/dx at the root; not 0
+/// - the root, x with f(x) = 0,
+/// - the residual, f of the root held constant, with its derivatives,
+/// - the slope df/dx at the root, which must not be 0.
+///
+/// In doubles there are no derivatives, and the root is returned as it is.
+/// @{
 [[nodiscard]] inline double root_with_partials(double root, double, double) { return root; }
 template <std::size_t N>
 [[nodiscard]] Dual<N> root_with_partials(double root, const Dual<N>& residual, double slope) {
@@ -193,5 +220,6 @@ template <std::size_t N>
   result.value = root;
   return result;
 }
+/// @}
 
 }  // namespace strainwave

@@ -20,10 +20,15 @@
 
 namespace strainwave {
 
+/// The modulus k = sqrt(1 - rho^2) [-] of an ellipse, 0 for a circle.
+/// @param axis_ratio  rho [-]; in (0, 1]
 [[nodiscard]] inline double ellipse_modulus(double axis_ratio) {
   return std::sqrt(std::max(0.0, 1 - axis_ratio * axis_ratio));
 }
 
+/// The complete elliptic integral K, E or D [-], as the name says.
+/// @param axis_ratio  rho [-]; in (0, 1]
+/// @{
 [[nodiscard]] inline double ellipse_K(double axis_ratio) {
   return boost::math::ellint_1(ellipse_modulus(axis_ratio));
 }
@@ -33,6 +38,7 @@ namespace strainwave {
 [[nodiscard]] inline double ellipse_D(double axis_ratio) {
   return boost::math::ellint_d(ellipse_modulus(axis_ratio));
 }
+/// @}
 
 /// Derivative dD/drho [-].
 [[nodiscard]] inline double ellipse_D_slope(double axis_ratio) {
@@ -52,6 +58,9 @@ namespace strainwave {
   return -2 * rho * std::numbers::pi / 4 * sum;
 }
 
+/// The same integrals with their derivatives; eq. (SN-4).
+/// @param axis_ratio  rho [-]; in (0, 1]
+/// @{
 template <std::size_t N>
 [[nodiscard]] Dual<N> ellipse_K(const Dual<N>& axis_ratio) {
   const double rho = axis_ratio.value;
@@ -67,5 +76,6 @@ template <std::size_t N>
 [[nodiscard]] Dual<N> ellipse_D(const Dual<N>& axis_ratio) {
   return chain(axis_ratio, ellipse_D(axis_ratio.value), ellipse_D_slope(axis_ratio.value));
 }
+/// @}
 
 }  // namespace strainwave

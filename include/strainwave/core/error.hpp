@@ -16,9 +16,9 @@ class Error : public std::runtime_error {
 
 /// A place in a text that was read.  Lines and columns count from 1; 0 means unknown.
 struct TextPlace {
-  std::string file = {};
-  std::size_t line = 0;
-  std::size_t column = 0;
+  std::string file = {};   ///< name of the text
+  std::size_t line = 0;    ///< from 1; 0: unknown
+  std::size_t column = 0;  ///< from 1; 0: unknown
 };
 
 /// A value given by the caller is outside what the model accepts.
@@ -37,6 +37,7 @@ class InputError : public Error {
   /// The same fault with its place in a file: `file:line:column: ...`.
   [[nodiscard]] InputError located(const TextPlace& place, std::string_view value_as_written) const;
 
+  /// Path of the faulty field, or name of the option or the file; empty if no field is known.
   [[nodiscard]] const std::string& field() const noexcept { return field_; }
   /// The faulty value as written in the text, or else with its unit; empty if no value is at fault.
   [[nodiscard]] const std::string& value() const noexcept { return value_; }

@@ -18,6 +18,7 @@
 
 #include "strainwave/core/error.hpp"
 
+/// @file
 /// Every struct of the input, of a result and of the options of a command describes its fields
 /// once, by a static member `describe`.  Visitors of that description are the file reader, the
 /// schemas, the template of `strainwave new`, the field reference in the docs, the range checks,
@@ -28,10 +29,10 @@ namespace strainwave {
 
 /// The allowed values of a number.
 struct Range {
-  double lower = -std::numeric_limits<double>::infinity();
-  bool lower_open = true;
-  double upper = std::numeric_limits<double>::infinity();
-  bool upper_open = true;
+  double lower = -std::numeric_limits<double>::infinity();  ///< in the unit of the number
+  bool lower_open = true;  ///< whether `lower` itself is not allowed
+  double upper = std::numeric_limits<double>::infinity();  ///< in the unit of the number
+  bool upper_open = true;  ///< whether `upper` itself is not allowed
 
   /// Always false for NaN and infinities.
   [[nodiscard]] constexpr bool contains(double x) const {
@@ -39,8 +40,9 @@ struct Range {
   }
 };
 
-inline constexpr Range kFinite{};
-inline constexpr Range kPositive{.lower = 0.0};
+inline constexpr Range kFinite{};                ///< any finite number
+inline constexpr Range kPositive{.lower = 0.0};  ///< any finite number above zero
+/// Zero and any finite number above it.
 inline constexpr Range kNonNegative{.lower = 0.0, .lower_open = false};
 
 /// The rule of a range in words: "> 0", "> -1 and < 0.5", "<= 1.5708 rad".
@@ -53,7 +55,10 @@ enum class InTemplate {
 };
 
 /// Whether every value of a struct has the field.
-enum class Presence { always, sometimes };
+enum class Presence {
+  always,    ///< every value has the field
+  sometimes  ///< a value may lack the field
+};
 
 /// Marks a number whose unit is given by the field `unit` of the same struct.
 inline constexpr std::string_view kUnitBeside = "*";
@@ -68,7 +73,7 @@ struct Field {
   std::string_view example = {};   ///< right-hand side in the template, TOML
   std::string_view fallback = {};  ///< TOML value used if the field is left out; empty: the field
                                    ///< is required, or optional without a fallback (std::optional)
-  InTemplate in_template = InTemplate::yes;
+  InTemplate in_template = InTemplate::yes;  ///< form in the template of `strainwave new`
   /// For a result: evidence that only complete documents show; it is not an output of a table.
   bool detail = false;
   /// For a field of a result: a table of many drives shows this field.  A result with such a field
@@ -105,11 +110,13 @@ concept Described = requires {
 template <class E>
 struct EnumNames;
 
+/// The name of a value of an enumeration in files: its entry in EnumNames.
 template <class E>
 [[nodiscard]] std::string_view enum_name(E value) {
   return EnumNames<E>::names[static_cast<std::size_t>(value)];
 }
 
+/// The value of an enumeration by its name in files; absent if no value has the name.
 template <class E>
 [[nodiscard]] std::optional<E> enum_value(std::string_view name) {
   for (std::size_t i = 0; i < EnumNames<E>::names.size(); ++i)
@@ -117,26 +124,39 @@ template <class E>
   return std::nullopt;
 }
 
+/// Whether a type is a std::optional.
+/// @{
 template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+/// @}
 
+/// Whether a type is a std::vector.
+/// @{
 template <class T>
 inline constexpr bool is_vector = false;
 template <class T>
 inline constexpr bool is_vector<std::vector<T>> = true;
+/// @}
 
+/// Whether a type is a std::variant.
+/// @{
 template <class T>
 inline constexpr bool is_variant = false;
 template <class... Ts>
 inline constexpr bool is_variant<std::variant<Ts...>> = true;
+/// @}
 
+/// Whether a type is a std::map whose keys are std::string.
+/// @{
 template <class T>
 inline constexpr bool is_string_map = false;
 template <class T>
 inline constexpr bool is_string_map<std::map<std::string, T>> = true;
+/// @}
 
+/// Whether a type is std::array<double, 2>, which files give as a list of two.
 template <class T>
 inline constexpr bool is_pair_of_numbers = std::is_same_v<T, std::array<double, 2>>;
 
@@ -156,9 +176,11 @@ void for_each_alternative(F&& f) {
 /// times in a study.  A name that extends a path must outlive the path.
 class FieldPath {
  public:
-  FieldPath() = default;
+  FieldPath() = default;  ///< the whole file
+  /// A path from its text.
   explicit FieldPath(std::string text) : base_(std::move(text)) {}
-  // Only the steps in use are copied.
+  /// Copy a path.  Only the steps in use are copied.
+  /// @{
   FieldPath(const FieldPath& other) : base_(other.base_), steps_(other.steps_) {
     std::copy_n(other.step_.begin(), steps_, step_.begin());
   }
@@ -168,14 +190,19 @@ class FieldPath {
     std::copy_n(other.step_.begin(), steps_, step_.begin());
     return *this;
   }
+  /// @}
   ~FieldPath() = default;
 
+  /// The path of a field of the table at this path.
   [[nodiscard]] FieldPath operator/(std::string_view name) const {
     return extended({.name = name.data(), .size = name.size(), .index = kNone});
   }
+  /// The path of an element of the list at this path.
+  /// @param index  from 0
   [[nodiscard]] FieldPath operator[](std::size_t index) const {
     return extended({.name = nullptr, .size = 0, .index = index});
   }
+  /// The path as text: `output_shaft.crack[0].depth`.
   [[nodiscard]] std::string text() const;
   /// Whether `text()` is this text.
   [[nodiscard]] bool is(std::string_view text) const;
@@ -215,8 +242,11 @@ void require(bool ok, const FieldPath& field, double value, std::string_view uni
 
 /// Replaces a FieldPath at no cost where its text is not needed.
 struct NoPath {
+  /// No path again, where FieldPath gives a longer path.
+  /// @{
   NoPath operator/(std::string_view) const { return {}; }
   NoPath operator[](std::size_t) const { return {}; }
+  /// @}
 };
 
 /// Walks all numbers that a described value holds now by calling `f(const Path&, const Field&,

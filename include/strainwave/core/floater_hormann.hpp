@@ -9,8 +9,8 @@ namespace strainwave {
 /// A function and its derivative at one place.
 template <class Real>
 struct ValueAndSlope {
-  Real value{};
-  Real slope{};
+  Real value{};  ///< the function
+  Real slope{};  ///< its derivative with respect to its argument
 };
 
 /// Rational interpolant without poles through `Nodes` points (Floater and Hormann, order 3).
@@ -23,11 +23,14 @@ struct ValueAndSlope {
 /// distance from a node, so both are accurate at and near the nodes.  In floating point, the
 /// barycentric form of the same function is not differentiable there.
 ///
-/// @tparam Real  scalar of the ordinates and of the argument Source: floater2007 (secondary).
+/// Source: floater2007 (secondary).
+///
+/// @tparam Real   scalar of the ordinates: double, or a Dual
+/// @tparam Nodes  number of points; 4 or more
 template <class Real, std::size_t Nodes>
 class FloaterHormann {
  public:
-  static constexpr std::size_t kOrder = 3;
+  static constexpr std::size_t kOrder = 3;  ///< degree of the polynomials p_i
   static_assert(Nodes > kOrder);
 
   /// @param x  nodes in ascending order
@@ -40,6 +43,7 @@ class FloaterHormann {
             (difference_[order - 1][i + 1] - difference_[order - 1][i]) / (x[i + order] - x[i]);
   }
 
+  /// The interpolant r(x).  Beyond the outer nodes it extrapolates.
   template <class Argument>
   [[nodiscard]] auto operator()(const Argument& x) const {
     return value_and_slope(x).value;

@@ -58,6 +58,7 @@ template <std::size_t N, class Real>
 template <std::size_t N>
 class LagrangeBasis {
  public:
+  /// @param nodes  N different numbers, in any order
   explicit LagrangeBasis(const std::array<double, N>& nodes) : nodes_(nodes) {
     for (std::size_t i = 0; i < N; ++i) {
       weights_[i] = 1.0;
@@ -66,9 +67,10 @@ class LagrangeBasis {
     }
   }
 
+  /// The N polynomials at one place x.
   struct AtPoint {
-    std::array<double, N> value{};
-    std::array<double, N> slope{};
+    std::array<double, N> value{};  ///< values [-]
+    std::array<double, N> slope{};  ///< derivatives with respect to x, per unit of x
   };
   /// Values at x, by the products before and behind each node, which are valid at the nodes too.
   [[nodiscard]] std::array<double, N> values(double x) const {

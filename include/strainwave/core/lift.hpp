@@ -17,10 +17,13 @@ namespace strainwave {
 template <class Real>
 class Lift;
 
+/// Reads the numbers as they are, for a computation without derivatives.
 template <>
 class Lift<double> {
  public:
+  /// The number itself.
   double operator()(const double& number) const { return number; }
+  /// Deleted, so that a model that compiles with doubles also compiles with dual numbers.
   double operator()(const double&&) const = delete;
 };
 
@@ -37,6 +40,7 @@ class Lift<Dual<N>> {
     std::ranges::copy(inputs.first(std::min(inputs.size(), N)), inputs_.begin());
   }
 
+  /// The number with its derivatives: `seed` for the input itself, 0 for all others.
   Dual<N> operator()(const double& number) const {
     Dual<N> result(number);
     for (std::size_t k = 0; k < N; ++k)

@@ -17,6 +17,7 @@ class MultipleAngle {
   /// @param angle  x [rad]
   explicit MultipleAngle(double angle) : cosine_one_(std::cos(angle)), sine_one_(std::sin(angle)) {}
 
+  /// Goes on to the next multiple: k grows by one.
   void next() {
     const double before = cosine_;
     cosine_ = before * cosine_one_ - sine_ * sine_one_;

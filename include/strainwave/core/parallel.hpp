@@ -15,6 +15,7 @@
 
 namespace strainwave {
 
+/// How the indices of a loop are shared among threads.
 struct Parallel {
   std::size_t block = 1;  ///< how many indices a thread takes at a time
   int threads = 0;        ///< 0: as many as the machine runs at once

@@ -27,7 +27,9 @@ class Progress {
   /// Receives a line of text about the progress, for a person who waits.
   using Words = std::function<void(const std::string& line)>;
 
-  Progress() = default;
+  Progress() = default;  ///< reports nothing and never stops
+  /// Passes the reports of a computation on.
+  /// @param words  empty: lines of text are dropped
   explicit Progress(Report report, Words words = {})
       : report_(std::move(report)), words_(std::move(words)) {}
 
@@ -37,6 +39,7 @@ class Progress {
     if (report_ && !report_(from_ + (to_ - from_) * share)) throw Stopped();
   }
 
+  /// Passes a line of text on to the person who waits; no effect without `Words`.
   void say(const std::string& line) const {
     if (words_) words_(line);
   }

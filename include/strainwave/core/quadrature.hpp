@@ -25,7 +25,7 @@ struct QuadratureOptions {
 /// An integral with its error estimate.
 template <class Value>
 struct Integral {
-  Value value{};
+  Value value{};           ///< the integral; unit of the integrand times that of its variable
   double error = 0.0;      ///< estimate, sum of |Kronrod - Gauss| over the pieces, unit of `value`
   bool converged = false;  ///< error <= relative_tolerance |value|
 };

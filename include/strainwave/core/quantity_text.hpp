@@ -18,8 +18,8 @@ using Dimension = std::array<double, 6>;
 
 /// A unit written in text, such as "N*m/rad", "MPa*m^0.5", "1/(N*m)" or "1".
 struct Unit {
-  double factor = 1.0;  ///< value in strainwave units = factor * value in this unit
-  Dimension dimension = {};
+  double factor = 1.0;       ///< value in strainwave units = factor * value in this unit
+  Dimension dimension = {};  ///< exponents of the base units that make up the unit
   /// The exponent of the factor if the factor is a power of ten.  Such a unit moves the decimal
   /// point exactly.
   std::optional<int> power_of_ten = 0;
@@ -27,20 +27,21 @@ struct Unit {
 
 /// A unit that texts can name.
 struct KnownUnit {
-  std::string_view symbol;
-  Unit unit;
+  std::string_view symbol;    ///< as texts spell it: "rpm"
+  Unit unit;                  ///< factor and dimension, without a prefix
   std::string_view kind;      ///< "length"
   bool takes_prefix = false;  ///< those of unit_prefixes
 };
 
 /// A prefix of units: "k" for 10^3.
 struct UnitPrefix {
-  std::string_view symbol;
-  int power = 0;  ///< of ten
+  std::string_view symbol;  ///< as texts spell it, before the symbol of the unit
+  int power = 0;            ///< of ten
 };
 
 /// All units that `parse_unit` knows, without prefixes.
 [[nodiscard]] std::span<const KnownUnit> known_units();
+/// All prefixes that `parse_unit` knows.
 [[nodiscard]] std::span<const UnitPrefix> unit_prefixes();
 
 /// Whether values of one unit can be converted to the other.

@@ -26,7 +26,9 @@ class Ranks {
   Ranks(Ranks&&) = delete;
   Ranks& operator=(Ranks&&) = delete;
 
+  /// Number of this process, from 0 to size() - 1.
   [[nodiscard]] virtual int rank() const { return 0; }
+  /// Number of processes, 1 or more.
   [[nodiscard]] virtual int size() const { return 1; }
   /// Number of ranks on this machine, which share its memory.
   [[nodiscard]] virtual int on_this_machine() const { return 1; }
@@ -34,6 +36,7 @@ class Ranks {
   [[nodiscard]] virtual std::string from_first(const std::string& text) const { return text; }
   /// Returns whether `here` is true on every rank; all ranks must call it.
   [[nodiscard]] virtual bool all(bool here) const { return here; }
+  /// Whether this is the first process, rank 0.
   [[nodiscard]] bool first() const { return rank() == 0; }
 
   /// Does a part of the work.  If the part fails on any rank, it ends on all ranks.

@@ -32,10 +32,13 @@ class BrokenRecord : public std::runtime_error {
 /// Writes values as bytes: 8 bytes for a number, the lowest byte first.
 class RecordWriter {
  public:
+  /// Adds values, each a double, an integer, an enumerator, a std::string, a type with an `archive`
+  /// function, or a std::vector, array, pair, map or optional of these.  The values do not change.
   template <class... Values>
   void operator()(Values&... values) {
     (put(values), ...);
   }
+  /// What was written.  It leaves the writer, which is of no use afterwards.
   [[nodiscard]] std::string bytes() && { return std::move(bytes_); }
 
  private:
@@ -90,11 +93,13 @@ class RecordReader {
   /// @param bytes  must outlive the reader
   explicit RecordReader(std::string_view bytes) : rest_(bytes) {}
 
+  /// Fills the values with the next ones of the record.
   /// @throws BrokenRecord
   template <class... Values>
   void operator()(Values&... values) {
     (get(values), ...);
   }
+  /// Whether all bytes have been read.
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
 
  private:

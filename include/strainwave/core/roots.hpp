@@ -30,6 +30,8 @@ template <class Function>
       f, lower, upper, f_lower, f_upper, boost::math::tools::eps_tolerance<double>(52), steps);
   return (a + b) / 2;
 }
+/// The same root.  The function is evaluated at both ends first.
+/// @throws SolverError  as the function above
 template <class Function>
 [[nodiscard]] double bracketed_root(const Function& f, double lower, double upper) {
   return bracketed_root(f, lower, upper, f(lower), f(upper));

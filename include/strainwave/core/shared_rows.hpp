@@ -20,16 +20,16 @@ namespace strainwave {
 
 /// Part `part` of `parts` equal parts of a study, counted from 1.
 struct Share {
-  int part = 1;
-  int parts = 1;
+  int part = 1;   ///< from 1 to `parts`
+  int parts = 1;  ///< number of equal parts; >= 1
 
   friend bool operator==(const Share&, const Share&) = default;
 };
 
 /// The rows [first, last) of a study.
 struct RowRange {
-  std::size_t first = 0;
-  std::size_t last = 0;
+  std::size_t first = 0;  ///< index of the first row, from 0
+  std::size_t last = 0;   ///< index behind the last row
 
   friend bool operator==(const RowRange&, const RowRange&) = default;
 };
@@ -62,6 +62,7 @@ class SharedRows {
 
   /// Whether the rows are read.
   [[nodiscard]] bool reads() const { return reads_; }
+  /// The share that is computed; without meaning if shares are read.
   [[nodiscard]] const Share& share() const { return share_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }  ///< of the whole study
   /// Of the computed rows, or of all rows that are read.

@@ -9,8 +9,7 @@
 
 /// @file
 /// Numbers and text for people, with few digits and in the units of engineering drawings.  Files
-/// use SI units and all
-/// digits.
+/// use SI units and all digits.
 
 namespace strainwave {
 
@@ -21,7 +20,7 @@ inline constexpr std::size_t kTextWidth = 100;
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
 /// A paragraph of text, broken to `kTextWidth` columns and ended by a line feed.  Lines after the
-/// first are indented by `hang` more blanks.
+/// first are indented by `hanging` more blanks.
 [[nodiscard]] std::string paragraph(std::string_view text, std::size_t indent = 0,
                                     std::size_t hanging = 2);
 

@@ -34,8 +34,8 @@ inline constexpr std::string_view kKindsOf = "crack that this member can have";
 
 /// Place of a value in the file, and its spelling there.
 struct TomlSource {
-  toml::source_position position;
-  std::string written;
+  toml::source_position position;  ///< line and column of its first character, from 1
+  std::string written;             ///< spelling; empty for a table or a list
 };
 
 /// A value as spelled in the file.
@@ -51,8 +51,14 @@ inline std::string written(const toml::node& node) {
 /// Fills described structs from TOML nodes and records the place of each value.
 class TomlReader {
  public:
+  /// @param file_name  name of the file in messages
   explicit TomlReader(std::string_view file_name) : file_name_(file_name) {}
 
+  /// Fills a struct from a table and the tables below it.
+  /// @param path   path of the table in its file
+  /// @param value  keeps what it holds in fields that the table may leave out
+  /// @throws InputError  if a key is unknown, a required field is missing, or a value has the wrong
+  ///                     type, unit or name
   template <Described T>
   void read_table(const toml::table& table, const FieldPath& path, T& value) {
     remember(table, path);

@@ -22,9 +22,9 @@ struct StraightCrack {
 
 /// Stress of the sheet without cracks [Pa].
 struct SheetStress {
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
+  double xx = 0.0;  ///< normal stress along x
+  double yy = 0.0;  ///< normal stress along y
+  double xy = 0.0;  ///< shear stress in the plane
   double xz = 0.0;  ///< out of plane
   double yz = 0.0;  ///< out of plane
 };
@@ -32,9 +32,9 @@ struct SheetStress {
 /// Stress intensity factors of a tip [Pa*sqrt(m)].  Shear is positive if it has the sense of the
 /// shear stress in the axes of the crack.
 struct TipFactors {
-  double mode_1 = 0.0;
-  double mode_2 = 0.0;
-  double mode_3 = 0.0;
+  double mode_1 = 0.0;  ///< K_I; 0 if the crack is closed
+  double mode_2 = 0.0;  ///< K_II
+  double mode_3 = 0.0;  ///< K_III
 };
 
 /// One crack of a group under a stress.
@@ -45,6 +45,7 @@ struct GroupedCrack {
   bool closed = false;
 };
 
+/// Choices of crack_group.
 struct GroupOptions {
   int order = 40;                  ///< points on each crack; 4 to 400
   std::optional<double> period{};  ///< of a row along x [m]; absent: no row
@@ -55,7 +56,7 @@ struct GroupOptions {
 
 /// A group of cracks under one stress of the sheet.
 struct CrackGroup {
-  std::vector<GroupedCrack> cracks;
+  std::vector<GroupedCrack> cracks;  ///< in the order in which the cracks were given
   /// Whether each crack is either open or closed at its middle.  False: no such state was found,
   /// because faces touch over a part of their length; the answer must not be used.
   bool settled = false;

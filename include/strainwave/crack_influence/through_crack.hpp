@@ -19,18 +19,21 @@ namespace strainwave {
 /// s runs from -1 at the lower tip to 1 at the upper tip, zeta from -1 at the inner face of the
 /// wall to 1 at the outer face.  The coefficients belong to 1, zeta, s, s zeta, s^2, s^2 zeta.
 struct FaceTractions {
+  /// Number of coefficients of each direction.
   static constexpr std::size_t kShapes = 6;
   std::array<double, kShapes> normal{};   ///< across the crack, tension > 0 [Pa]
   std::array<double, kShapes> along{};    ///< shear along the crack [Pa]
   std::array<double, kShapes> outward{};  ///< shear through the wall [Pa]
 };
 
-/// K at one place of a front [Pa*m^0.5].
+/// K_I, K_II, K_III at one place of a front [Pa*m^0.5].
 using StationModes = std::array<double, 3>;
 
 /// A crack in one state.
 struct ThroughCrackState {
-  std::vector<StationModes> upper;  ///< of the upper tip, from the inner to the outer face
+  /// Of the upper tip, at ThroughCrackResponse::stations.
+  std::vector<StationModes> upper;
+  /// Of the lower tip, at the same stations.
   std::vector<StationModes> lower;
   std::vector<double> pressure;  ///< at the places of the contact [Pa]
 };
@@ -38,7 +41,7 @@ struct ThroughCrackState {
 /// The response of one crack.
 class ThroughCrackResponse {
  public:
-  /// zeta of the stations of a front.
+  /// zeta of the stations of a front [-], from the inner face of the wall to the outer one.
   [[nodiscard]] std::span<const double> stations() const { return stations_; }
   /// Solves the contact of the faces without friction (IN-2).
   /// @param start  pressures of a neighbouring state; empty: none
@@ -67,8 +70,11 @@ class ThroughCrackTable {
   /// @throws InputError  if the text is not such a table
   explicit ThroughCrackTable(std::string_view text);
   ~ThroughCrackTable();
+  /// A table can be moved, not copied.
+  /// @{
   ThroughCrackTable(ThroughCrackTable&&) noexcept;
   ThroughCrackTable& operator=(ThroughCrackTable&&) noexcept;
+  /// @}
 
   /// The response of a crack (IN-1).
   /// @param half_length  a [m]

@@ -32,6 +32,7 @@ struct EnumNames<RowCode> {
                                                             "not-usable", "output-absent"};
 };
 
+/// Largest number of threads of a batch.
 inline constexpr int kMaxBatchThreads = 256;
 
 /// The work of a batch.
@@ -39,17 +40,18 @@ struct BatchTask {
   std::span<const std::string> paths;    ///< paths of p numbers: "output_shaft.crack[0].depth"
   std::span<const double> values;        ///< shape (n, p), row after row [unit of the field]
   std::span<const std::string> outputs;  ///< q names: "cracked.positive.stiffness"
-  Method method = Method::corrected;
-  int threads = 1;  ///< 0: as many as the machine can run
+  Method method = Method::corrected;     ///< theory by which each row is evaluated
+  int threads = 1;                       ///< 0: as many as the machine can run
 };
 
 /// The first row with a code, and the reason.
 struct BatchFault {
-  RowCode code = RowCode::refused;
-  std::size_t row = 0;
-  std::string message;
+  RowCode code = RowCode::refused;  ///< any but ok
+  std::size_t row = 0;              ///< index of the row, from 0
+  std::string message;              ///< the reason, one sentence
 };
 
+/// What a batch computed.
 struct BatchResult {
   /// Shape (n, q), row after row [SI unit of the output]; 0 if the code of the row says that it has
   /// no numbers.
@@ -59,8 +61,8 @@ struct BatchResult {
   std::vector<BatchFault> faults;
 };
 
-/// Evaluates a drive for each row of values.  The numbers equal those of `evaluate`: within 1e-10 if
-/// all outputs are those of the sum of the members and tables of the cracks save time for this
+/// Evaluates a drive for each row of values.  The numbers equal those of `evaluate`: within 1e-10
+/// if all outputs are those of the sum of the members and tables of the cracks save time for this
 /// number of rows (ST-22), otherwise bit for bit.  They have the same bits for any number of
 /// threads.
 ///

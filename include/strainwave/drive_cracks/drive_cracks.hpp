@@ -70,8 +70,9 @@ struct DriveCrack {
   CrackSize size;                  ///< size in the file
   double ligament = 0.0;           ///< thickness of the section that the crack leaves [m]
   double through_thickness = 0.0;  ///< thickness of the wall of a through crack, else 0 [m]
-  TurningLoad turning = TurningLoad::none;
-  CrackModuli moduli;  ///< E' and mu [Pa]
+  TurningLoad turning = TurningLoad::none;  ///< load that changes in each turn
+  CrackModuli moduli;                       ///< E' and mu [Pa]
+  /// Plane stress or plane strain ahead of the front; the plastic zone depends on it.
   sif::Constraint constraint = sif::Constraint::plane_strain;
   BothSenses faces;  ///< state of the faces at the given load, without the assembly
   /// False if the load has the same sense for both senses of torque, as the force on a lobe does.

@@ -22,8 +22,8 @@ enum class Faces { pressed, touching, open };
 
 /// State of a crack's faces under both senses of torque, with the given axial force.
 struct BothSenses {
-  Faces positive = Faces::touching;
-  Faces negative = Faces::touching;
+  Faces positive = Faces::touching;  ///< under torque about +z
+  Faces negative = Faces::touching;  ///< under torque about -z
 
   /// Whether the crack is pressed under one sense only.  It then adds more compliance under the
   /// other.

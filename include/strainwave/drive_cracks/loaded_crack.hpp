@@ -37,12 +37,13 @@ namespace strainwave {
 /// The numbers that define a solution: its `Parameters`, or the whole of a plain struct.
 template <class Solution>
 struct ParametersOf {
-  using type = Solution;
+  using type = Solution;  ///< the solution itself
 };
+/// The numbers of a solution that prepares more than its `Parameters`.
 template <class Solution>
 requires requires { typename Solution::Parameters; }
 struct ParametersOf<Solution> {
-  using type = typename Solution::Parameters;
+  using type = typename Solution::Parameters;  ///< what the solution is made from
 };
 
 /// A crack with the numbers of its solution.
@@ -51,13 +52,14 @@ struct ParametersOf<Solution> {
 /// ring of the wave generator.
 template <SweptCrack Solution>
 struct CrackNumbers {
-  using Real = ScalarOf<Solution>;
+  using Real = ScalarOf<Solution>;  ///< scalar of the solution
 
   /// numbers of the solution at the size in the file, with open faces
   typename ParametersOf<Solution>::type parameters;
   BasicCrackModuli<Real> moduli;  ///< E' and mu [Pa]
+  /// Plane stress or plane strain ahead of the front.
   sif::Constraint constraint = sif::Constraint::plane_strain;
-  BothSenses faces;
+  BothSenses faces;      ///< state of the faces at the given load, without the assembly
   bool in_range = true;  ///< whether the closed-form compliance may be used at this size
   /// Compliance by finite elements that replaces the closed form if the crack names a table
   /// (FE-41).
@@ -67,6 +69,7 @@ struct CrackNumbers {
 /// A crack with the solution of its stress intensity.
 template <SweptCrack Solution>
 struct LoadedCrack : CrackNumbers<Solution> {
+  /// Makes the solution from the numbers.
   explicit LoadedCrack(const CrackNumbers<Solution>& numbers)
       : CrackNumbers<Solution>(numbers), solution(numbers.parameters) {}
 
@@ -92,8 +95,9 @@ struct ActsInCoupledDrive {};
 template <class Real>
 class CrackLoads {
  public:
-  using Elastic = BasicElasticConstants<Real>;
-  using Moduli = BasicCrackModuli<Real>;
+  using Elastic = BasicElasticConstants<Real>;  ///< E, G, nu in the scalar
+  using Moduli = BasicCrackModuli<Real>;        ///< E' and mu in the scalar
+  /// A crack with the numbers of a solution.
   template <class Solution>
   using Numbers = CrackNumbers<Solution>;
 
@@ -109,6 +113,7 @@ class CrackLoads {
   void describe(const Crack& crack, const F& f) const {
     f(numbers(crack));
   }
+  /// The same; a solid shaft and a hollow one have separate solutions.
   template <class F>
   void describe(const AnnularCrack& crack, const F& f) const {
     if (gear_.output_shaft->solid())
@@ -116,6 +121,7 @@ class CrackLoads {
     else
       f(numbers_in_hollow_shaft(crack));
   }
+  /// The same; a solid shaft and a hollow one have separate solutions.
   template <class F>
   void describe(const ShaftSurfaceCrack& crack, const F& f) const {
     if (gear_.output_shaft->solid())
@@ -135,6 +141,7 @@ class CrackLoads {
     return with_solution(numbers(crack));
   }
 
+  /// A crack that acts through contacts has no numbers of a solution.
   template <ContactCrack Crack>
   [[nodiscard]] static ActsInCoupledDrive numbers(const Crack&) {
     return {};
@@ -142,6 +149,7 @@ class CrackLoads {
 
   // --- Wave generator ---------------------------------------------------------------------------
 
+  /// The isotropic material of the bearing's rings, which is that of the wave generator.
   [[nodiscard]] Elastic ring_steel() const {
     return steel(gear_.wave_generator->material, "wave_generator.material");
   }
@@ -194,6 +202,7 @@ class CrackLoads {
     return lift_(*crack.stress) / lobe_force();
   }
 
+  /// A surface crack of the inner ring, per unit of lobe force.
   [[nodiscard]] Numbers<sif::SurfaceCrack<1, Real>> numbers(const RaceSurfaceCrack& crack) const {
     const Elastic steel = ring_steel();
     const Real stress = unit_stress(crack);
@@ -212,6 +221,7 @@ class CrackLoads {
             .faces = race_faces(stress),
             .in_range = not_too_deep(crack.depth, thickness)};
   }
+  /// A crack over the width of the inner ring, per unit of lobe force.
   [[nodiscard]] Numbers<sif::BasicEdgeCrack<Real>> numbers(const RaceEdgeCrack& crack) const {
     const WaveGenerator& wg = *gear_.wave_generator;
     const Real stress = unit_stress(crack);
@@ -231,6 +241,7 @@ class CrackLoads {
   [[nodiscard]] Elastic wall_steel(WallSection section) const {
     return steel(material_name(*gear_.flexspline, section), "flexspline.material");
   }
+  /// The isotropic material of the diaphragm.
   [[nodiscard]] Elastic diaphragm_steel() const {
     const Flexspline& fs = *gear_.flexspline;
     return steel(material_name(fs, *fs.diaphragm), "flexspline.diaphragm.material");
@@ -245,7 +256,7 @@ class CrackLoads {
     return {(lift_(given.outer_diameter) - t) / 2, t};  // (ST-11)
   }
 
-  /// Stress on the plane of a wall crack per unit of axial force and torque.
+  /// Stress on the plane of a wall crack per unit of axial force and torque [1/m^2, 1/m^3].
   template <class Crack>
   [[nodiscard]] sif::BasicCrackPlaneStress<Real> plane_of(const Crack& crack) const {
     const Wall<Real> wall = wall_of(crack.section);
@@ -267,6 +278,7 @@ class CrackLoads {
     return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
   }
 
+  /// A through crack of the wall; in a laminate it is that of a flat anisotropic sheet (LA-9).
   [[nodiscard]] Numbers<sif::BasicThroughCrackInTube<Real>> numbers(
       const WallThroughCrack& crack) const {
     const Wall<Real> wall = wall_of(crack.section);
@@ -293,6 +305,7 @@ class CrackLoads {
                       tube.kMaxShellParameter;
     return result;
   }
+  /// A surface crack of the wall.
   [[nodiscard]] Numbers<sif::SurfaceCrack<2, Real>> numbers(const WallSurfaceCrack& crack) const {
     const Elastic steel = wall_steel(crack.section);
     const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
@@ -326,8 +339,10 @@ class CrackLoads {
             .constraint = sif::Constraint::plane_stress,
             .faces = {}};
   }
+  /// A groove has no solution that sweeps an area.
   [[nodiscard]] static LoadedGroove numbers(const DiaphragmGroove&) { return {}; }
 
+  /// Radius of an arc crack [m]; the inner radius of the diaphragm if the file gives none.
   [[nodiscard]] Real arc_radius(const DiaphragmArcCrack& crack) const {
     return crack.radius ? Real(lift_(*crack.radius))
                         : Real(lift_(gear_.flexspline->diaphragm->inner_diameter) / 2);
@@ -335,6 +350,7 @@ class CrackLoads {
 
   // --- Output shaft -----------------------------------------------------------------------------
 
+  /// The isotropic material of the output shaft.
   [[nodiscard]] Elastic shaft_steel() const {
     return steel(gear_.output_shaft->material, "output_shaft.material");
   }
@@ -345,6 +361,8 @@ class CrackLoads {
     return crack.depth / (shaft.outer_diameter / 2 - shaft.inner_diameter / 2);
   }
 
+  /// An annular crack, in a shaft without and with a bore.
+  /// @{
   [[nodiscard]] Numbers<sif::BasicAnnularCrackSolid<Real>> numbers_in_solid_shaft(
       const AnnularCrack& crack) const {
     return {.parameters = {.depth = lift_(crack.depth),
@@ -367,7 +385,10 @@ class CrackLoads {
             .in_range = !clearly_less(Hollow::kMaxDepthRatio, depth_ratio(crack)),
             .table = table_of(crack)};
   }
+  /// @}
 
+  /// A surface crack of the shaft, without and with a bore.
+  /// @{
   [[nodiscard]] Numbers<sif::BasicShaftSurfaceSolid<Real>> numbers_in_solid_shaft(
       const ShaftSurfaceCrack& crack) const {
     return {.parameters = {.depth = lift_(crack.depth),
@@ -390,6 +411,7 @@ class CrackLoads {
         .faces = shaft_faces(),
         .in_range = not_too_deep(crack.depth, (shaft.outer_diameter - shaft.inner_diameter) / 2)};
   }
+  /// @}
 
  private:
   template <class Solution>

@@ -15,9 +15,10 @@ namespace strainwave {
 /// Geometry of a ball's contacts with its two races.
 template <class Real>
 struct BasicRaceContacts {
-  BasicPointContact<Real> inner;
+  BasicPointContact<Real> inner;  ///< convex race
   BasicPointContact<Real> outer;  ///< concave race
 };
+/// BasicRaceContacts in plain numbers.
 using RaceContacts = BasicRaceContacts<double>;
 
 /// Contacts of a ball with its races; ball and races have one material; eq. (CO-1).
@@ -40,6 +41,7 @@ template <class Real>
       .inner = contact(2 / lift(bearing.inner_raceway_diameter), lift(bearing.inner_conformity)),
       .outer = contact(-2 / lift(bearing.outer_raceway_diameter), lift(bearing.outer_conformity))};
 }
+/// The same in plain numbers.
 [[nodiscard]] inline RaceContacts race_contacts(const Bearing& bearing,
                                                 const ElasticConstants& steel) {
   return race_contacts(Lift<double>(), bearing, steel);
@@ -52,6 +54,7 @@ template <class Real>
   return 2 * lift(wg.load_factor) * lift(wg.force_transmission_coefficient) /
          (drive.wave_number * lift(drive.pitch_diameter));  // (ST-5)
 }
+/// The same in plain numbers [1/m].
 [[nodiscard]] inline double lobe_force_per_torque(const Transmission& drive,
                                                   const WaveGenerator& wg) {
   return lobe_force_per_torque(Lift<double>(), drive, wg);
@@ -110,7 +113,8 @@ struct AssemblyStress {
 /// deflection falls along the axis, so the result is an upper bound in the barrel.  It is not a
 /// bound on the rim or for a flattened cam.
 ///
-/// @param gear         drive with a flexspline
+/// @param drive        gives U and w_0
+/// @param steel        material of the cracked wall
 /// @param mean_radius  r of the cracked wall [m]; > 0
 /// @param thickness    t of the cracked wall [m]; > 0
 /// @param angle        beta of the crack [rad]

@@ -12,16 +12,15 @@ namespace strainwave {
 
 /// One accepted step of a path.
 struct PathStep {
-  int pass = 0;               ///< 0: the path; 1: the one with half steps
-  int leg = 0;                ///< number of cracks that have gone through their wall
-  std::vector<double> state;  ///< after the step
-  double next_length = 0.0;   ///< of the step that follows
-  int tried = 0;              ///< steps so far, with those that were refused
-  /// path since the last failure assessment and since the last jump of a rate, and the length of
-  /// that jump
-  double since_assessment = 0.0;
-  double since_jump = 0.0;
-  double jump = 0.0;
+  int pass = 0;  ///< 0: the path; 1: the one with half steps
+  int leg = 0;   ///< number of cracks that have gone through their wall
+  /// After the step: ln of the size of each tip, then the repetitions of the duty.
+  std::vector<double> state;
+  double next_length = 0.0;       ///< of the step that follows, along the path [-]
+  int tried = 0;                  ///< steps so far, with those that were refused
+  double since_assessment = 0.0;  ///< path since the last failure assessment [-]
+  double since_jump = 0.0;        ///< path since the last jump of a rate [-]
+  double jump = 0.0;              ///< path by which that jump was passed [-]
 };
 
 /// The accepted steps of a computation, so that a stopped one goes on to the same last digit.

@@ -59,10 +59,11 @@ struct GrowthStop {
   double size = 0.0;             ///< depth or half length of that crack [m]
 };
 
+/// Choices of grow_cracks and life_trace.
 struct GrowthOptions {
-  RateChoice rate;
-  Interaction interaction;
-  GrowthStop stop;
+  RateChoice rate;          ///< law of growth and rule of mixed modes
+  Interaction interaction;  ///< how overloads slow the growth
+  GrowthStop stop;          ///< where the computation stops at the latest
   double tolerance = 1e-9;  ///< of each step, relative [-]
   int points = 60;          ///< largest number of rows of a series [-]; >= 2
 };
@@ -92,8 +93,8 @@ struct GrowthPoint {
   double cycles = 0.0;       ///< [-]
   double size = 0.0;         ///< a [m]
   double half_length = 0.0;  ///< c [m]
-  double K_max = 0.0;        ///< of the governing cycle at the tip that grows fastest [Pa*m^0.5]
-  double delta_K = 0.0;      ///< full range of the widest cycle there [Pa*m^0.5]
+  double K_max = 0.0;        ///< largest K of a repetition, over all tips [Pa*m^0.5]
+  double delta_K = 0.0;      ///< full range of the widest cycle at that tip [Pa*m^0.5]
   double ratio = 0.0;        ///< R of the widest cycle [-]
   double rate = 0.0;         ///< growth of the size per cycle, mean over a repetition [m]
 
@@ -115,8 +116,8 @@ struct GrowthPoint {
 
 /// Growth of one crack.
 struct CrackGrowth {
-  std::string path;
-  std::string kind;
+  std::string path;              ///< of the crack in the file: "flexspline.crack[0]"
+  std::string kind;              ///< of the crack in the file: "through"
   std::string law = {};          ///< name of the law
   std::string constants = {};    ///< origin of its constants, in words
   double cycles_per_hour = 0.0;  ///< [-]
@@ -159,14 +160,14 @@ struct StiffnessOverLife {
   double change = 0.0;     ///< of the softer sense, against the drive of the file [-]
   double resonance = 0.0;  ///< lowest natural frequency over that of the file, sqrt(K/K_0) [-]
   std::optional<double> reserve = {};  ///< least factor on the largest load of the duty [-]
-  /// The maker's stiffnesses of the coupled drive under both senses of torque [N*m/rad]; absent in
-  /// rows between, and if the file does not give the coupled drive
+  /// K1 of the coupled drive under T > 0 [N*m/rad], the maker's stiffness; absent in rows between,
+  /// and if the file does not give the coupled drive.
   std::optional<double> K1_positive = {};
-  std::optional<double> K2_positive = {};
-  std::optional<double> K3_positive = {};
-  std::optional<double> K1_negative = {};
-  std::optional<double> K2_negative = {};
-  std::optional<double> K3_negative = {};
+  std::optional<double> K2_positive = {};  ///< K2, as K1_positive [N*m/rad]
+  std::optional<double> K3_positive = {};  ///< K3, as K1_positive [N*m/rad]
+  std::optional<double> K1_negative = {};  ///< K1 under T < 0, as K1_positive [N*m/rad]
+  std::optional<double> K2_negative = {};  ///< K2 under T < 0, as K1_positive [N*m/rad]
+  std::optional<double> K3_negative = {};  ///< K3 under T < 0, as K1_positive [N*m/rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -209,8 +210,8 @@ struct GrowthReport {
   std::string rainflow;         ///< rule of the residue
   std::string mixed_mode;       ///< rule of mixed modes
   std::string interaction;      ///< rule of overloads
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;      ///< on the validity of the answer
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

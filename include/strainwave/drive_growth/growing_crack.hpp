@@ -20,7 +20,7 @@ namespace strainwave {
 
 /// Choices of the law.
 struct RateChoice {
-  MixedMode mixed_mode = MixedMode::energy;
+  MixedMode mixed_mode = MixedMode::energy;  ///< rule that makes one K of three modes
   /// Record of the material library whose law replaces that of every material; empty: none.
   std::string law;
 };
@@ -80,10 +80,16 @@ class GrowingCrack {
   GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                const RateChoice& choice, CracksAtTorques at_torque = {});
 
+  /// The crack with which the object was made.
   [[nodiscard]] const DriveCrack& crack() const { return crack_; }
+  /// Cycles of the crack's load in one repetition.
   [[nodiscard]] const CrackDuty& duty() const { return duty_; }
+  /// Law of growth, for a crack through the wall with its toughness there.
   [[nodiscard]] const RateLaw& law() const { return law_.law(); }
+  /// Rule that makes one K of three modes.
   [[nodiscard]] MixedMode mixed_mode() const { return mixed_mode_; }
+  /// Threshold and short-crack size of the material or the record, and the toughness of the
+  /// material if the law has none.
   [[nodiscard]] const GrowthLimits& limits() const { return limits_; }
   /// The tips that move: depth and length of a surface crack, else the size alone.  A surface crack
   /// whose table of K over a turn has no aspect ratios keeps its shape and grows by its worst

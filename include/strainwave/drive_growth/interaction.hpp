@@ -22,10 +22,11 @@ struct EnumNames<InteractionRule> {
 
 /// Load interaction with its constants.
 struct Interaction {
-  InteractionRule rule = InteractionRule::none;
-  double zone_factor = 2.0;       ///< beta of the plastic zone (GR-17) [-]; > 0
-  double wheeler_exponent = 1.5;  ///< gamma (GR-18) [-]; >= 0
-  double shut_off_ratio = 2.65;   ///< R_so (GR-19) [-]; > 1
+  InteractionRule rule = InteractionRule::none;  ///< model of the slower growth
+  double zone_factor = 2.0;                      ///< beta of the plastic zone (GR-17) [-]; > 0
+  double wheeler_exponent = 1.5;                 ///< gamma (GR-18) [-]; >= 0
+  double shut_off_ratio = 2.65;                  ///< R_so (GR-19) [-]; > 1
+  /// What Willenborg's rule does with a negative K_min (GR-19).
   NegativeMinimum negative = NegativeMinimum::closed;
   /// Newman's opening (GR-32) for laws that have no own one; NASGRO takes its own
   std::optional<NewmanClosure> closure = {};

@@ -11,12 +11,12 @@ namespace strainwave {
 
 /// The growth of the cracks of a drive without its evidence, for studies of many drives.
 struct LifeTrace {
-  DriveEnd end = DriveEnd::not_known;
-  std::string governing;            ///< path of the crack that ends the growth; empty: none
-  std::optional<double> life = {};  ///< until a crack ends the life [s]; absent: no end is known
-  double time = 0.0;                ///< of duty that was computed [s]
-  std::vector<std::string> cracks;  ///< paths
-  std::vector<double> times;        ///< of the accepted steps [s], ascending
+  DriveEnd end = DriveEnd::not_known;  ///< what ended the growth
+  std::string governing;               ///< path of the crack that ends the growth; empty: none
+  std::optional<double> life = {};     ///< until a crack ends the life [s]; absent: no end is known
+  double time = 0.0;                   ///< of duty that was computed [s]
+  std::vector<std::string> cracks;     ///< paths
+  std::vector<double> times;           ///< of the accepted steps [s], ascending
   /// depth or half length of each crack at each time [m], shape (cracks, times); after a surface
   /// crack has gone through the wall, its half length
   std::vector<std::vector<double>> sizes;

@@ -16,8 +16,8 @@ namespace strainwave {
 
 /// Equal cycles of the load of a crack.
 struct LoadCycle {
-  LoadState from;
-  LoadState to;
+  LoadState from;        ///< at the end of the cycle that lies in `step`
+  LoadState to;          ///< at the other end
   double count = 0.0;    ///< in one repetition of the duty [-]; > 0
   std::size_t step = 0;  ///< step of the duty in which the cycle has its peak
   bool rare = false;     ///< whether the cycle is one of a momentary peak
@@ -31,7 +31,7 @@ struct LoadCycle {
 
 /// One repetition of the duty of a drive for one crack.
 struct CrackDuty {
-  double duration = 0.0;         ///< of one repetition, with peaks [s]
+  double duration = 0.0;         ///< of one repetition, without the peaks [s]
   std::vector<LoadCycle> cycle;  ///< in the order of their peaks
   double peaks = 0.0;            ///< momentary peaks in one repetition [-]
 

@@ -28,7 +28,7 @@ namespace strainwave {
 
 /// A smaller cycle within a turn.
 struct CycleWithinTurn {
-  TipCycle cycle;
+  TipCycle cycle;      ///< K_max and R of the cycle
   double count = 0.0;  ///< per wave [-]; > 0
 };
 

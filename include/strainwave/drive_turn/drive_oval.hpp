@@ -32,8 +32,8 @@ struct BandPressure {
 struct DriveOval : OvalState {
   ShellContact contact;  ///< of the wave generator
   std::vector<BandPressure> pressure;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;             ///< on the validity of the answer
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

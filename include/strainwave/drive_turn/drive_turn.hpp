@@ -19,19 +19,23 @@ namespace strainwave {
 /// K over a turn, with its evidence.
 struct DriveTurn {
   std::string path;         ///< of the crack in the input file
-  double distance{};        ///< of its middle from the barrel's end toward the diaphragm [m]
+  double distance{};        ///< of its middle from its section's end toward the diaphragm [m]
   ShellContact contact;     ///< of the wave generator
   bool large_rotations{};   ///< whether large rotations of the oval were computed
   double largest_stress{};  ///< largest stress of the sound wall normal to the crack [Pa]
   std::vector<SizedTurn> sizes;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;             ///< on the validity of the answer
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   /// The station with the largest Delta K of mode I, over all sizes and torques.
   [[nodiscard]] const StationTurn& governing() const { return *governing_station(sizes); }
+  /// Tip of the governing station: "upper" or "lower".
   [[nodiscard]] std::string_view governing_tip() const { return governing().tip; }
+  /// K_max of mode I at the governing station [Pa*m^0.5].
   [[nodiscard]] double largest() const { return governing().mode_I.largest; }
+  /// Delta K of mode I at the governing station [Pa*m^0.5].
   [[nodiscard]] double range() const { return governing().mode_I.range; }
+  /// R = K_min/K_max of mode I at the governing station [-]; 0 if it never opens.
   [[nodiscard]] double ratio() const { return governing().mode_I.ratio; }
 
   template <class Visitor>

@@ -36,15 +36,15 @@ struct GearInertias {
 
 /// The chain of a drive, with the place of each spring of the drive in it.
 struct DrivetrainChain {
-  TorsionalChain chain;
+  TorsionalChain chain;   ///< inertias and springs, from the motor to the load
   std::size_t motor = 0;  ///< index of the inertia that the motor turns
   std::size_t load = 0;   ///< index of the inertia of the load
   /// share of mesh, body and shaft in the compliance of each spring of the chain [-]; all 0 for the
   /// coupling
   struct Parts {
-    double mesh = 0.0;
-    double body = 0.0;
-    double shaft = 0.0;
+    double mesh = 0.0;   ///< share of DriveSprings::mesh [-]
+    double body = 0.0;   ///< share of DriveSprings::body [-]
+    double shaft = 0.0;  ///< share of DriveSprings::shaft [-]
   };
   std::vector<Parts> parts = {};  ///< as many as the chain has springs
   /// Index of the spring in which the kinematic error acts: the mesh, or the first spring behind it

@@ -25,9 +25,9 @@ enum class ShakenBy {
 
 /// From an excitation to the angle of an inertia.
 struct ChainPath {
-  ShakenBy by = ShakenBy::torque;
-  std::size_t at = 0;       ///< index of the loaded inertia, or of the spring with the error
-  std::size_t inertia = 0;  ///< index of the inertia whose angle is asked
+  ShakenBy by = ShakenBy::torque;  ///< kind of the excitation
+  std::size_t at = 0;              ///< index of the loaded inertia, or of the spring with the error
+  std::size_t inertia = 0;         ///< index of the inertia whose angle is asked
 };
 
 /// Angles over a list of frequencies, shape (n paths, n frequencies) [rad/(N*m)] by a torque, [-]
@@ -42,6 +42,7 @@ struct ChainPath {
     const TorsionalChain& chain, std::span<const ChainPath> paths,
     std::span<const double> frequencies, std::span<const std::size_t> held = {});
 
+/// Whether an amplitude is largest, or least near a zero.
 enum class ExtremumKind { resonance, antiresonance };
 template <>
 struct EnumNames<ExtremumKind> {
@@ -50,8 +51,8 @@ struct EnumNames<ExtremumKind> {
 
 /// A largest amplitude of a response, or a least one at which its phase rises: near a zero.
 struct ResponseExtremum {
-  ExtremumKind kind = ExtremumKind::resonance;
-  double frequency = 0.0;  ///< [Hz]
+  ExtremumKind kind = ExtremumKind::resonance;  ///< which of the two it is
+  double frequency = 0.0;                       ///< [Hz]
   /// |H| [as the response]; absent: infinite, a resonance without damping
   std::optional<double> amplitude = {};
   /// zeta by the half-power points (DY-13) [-]; absent if the response does not change by the

@@ -22,8 +22,8 @@ struct EnumNames<DrivePart> {
 
 /// The part that stands and the part that is driven; the third part is the output.
 struct Arrangement {
-  DrivePart fixed = DrivePart::circular_spline;
-  DrivePart input = DrivePart::wave_generator;
+  DrivePart fixed = DrivePart::circular_spline;  ///< the part that stands
+  DrivePart input = DrivePart::wave_generator;   ///< the part that is driven
 
   /// @throws InputError  if one part is both fixed and the input
   [[nodiscard]] DrivePart output() const;
@@ -34,10 +34,11 @@ struct Arrangement {
 
 /// Turns of the three parts, each with its sign [-].
 struct PartTurns {
-  double wave_generator = 0.0;
-  double flexspline = 0.0;
-  double circular_spline = 0.0;
+  double wave_generator = 0.0;   ///< turns of the wave generator [-]
+  double flexspline = 0.0;       ///< turns of the flexspline [-]
+  double circular_spline = 0.0;  ///< turns of the circular spline [-]
 
+  /// Turns of one part, with sign [-].
   [[nodiscard]] double of(DrivePart part) const;
 };
 
@@ -77,9 +78,9 @@ struct BallSet {
 /// Number of times in one turn of the input that balls pass a fixed point of each ring, and a lobe
 /// (DY-2) [-].
 struct BallOrders {
-  double inner_ring = 0.0;
-  double outer_ring = 0.0;
-  double cage = 0.0;  ///< turns of the cage against the wave generator
+  double inner_ring = 0.0;  ///< at the inner ring, which turns with the wave generator
+  double outer_ring = 0.0;  ///< at the outer ring, which turns with the flexspline
+  double cage = 0.0;        ///< turns of the cage against the wave generator
   /// Number of times in one turn of the input that a ball stands at a lobe of the wave; balls that
   /// stand at several lobes at once count once
   double lobe = 0.0;

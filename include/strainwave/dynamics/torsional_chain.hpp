@@ -12,15 +12,16 @@
 
 namespace strainwave {
 
+/// An inertia that turns about its own axis.
 struct ChainInertia {
-  std::string name;
+  std::string name;                ///< in messages and results
   double inertia = 0.0;            ///< J about its own axis [kg*m^2]; > 0
   double damping_to_ground = 0.0;  ///< B [N*m*s/rad]; >= 0
 };
 
 /// A spring between inertias, with a gear or without one.
 struct ChainSpring {
-  std::string name;
+  std::string name;         ///< in messages and results
   double compliance = 0.0;  ///< lambda [rad/(N*m)]; > 0
   double damping = 0.0;     ///< c, parallel to the spring [N*m*s/rad]; >= 0
   /// g, one number for each inertia: the twist of the spring is the sum of g_j theta_j [-]
@@ -30,7 +31,7 @@ struct ChainSpring {
 /// Inertias and springs; the angles are those of the inertias.
 struct TorsionalChain {
   std::vector<ChainInertia> inertias;  ///< at least one
-  std::vector<ChainSpring> springs;
+  std::vector<ChainSpring> springs;    ///< may be empty: all inertias turn freely
 };
 
 /// A mode of the chain without damping.

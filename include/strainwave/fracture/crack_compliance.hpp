@@ -25,19 +25,26 @@ namespace strainwave {
 /// Symmetric N x N matrix, stored as its upper triangle, row by row.
 template <std::size_t N, class Real = double>
 struct SymmetricMatrix {
-  std::array<Real, N*(N + 1) / 2> upper{};
+  std::array<Real, N*(N + 1) / 2> upper{};  ///< (0, 0), (0, 1), ..., (0, N-1), (1, 1), ...
 
   SymmetricMatrix() = default;
+  /// A matrix whose entries are all equal to `fill`.
   explicit SymmetricMatrix(const Real& fill) { upper.fill(fill); }
 
+  /// Place in `upper` of the entry (i, j), or (j, i).
   [[nodiscard]] static constexpr std::size_t index(std::size_t i, std::size_t j) {
     return i <= j ? i * N - i * (i + 1) / 2 + j : index(j, i);
   }
+  /// The entry (i, j), which is also the entry (j, i).
+  /// @{
   [[nodiscard]] const Real& operator()(std::size_t i, std::size_t j) const {
     return upper[index(i, j)];
   }
   Real& operator()(std::size_t i, std::size_t j) { return upper[index(i, j)]; }
+  /// @}
 
+  /// Sums, differences and multiples, entry by entry.
+  /// @{
   SymmetricMatrix& operator+=(const SymmetricMatrix& other) {
     for (std::size_t n = 0; n < upper.size(); ++n) upper[n] += other.upper[n];
     return *this;
@@ -57,6 +64,8 @@ struct SymmetricMatrix {
   friend SymmetricMatrix operator*(SymmetricMatrix a, const Real& factor) requires is_dual<Real> {
     return a *= factor;
   }
+  /// @}
+
   /// Largest magnitude of an entry; adaptive quadrature uses it as the norm.
   friend double abs(const SymmetricMatrix& a) {
     double largest = 0.0;
@@ -72,9 +81,9 @@ enum Load2 : std::size_t { kAxial = 0, kTorsion = 1 };
 /// generalised loads Q_i, at one point of the front [Pa*m^0.5 per unit of load].
 template <std::size_t N, class Real = double>
 struct UnitStressIntensity {
-  std::array<Real, N> I{};
-  std::array<Real, N> II{};
-  std::array<Real, N> III{};
+  std::array<Real, N> I{};    ///< dK_I/dQ_i, shape (N)
+  std::array<Real, N> II{};   ///< dK_II/dQ_i, shape (N)
+  std::array<Real, N> III{};  ///< dK_III/dQ_i, shape (N)
 };
 
 /// Mode II of a crack in a sheet that is not isotropic, (LA-9).
@@ -94,6 +103,7 @@ struct BasicCrackModuli {
   /// Absent: mode II releases as much energy as mode I, independently of it.
   std::optional<AnisotropicSliding<Real>> anisotropic = {};
 };
+/// BasicCrackModuli without derivatives.
 using CrackModuli = BasicCrackModuli<double>;
 
 /// Energy release rate of a mixed-mode crack, G = (K_I^2 + K_II^2)/E' + K_III^2/(2 mu) [J/m^2].
@@ -109,10 +119,11 @@ using CrackModuli = BasicCrackModuli<double>;
   return (K_I * K_I + K_II * K_II) / moduli.opening + tearing;  // (FR-1)
 }
 
-/// Parameter range of a crack front; begin == end for a front of one point.
+/// Parameter range of a crack front; begin == end for a front of one point.  Each crack states what
+/// its parameter s is.
 struct FrontRange {
-  double begin = 0.0;
-  double end = 0.0;
+  double begin = 0.0;  ///< s at the first end [-] or [rad]
+  double end = 0.0;    ///< s at the other end, likewise; >= begin
 };
 
 /// The scalar type in which a crack computes.
@@ -136,9 +147,10 @@ concept SweptCrack = requires(const C& crack, const ScalarOf<C>& a, double s) {
 /// Stress intensity that is linear along a front, k = mean + s slope for s from -1 to 1.
 template <std::size_t N, class Real = double>
 struct LinearStressIntensity {
-  UnitStressIntensity<N, Real> mean;
-  UnitStressIntensity<N, Real> slope;
+  UnitStressIntensity<N, Real> mean;   ///< k at s = 0, the mean along the front
+  UnitStressIntensity<N, Real> slope;  ///< dk/ds, so that k at s = 1 is mean + slope
 
+  /// k at one place, s from -1 to 1 [-].
   [[nodiscard]] UnitStressIntensity<N, Real> at(double s) const {
     UnitStressIntensity<N, Real> k = mean;
     for (std::size_t i = 0; i < N; ++i) {

@@ -46,9 +46,12 @@ class ErasedCrack {
 template <std::size_t N>
 [[nodiscard]] CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack,
                                                const CrackModuli& moduli);
+/// Compiled once, in the library.
+/// @{
 extern template CrackCompliance<1> compliance_of(const ErasedCrack<1>&, const CrackModuli&);
 extern template CrackCompliance<2> compliance_of(const ErasedCrack<2>&, const CrackModuli&);
 extern template CrackCompliance<3> compliance_of(const ErasedCrack<3>&, const CrackModuli&);
 extern template CrackCompliance<4> compliance_of(const ErasedCrack<4>&, const CrackModuli&);
+/// @}
 
 }  // namespace strainwave

@@ -26,11 +26,11 @@ struct EnumNames<GrowthEnd> {
 
 /// Growth of one crack under cycles of constant amplitude.
 struct ConstantAmplitudeGrowth {
-  GrowthEnd end = GrowthEnd::size;
-  double size = 0.0;             ///< of the crack at the end [m]
-  std::optional<double> cycles;  ///< until this size [-]; absent: it is only approached
-  double error = 0.0;            ///< estimate for `cycles`, relative [-]
-  bool converged = true;         ///< the error is within the tolerance
+  GrowthEnd end = GrowthEnd::size;  ///< what ended the growth
+  double size = 0.0;                ///< of the crack at the end [m]
+  std::optional<double> cycles;     ///< until this size [-]; absent: it is only approached
+  double error = 0.0;               ///< estimate for `cycles`, relative [-]
+  bool converged = true;            ///< the error is within the tolerance
 };
 
 /// Cycles in which a crack grows from one size to another.

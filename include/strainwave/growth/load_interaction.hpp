@@ -13,6 +13,9 @@ struct PlasticZone {
   /// strain.  Sources differ, so the value is always given.
   double factor = 1.0;
 
+  /// Size of the zone under a K [m].
+  /// @param K            K_max of the cycle or the overload [Pa*m^0.5]
+  /// @throws InputError  if the yield strength or beta is not > 0
   [[nodiscard]] double size(double K) const;
 };
 
@@ -40,9 +43,10 @@ struct EnumNames<NegativeMinimum> {
 
 /// Constants of generalised Willenborg (GR-19).
 struct Willenborg {
-  PlasticZone zone;
+  PlasticZone zone;              ///< law of the zones of overload and cycle
   double threshold = 0.0;        ///< K_max at the threshold [Pa*m^0.5]; >= 0
   double shut_off_ratio = 2.65;  ///< R_so, overload over later K_max that stops the crack [-]; > 1
+  /// What happens if the reduction makes K_min negative.
   NegativeMinimum negative = NegativeMinimum::closed;
 };
 

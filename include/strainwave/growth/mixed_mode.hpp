@@ -10,9 +10,9 @@ namespace strainwave {
 
 /// Stress intensity factors, or their ranges, of the three modes [Pa*m^0.5].
 struct ModeFactors {
-  double I = 0.0;
-  double II = 0.0;
-  double III = 0.0;
+  double I = 0.0;    ///< opening; < 0 presses the faces together
+  double II = 0.0;   ///< sliding, in the plane
+  double III = 0.0;  ///< tearing, out of the plane
 };
 
 /// One stress intensity factor for three modes.

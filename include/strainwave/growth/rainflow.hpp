@@ -18,17 +18,19 @@ namespace strainwave {
 
 /// One reversal of a history.
 struct Reversal {
-  double value = 0.0;
+  double value = 0.0;       ///< in the unit of the history
   std::uint64_t place = 0;  ///< number of the value in the history, from 0
 };
 
 /// A cycle, or a half cycle, in the order in which it closes.
 struct CountedCycle {
-  Reversal from;
-  Reversal to;
+  Reversal from;       ///< where the cycle begins
+  Reversal to;         ///< where it turns
   double count = 1.0;  ///< 1 or 1/2
 
+  /// Difference of the two values, in the unit of the history; >= 0.
   [[nodiscard]] double range() const { return std::abs(to.value - from.value); }
+  /// Middle of the two values, in the unit of the history.
   [[nodiscard]] double mean() const { return (from.value + to.value) / 2; }
 };
 
@@ -37,8 +39,8 @@ struct CountedCycle {
 /// and the last one is left to the caller.
 class ReversalFinder {
  public:
-  static constexpr std::size_t kBlock = 512;
-  using Found = std::array<Reversal, kBlock>;
+  static constexpr std::size_t kBlock = 512;   ///< most values that `take` takes at once
+  using Found = std::array<Reversal, kBlock>;  ///< room for the reversals of one block
 
   /// Takes the next kBlock values of a piece, or the rest of the piece if it is shorter.
   /// @param from   how many values of the piece were taken before
@@ -51,6 +53,7 @@ class ReversalFinder {
   [[nodiscard]] bool turns(double value) const {
     return begun_ && value != last_.value && (!moved_ || (value > last_.value) != rises_);
   }
+  /// Makes this value the last one; it changes nothing if it equals the last one.
   void go(const Reversal& next) {
     if (begun_ && next.value == last_.value) return;
     moved_ = begun_;

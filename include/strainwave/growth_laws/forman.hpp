@@ -17,6 +17,7 @@ namespace strainwave {
 struct Forman {
   static constexpr std::string_view kKind = "forman";
   static constexpr std::string_view kMeaning = "power law that rises towards the toughness";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 1> kEquations = {"GR-5"};
   double coefficient = 0.0;  ///< C [m]; > 0.  In other texts C has the unit of m/cycle times K_1
   double exponent = 0.0;     ///< m [-]; > 0

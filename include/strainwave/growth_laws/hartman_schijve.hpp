@@ -17,6 +17,7 @@ namespace strainwave {
 struct HartmanSchijve {
   static constexpr std::string_view kKind = "hartman_schijve";
   static constexpr std::string_view kMeaning = "power law of the range above a fitted threshold";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 1> kEquations = {"GR-6"};
   double coefficient = 0.0;  ///< D [m]; > 0
   double exponent = 0.0;     ///< p [-]; > 0, about 2

@@ -96,6 +96,7 @@ class PreparedNasgro;
 struct Nasgro {
   static constexpr std::string_view kKind = "nasgro";
   static constexpr std::string_view kMeaning = "NASGRO equation with Newman's crack opening";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 2> kEquations = {"GR-7", "GR-8"};
   double coefficient = 0.0;           ///< C [m]; > 0
   double exponent = 0.0;              ///< n [-]; > 0
@@ -164,6 +165,7 @@ struct Nasgro {
 /// NASGRO with the opening at R = 0, which depends on no cycle and takes most of the time.
 class PreparedNasgro {
  public:
+  /// @param law  its constants are in range (require_constants)
   explicit PreparedNasgro(const Nasgro& law)
       : law_(law), A0_(law.closure.at_zero()), open_at_zero_(std::log1p(-A0_)) {}
 

@@ -17,6 +17,7 @@ namespace strainwave {
 struct Paris {
   static constexpr std::string_view kKind = "paris";
   static constexpr std::string_view kMeaning = "power law of the full range of K";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 1> kEquations = {"GR-2"};
   double coefficient = 0.0;  ///< C, growth per cycle at Delta K = 1 MPa*m^0.5 [m]; > 0
   double exponent = 0.0;     ///< m [-]; > 0

@@ -26,6 +26,7 @@ class PreparedLaw {
   /// @param law  its constants are in range (require_constants)
   explicit PreparedLaw(RateLaw law);
 
+  /// The law as it was given.
   [[nodiscard]] const RateLaw& law() const { return law_; }
   /// da/dN by the law alone [m]; K_max > 0 and below the toughness
   [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const;

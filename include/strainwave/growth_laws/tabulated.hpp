@@ -80,9 +80,11 @@ class TableOfRates {
 struct Tabulated {
   static constexpr std::string_view kKind = "tabulated";
   static constexpr std::string_view kMeaning = "rates from a table over the range of K and R";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 1> kEquations = {"GR-36"};
   std::vector<RateCurve> curve;  ///< at rising R; at least one of at least two points
 
+  /// The curves, ready to give rates.
   [[nodiscard]] TableOfRates prepared() const { return TableOfRates(curve); }
 
   template <class Visitor>

@@ -22,8 +22,8 @@ struct TipCycle {
 /// What a cycle does to a crack.
 enum class TipState {
   arrested,  ///< the range is not above the threshold: the crack does not grow
-  grows,
-  breaks,  ///< K_max reaches the toughness
+  grows,     ///< the crack grows by GrowthRate::per_cycle
+  breaks,    ///< K_max reaches the toughness
 };
 template <>
 struct EnumNames<TipState> {
@@ -32,8 +32,8 @@ struct EnumNames<TipState> {
 
 /// Growth in one cycle.
 struct GrowthRate {
-  double per_cycle = 0.0;  ///< da/dN [m]; 0 unless the crack grows
-  TipState state = TipState::arrested;
+  double per_cycle = 0.0;               ///< da/dN [m]; 0 unless the crack grows
+  TipState state = TipState::arrested;  ///< what the cycle does
 };
 
 }  // namespace strainwave

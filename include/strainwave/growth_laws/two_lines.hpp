@@ -13,6 +13,7 @@ namespace strainwave {
 struct TwoLines {
   static constexpr std::string_view kKind = "two_lines";
   static constexpr std::string_view kMeaning = "two power laws that meet";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 1> kEquations = {"GR-3"};
   double coefficient = 0.0;        ///< of the law below `meet` [m]; > 0
   double exponent = 0.0;           ///< of the law below `meet` [-]; > 0
@@ -24,7 +25,9 @@ struct TwoLines {
   [[nodiscard]] static TwoLines of(const Paris& low, const Paris& high, double meet) {
     return {low.coefficient, low.exponent, meet, high.coefficient, high.exponent};
   }
+  /// The law below `meet`.
   [[nodiscard]] Paris low() const { return {coefficient, exponent}; }
+  /// The law from `meet` on.
   [[nodiscard]] Paris high() const { return {upper_coefficient, upper_exponent}; }
 
   /// da/dN [m] without threshold and toughness.

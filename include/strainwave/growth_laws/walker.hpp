@@ -17,10 +17,11 @@ namespace strainwave {
 struct Walker {
   static constexpr std::string_view kKind = "walker";
   static constexpr std::string_view kMeaning = "power law with Walker's effect of R";
+  /// Tags of the equations of the law in the theory manual.
   static constexpr std::array<std::string_view, 1> kEquations = {"GR-4"};
   double coefficient = 0.0;  ///< C [m]; > 0
   double exponent = 0.0;     ///< m [-]; > 0
-  double gamma = 0.5;        ///< [-]; 0 to 1.  1: no effect of R
+  double gamma = 0.5;        ///< effect of R [-]; 0 to 1.  1: none
 
   /// da/dN [m] without threshold and toughness.
   [[nodiscard]] double rate(const TipCycle& cycle) const {

@@ -22,13 +22,17 @@ class GrowthDraws {
   /// @param steps  most steps of a specimen
   GrowthDraws(std::size_t draws, std::size_t steps, std::uint64_t seed);
 
+  /// Number of draws.
   [[nodiscard]] std::size_t draws() const { return draws_; }
+  /// Most steps of a specimen.
   [[nodiscard]] std::size_t steps() const { return steps_; }
   /// Numbers of all draws for one of the inputs: 0 to kState - 1 for the state, then two for each
   /// step.
   [[nodiscard]] std::span<const double> input(std::size_t number) const {
     return std::span(numbers_).subspan(number * draws_, draws_);
   }
+  /// Inputs of the state of a specimen: its rates at up to kMostKnots knots, its level, its slope
+  /// and the correlated part.
   static constexpr std::size_t kState = kMostKnots + 3;
 
  private:

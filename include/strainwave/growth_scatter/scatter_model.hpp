@@ -41,10 +41,13 @@ struct ScatterParameters {
   double log_length = -2.0;  ///< logarithm of its correlation length in ln a [-]
   double white = 0.0;        ///< deviation of the mean over a step of kWhiteStep [-]
 
+  /// Number of parameters.
   static constexpr std::size_t kCount = 6;
+  /// The parameters in the order of their declaration.
   [[nodiscard]] std::array<double, kCount> values() const {
     return {level, tilt, slope, wander, log_length, white};
   }
+  /// The parameters from their `values`.
   [[nodiscard]] static ScatterParameters of(const std::array<double, kCount>& v) {
     return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
@@ -65,6 +68,7 @@ struct ScatterParts {
   bool correlated = true;  ///< the rate wanders along the path
   bool white = true;       ///< steps differ on their own
 
+  /// The named parts act, and no others.
   [[nodiscard]] static ScatterParts of(std::span<const ScatterPart> named);
   /// Which of ScatterParameters::values act.
   [[nodiscard]] std::array<bool, ScatterParameters::kCount> acting() const {
@@ -87,7 +91,7 @@ struct MeanGrowth {
 
 /// Logarithm of the likelihood of records with the rates at the knots that make it largest.
 struct GrowthLikelihood {
-  double value = 0.0;
+  double value = 0.0;         ///< logarithm of the likelihood [-]
   std::vector<double> rates;  ///< at the knots, as MeanGrowth::rates
   /// Covariance of the rates at the knots, row by row [-]; eq. (GS-7)
   std::vector<double> covariance;
@@ -100,9 +104,11 @@ class GrowthData {
   /// @param specimens  at least one
   explicit GrowthData(std::span<const GrowthSpecimen> specimens);
 
+  /// Number of steps of all specimens together.
   [[nodiscard]] std::size_t steps() const { return steps_; }
-  /// Smallest and largest ln(Delta K), in MPa*sqrt(m).
+  /// Smallest ln(Delta K) of a step, in MPa*sqrt(m).
   [[nodiscard]] double lowest() const { return lowest_; }
+  /// Largest ln(Delta K) of a step, in MPa*sqrt(m).
   [[nodiscard]] double highest() const { return highest_; }
 
   /// Logarithm of the likelihood, by a filter along each record.

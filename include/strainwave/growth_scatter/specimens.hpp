@@ -13,13 +13,14 @@ namespace strainwave {
 
 /// The record of one specimen: sizes of its crack and the cycles at which it reached them.
 struct GrowthSpecimen {
-  std::string name;
+  std::string name;            ///< for messages and results
   std::vector<double> sizes;   ///< a [m]; at least two, each larger than the one before
   std::vector<double> cycles;  ///< N [-]; as many, each larger than the one before
   /// Range of the stress intensity factor that stands for the step from size i to size i + 1,
   /// Delta K_i [Pa*sqrt(m)]; one less than there are sizes
   std::vector<double> ranges;
 
+  /// Number of steps from size to size.
   [[nodiscard]] std::size_t steps() const { return ranges.size(); }
 };
 

@@ -63,9 +63,9 @@ struct DrawnPart {
 
 /// A probability with limits that contain it with 95 % confidence.
 struct RiskEstimate {
-  double probability = 0.0;
-  double low = 0.0;
-  double high = 1.0;
+  double probability = 0.0;  ///< estimate [-]
+  double low = 0.0;          ///< lower limit [-]
+  double high = 1.0;         ///< upper limit [-]
 };
 
 /// Probability of failure up to a time without inspections; theory manual eq. (IR-3).  The limits
@@ -76,8 +76,8 @@ struct RiskEstimate {
 /// manual eq. (IR-4).
 ///
 /// The limits are those of Fay and Feuer for a weighted sum of rare events.  The upper one assumes
-/// that a further part may fail before all inspections, so it stays above 3.7 over the number of
-/// parts, or above the limit without inspections.
+/// that a further part may fail before all inspections, so it does not fall below 3.7 over the
+/// number of parts, or is the limit without inspections where that is lower.
 /// @param inspections  times [s], ascending
 [[nodiscard]] RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                                           std::span<const double> inspections,

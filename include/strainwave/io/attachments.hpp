@@ -33,6 +33,7 @@ inline constexpr std::size_t kMaxTextSize = 1 << 20;  // 1 MiB
 /// Texts by name.  They are given in advance, or looked up on request.
 class Attachments {
  public:
+  /// Texts by their names.
   using Texts = std::map<std::string, std::string, std::less<>>;
   /// Returns the text of a name, or nothing.  A text may be cut after kMaxTextSize + 1 bytes.
   using Lookup = std::function<std::optional<std::string>(std::string_view name)>;
@@ -40,7 +41,10 @@ class Attachments {
   using Open = std::function<std::optional<TextPieces>(std::string_view name)>;
 
   Attachments() = default;  ///< without attachments
+  /// Texts that are given in advance.
   explicit Attachments(Texts texts);
+  /// Texts that are looked up on request.
+  /// @param open  empty: all texts come from `lookup` and are at most kMaxTextSize long
   explicit Attachments(Lookup lookup, Open open = {})
       : lookup_(std::move(lookup)), open_(std::move(open)) {}
 

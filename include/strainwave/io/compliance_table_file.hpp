@@ -27,9 +27,10 @@ struct TableRange {
   Variation variation;       ///< the number of the drive that varies, and its range
 };
 
+/// A column of a table, which the file names as `name [unit]`.
 struct TableColumn {
-  std::string name;
-  std::string unit;
+  std::string name;  ///< "added_compliance_positive"
+  std::string unit;  ///< SI: "rad/(N*m)"
 };
 
 /// The head of a table: everything before its first point.
@@ -42,9 +43,9 @@ struct TableHead {
   int order = 0;          ///< p of the elements
   std::string equations;  ///< equation tags
   std::string held;       ///< supports and loads of the member
-  std::vector<TableRange> ranges;
-  std::vector<TableParameter> fixed;
-  std::vector<TableColumn> columns;  ///< columns between the varied numbers and `relative_error`
+  std::vector<TableRange> ranges;     ///< parameters that vary, one for each axis
+  std::vector<TableParameter> fixed;  ///< parameters with one value in the whole table
+  std::vector<TableColumn> columns;   ///< columns between the varied numbers and `relative_error`
 };
 
 /// One point of a table.
@@ -52,10 +53,10 @@ struct TablePoint {
   std::vector<double> at;                     ///< values of the varied numbers
   std::vector<std::optional<double>> values;  ///< values of TableHead::columns
   std::optional<double> relative_error;       ///< error of the added compliances [-]
-  bool usable = false;
-  std::size_t unknowns = 0;
-  double seconds = 0.0;
-  std::string reason;  ///< why the point is not usable
+  bool usable = false;                        ///< whether the values may be used
+  std::size_t unknowns = 0;                   ///< number of unknowns of the finite-element solution
+  double seconds = 0.0;                       ///< time that the point took [s]
+  std::string reason;                         ///< why the point is not usable
 };
 
 /// The text before the first point: comments and the names of the columns.

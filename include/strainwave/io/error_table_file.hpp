@@ -13,9 +13,8 @@
 
 namespace strainwave {
 
-/// Smallest and largest number of rows of a kinematic error.
-inline constexpr std::size_t kMinErrorRows = 4;
-inline constexpr std::size_t kMaxErrorRows = 8192;
+inline constexpr std::size_t kMinErrorRows = 4;  ///< smallest number of rows of a kinematic error
+inline constexpr std::size_t kMaxErrorRows = 8192;  ///< largest number of rows of a kinematic error
 
 /// Reads a kinematic error at even angles of the input; the last row is the first one again, a
 /// period later.

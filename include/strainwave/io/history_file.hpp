@@ -19,7 +19,7 @@ namespace strainwave {
 
 /// A column of a history.
 struct HistoryColumn {
-  std::string name;
+  std::string name;        ///< as written, without its unit; "1", "2", ... if no row names it
   std::string unit;        ///< as written; empty if none is
   std::size_t column = 0;  ///< where its name stands in its line, from 1
 };
@@ -36,20 +36,25 @@ class HistoryFile {
   /// @throws InputError  if the file is empty, holds other bytes than text, or cannot be read
   HistoryFile(TextPieces pieces, std::string name);
   ~HistoryFile();
+  /// Move a history.  The object that it is moved from must not be used any more.
+  /// @{
   HistoryFile(HistoryFile&&) noexcept;
   HistoryFile& operator=(HistoryFile&&) noexcept;
+  /// @}
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
 
+  /// Name of the file in messages.
   [[nodiscard]] const std::string& name() const;
+  /// The columns in their order in the file.
   [[nodiscard]] const std::vector<HistoryColumn>& columns() const;
   /// The lines above the names of the columns that begin with #, without it; the first 1000.
   [[nodiscard]] const std::vector<std::string>& remarks() const;
   /// Whether a column has this name; case does not matter.
   [[nodiscard]] bool has(std::string_view column) const;
-  /// The number of a column.
-  /// @throws InputError  if no column or more than one has the name; the message names those there
-  /// are
+  /// The number of a column, from 0.
+  /// @throws InputError  if no column or more than one has the name; the message names those
+  ///                     there are
   [[nodiscard]] std::size_t number_of(std::string_view column) const;
   /// The factor from the unit of a column to an SI unit.
   /// @throws InputError  if the column has no unit, or one of another dimension
@@ -61,8 +66,7 @@ class HistoryFile {
   /// @return        one list of values for each wanted column, in the units of the file; lists are
   ///                empty at the end of the file.  They are valid until the next call.
   /// @throws InputError  if a cell of a wanted column is no finite number, or a row has a wrong
-  /// number
-  ///                     of cells; the message names file, line, column and value
+  ///                     number of cells; the message names file, line, column and value
   [[nodiscard]] const std::vector<std::vector<double>>& read(std::span<const std::size_t> wanted,
                                                              std::size_t most = 4096);
   /// Refuses a value of the last block.

@@ -13,12 +13,12 @@ namespace strainwave {
 
 /// A table that an input file may have.
 struct InputTable {
-  std::string path;  ///< "flexspline.crack"; NAME stands for the name of a material
-  std::string head;  ///< "[[flexspline.crack]]"
-  std::string_view doc;
+  std::string path;               ///< "flexspline.crack"; NAME stands for the name of a material
+  std::string head;               ///< "[[flexspline.crack]]"
+  std::string_view doc;           ///< meaning of the table
   std::string_view kind = {};     ///< kind of a crack; empty for any other table
   std::string_view meaning = {};  ///< meaning of this kind
-  std::vector<std::string_view> fields;
+  std::vector<std::string_view> fields;  ///< keys of the table, in the order of its description
 };
 
 /// The tables of an input file in their order.  A table with several kinds appears once for each

@@ -25,9 +25,8 @@ inline constexpr std::size_t kMaxTurnRows = 500'000;
 /// station and angle.
 ///
 /// @throws InputError  if a column or its unit is missing; if a row is unsorted, appears twice or
-/// is
-///                     missing; if the table has fewer than kMinTurnAngles angles, or K at the last
-///                     angle is not that at the first one; the message names the line
+///                     is missing; if the table has fewer than kMinTurnAngles angles, or K at the
+///                     last angle is not that at the first one; the message names the line
 [[nodiscard]] TurnTable read_turn_table(HistoryFile& file);
 
 /// Writes a table of K over a turn, as read_turn_table reads it.

@@ -22,13 +22,17 @@ namespace strainwave {
 /// A symmetric 3 x 3 matrix of in-plane stiffness or compliance; shear strain is gamma.
 template <class Real = double>
 struct InPlane {
+  /// Entry of two indices: 1 and 2 are the axes, 6 is the shear [unit of the matrix].
+  /// @{
   Real m11{};
   Real m12{};
   Real m22{};
   Real m16{};
   Real m26{};
   Real m66{};
+  /// @}
 
+  /// Adds `factor` times another matrix to this one.
   InPlane& add(const InPlane& other, const Real& factor) {
     m11 += other.m11 * factor;
     m12 += other.m12 * factor;
@@ -57,9 +61,9 @@ struct Lamina {
 /// A layer in its place.
 template <class Real = double>
 struct LaminatePly {
-  Lamina<Real> lamina{};
-  Real angle{};      ///< of the fibres from the axis of the tube [rad]
-  Real thickness{};  ///< [m]; > 0
+  Lamina<Real> lamina{};  ///< elastic constants in the axes of its fibres
+  Real angle{};           ///< of the fibres from the axis of the tube [rad]
+  Real thickness{};       ///< [m]; > 0
 };
 
 /// Stiffness of a layer in its own axes [Pa]; theory manual eq. (LA-1).
@@ -217,10 +221,10 @@ template <class Real>
 /// a11 s^4 - 2 a16 s^3 + (2 a12 + a66) s^2 - 2 a26 s + a22 = 0.
 template <class Real = double>
 struct CharacteristicRoots {
-  Real sum_real{};
-  Real sum_imaginary{};
-  Real product_real{};
-  Real product_imaginary{};
+  Real sum_real{};           ///< real part of the sum [-]
+  Real sum_imaginary{};      ///< imaginary part of the sum [-]; > 0
+  Real product_real{};       ///< real part of the product [-]
+  Real product_imaginary{};  ///< imaginary part of the product [-]
 };
 
 /// Sum and product of the roots; theory manual eq. (LA-7).  They need no root, so equal roots are
@@ -265,9 +269,9 @@ template <class Real>
 /// G = opening K_I^2 + 2 coupling K_I K_II + sliding K_II^2 [1/Pa].
 template <class Real = double>
 struct TipEnergy {
-  Real opening{};
-  Real sliding{};
-  Real coupling{};
+  Real opening{};   ///< G per K_I^2 [1/Pa]
+  Real sliding{};   ///< G per K_II^2 [1/Pa]
+  Real coupling{};  ///< half of G per K_I K_II [1/Pa]
 };
 
 /// Energy of a crack along the first axis of a sheet; theory manual eq. (LA-8).

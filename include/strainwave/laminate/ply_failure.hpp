@@ -17,9 +17,9 @@ namespace strainwave {
 
 /// Stress of a layer in the axes of its fibres [Pa].
 struct LaminaStress {
-  double along = 0.0;
-  double across = 0.0;
-  double shear = 0.0;
+  double along = 0.0;   ///< sigma_1, along the fibres; tension > 0
+  double across = 0.0;  ///< sigma_2, across the fibres; tension > 0
+  double shear = 0.0;   ///< tau, between the two directions
 };
 
 /// Left-hand side of the criterion of Tsai and Wu, 1 at failure [-]; theory manual eq. (LA-12).

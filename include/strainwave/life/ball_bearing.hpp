@@ -33,7 +33,7 @@ struct BallLoads {
   /// Forces [N]; >= 0.  The place of a force is its index, the same for all loads of a duty.
   std::vector<double> forces;
   double speed = 0.0;     ///< turns of the rings against each other per time [1/s]; >= 0
-  double duration = 0.0;  ///< [s]; > 0
+  double duration = 0.0;  ///< how long the load acts [s]; > 0
 };
 
 /// Life that 90 % of the bearings reach, and its parts.

@@ -21,7 +21,7 @@ namespace strainwave {
 
 /// Stresses at a free surface, without the axial stress.
 struct SurfaceStress {
-  double hoop = 0.0;   ///< [Pa]
+  double hoop = 0.0;   ///< normal stress round the axis [Pa]
   double shear = 0.0;  ///< in the plane of the surface, hoop against axis [Pa]
 };
 
@@ -88,12 +88,13 @@ struct CriticalPlane {
                                   std::span<const WaveCycles> cycles, const PlaneStrength& strength,
                                   double knee_cycles, double slope, MinerRule rule);
 
-/// Safety of bending and torsion by the handbooks of these drives (LI-38) [-].
+/// Stresses of bending and torsion, as the handbooks of these drives take them.
 struct HandbookStress {
-  double bending_amplitude = 0.0;  ///< [Pa]; >= 0
-  double shear_amplitude = 0.0;    ///< [Pa]; >= 0
-  double shear_mean = 0.0;         ///< [Pa]; >= 0
+  double bending_amplitude = 0.0;  ///< amplitude of the bending stress [Pa]; >= 0
+  double shear_amplitude = 0.0;    ///< amplitude of the shear stress [Pa]; >= 0
+  double shear_mean = 0.0;         ///< mean shear stress [Pa]; >= 0
 };
+/// Safety of bending and torsion by the handbooks of these drives (LI-38) [-].
 /// @param strength        of the part, so that K_sigma and K_tau are contained
 /// @param specimen_shear  tau_-1 of a smooth specimen [Pa]; > 0
 /// @return  absent if there is no stress

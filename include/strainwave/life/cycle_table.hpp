@@ -42,13 +42,20 @@ class CycleTable {
   explicit CycleTable(std::optional<int> classes = {}, std::size_t most = 10000)
       : classes_(classes), most_(most) {}
 
+  /// Adds cycles of one range and mean; nothing if the range or the count is not > 0.
+  /// @param range        in the unit of the cycles
+  /// @param mean         in the unit of the cycles
+  /// @param count        number of cycles [-]
+  /// @throws InputError  if the range is not finite
   void add(double range, double mean, double count);
 
   /// The rows by falling range, then by rising mean.
   [[nodiscard]] std::vector<CycleCount> rows() const;
   /// Width of the classes; absent without classes or cycles.
   [[nodiscard]] std::optional<double> class_width() const;
+  /// Number of all cycles, with those that are in no row [-].
   [[nodiscard]] double cycles() const { return cycles_; }
+  /// Largest range of all cycles, in the unit of the cycles; 0 without cycles.
   [[nodiscard]] double largest_range() const { return largest_range_; }
   /// Cycles that are in no row, because there are too many ranges.
   [[nodiscard]] double left_out() const { return left_out_; }

@@ -8,13 +8,16 @@
 namespace strainwave {
 
 /// Speed of the output of a block or a peak, with sign [rad/s].
-/// @throws InputError  if not exactly one of its two speeds is given
+/// @param ratio        i_h [-]; > 0
+/// @throws InputError  if not exactly one of its two speeds is given, or it is not finite
+/// @{
 [[nodiscard]] double output_speed(const DutyBlock& of, double ratio, FixedMember fixed);
 [[nodiscard]] double output_speed(const DutyPeak& of, double ratio, FixedMember fixed);
+/// @}
 
 /// A part of the duty with constant load.
 struct DutyStep {
-  double duration = 0.0;        ///< [s]; >= 0
+  double duration = 0.0;        ///< how long the load acts [s]; >= 0
   double output_speed = 0.0;    ///< with sign [rad/s]
   double torque = 0.0;          ///< T at the output, with sign [N*m]
   double axial_force = 0.0;     ///< P at the output, tension > 0 [N]

@@ -31,8 +31,8 @@ struct EnumNames<MinerRule> {
 
 /// A line of stress amplitude over cycles, for R = -1.
 struct WoehlerLine {
-  double knee_amplitude = 0.0;  ///< [Pa]; > 0
-  double knee_cycles = 0.0;     ///< [-]; > 0
+  double knee_amplitude = 0.0;  ///< amplitude at the knee [Pa]; > 0
+  double knee_cycles = 0.0;     ///< cycles at the knee [-]; > 0
   double slope = 5.0;           ///< k [-]; >= 1
 };
 

@@ -19,21 +19,21 @@ namespace strainwave {
 
 /// A momentary peak torque beside the steps.
 struct DutyMomentaryPeak {
-  DutyStep step;
+  DutyStep step;                ///< load and duration of one peak
   double per_repetition = 0.0;  ///< peaks in one repetition of the duty [-]; > 0, mostly < 1
 };
 
 /// One repetition of the duty of a drive.
 struct DutyHistory {
   std::vector<DutyStep> steps;  ///< in their order; the last row of a history has no duration
-  std::vector<DutyMomentaryPeak> peaks;
-  Residue residue = Residue::repeated;
-  FixedMember fixed = FixedMember::circular_spline;
-  double ratio = 0.0;       ///< i_h [-]
-  int wave_number = 2;      ///< U
+  std::vector<DutyMomentaryPeak> peaks;  ///< momentary peak torques, which no step contains
+  Residue residue = Residue::repeated;   ///< what counts of the ranges that stay open
+  FixedMember fixed = FixedMember::circular_spline;  ///< the member that does not turn
+  double ratio = 0.0;                                ///< i_h [-]
+  int wave_number = 2;                               ///< U
   double duration = 0.0;    ///< of one repetition, without the peaks [s]; > 0
   double output_turns = 0;  ///< in one repetition, in both senses together [-]; > 0
-  double input_turns = 0;   ///< [-]
+  double input_turns = 0;   ///< of the input, counted like output_turns [-]; > 0
   DutyAverage average;      ///< (LI-1) over the steps
 
   /// Repetitions in an hour [-].
@@ -78,27 +78,31 @@ struct PlaceStep {
 
 /// What a place bears in one repetition of the duty.
 struct PlaceCycles {
-  DutyPlace place = DutyPlace::flexspline;
-  double per_output_turn = 0.0;  ///< cycles in a turn of the output (LI-21) [-]
-  double per_repetition = 0.0;   ///< [-]
-  double per_hour = 0.0;         ///< [-]
-  std::vector<PlaceStep> steps;  ///< as many as DutyHistory::steps, in their order
+  DutyPlace place = DutyPlace::flexspline;  ///< the part that bears the cycles
+  double per_output_turn = 0.0;             ///< cycles in a turn of the output (LI-21) [-]
+  double per_repetition = 0.0;              ///< cycles in a repetition of the duty [-]
+  double per_hour = 0.0;                    ///< cycles in an hour of duty [-]
+  std::vector<PlaceStep> steps;             ///< as many as DutyHistory::steps, in their order
 };
 
 /// The places of a drive with their cycles; a place whose number of cycles is unknown is left out.
 /// Momentary peaks are not part of the steps.
 [[nodiscard]] std::vector<PlaceCycles> duty_cycles(const GearSet& gear, const DutyHistory& history);
+/// The cycles of one place.
+/// @throws InputError  for the inner ring, if the file gives no bearing with its number of balls
 [[nodiscard]] PlaceCycles duty_cycles(const GearSet& gear, const DutyHistory& history,
                                       DutyPlace place);
 
 /// Counted cycles of the torque.
 struct TorqueCycle {
-  double from = 0.0;       ///< [N*m]
-  double to = 0.0;         ///< [N*m]
+  double from = 0.0;       ///< torque where the cycle begins [N*m]
+  double to = 0.0;         ///< torque where it turns [N*m]
   double count = 0.0;      ///< in one repetition [-]
   double peak_time = 0.0;  ///< when the larger torque in size is reached, from the beginning [s]
 
+  /// Difference of the two torques [N*m]; >= 0.
   [[nodiscard]] double range() const { return std::abs(to - from); }
+  /// Middle of the two torques [N*m].
   [[nodiscard]] double mean() const { return (from + to) / 2; }
 };
 

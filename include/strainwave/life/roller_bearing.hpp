@@ -13,7 +13,7 @@ struct OutputBearingLoad {
   double axial_force = 0.0;     ///< F_a [N]; taken in size
   double bending_moment = 0.0;  ///< M about the middle of the rollers [N*m]; >= 0
   double speed = 0.0;           ///< of the output, in turns [1/s]; >= 0
-  double duration = 0.0;        ///< [s]; > 0
+  double duration = 0.0;        ///< how long the load acts [s]; > 0
 };
 
 /// Life of the output bearing.

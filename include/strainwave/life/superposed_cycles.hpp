@@ -31,9 +31,13 @@ struct StepCycle {
   std::size_t from_step = 0;  ///< number of the step in which `from` is reached
   std::size_t to_step = 0;    ///< number of the step in which `to` is reached
 
+  /// Difference of the two values, in their unit; >= 0.
   [[nodiscard]] double range() const { return std::abs(to - from); }
+  /// Middle of the two values, in their unit.
   [[nodiscard]] double mean() const { return (from + to) / 2; }
+  /// The larger one of the two values.
   [[nodiscard]] double largest() const { return from > to ? from : to; }
+  /// The smaller one of the two values.
   [[nodiscard]] double least() const { return from > to ? to : from; }
 };
 
@@ -47,10 +51,11 @@ struct StepCycle {
 /// Cycles come in the order in which they close.  Equal oscillations within a step are one entry.
 ///
 /// @param steps  in their order
-/// @param sink   receives the cycles; without it, they are returned as a list
 /// @throws InputError  if a number is not finite, or the cycles of a step are negative
 [[nodiscard]] std::vector<StepCycle> superposed_cycles(std::span<const OscillatingStep> steps,
                                                        Residue residue);
+/// The same, without a list of all cycles.
+/// @param sink  receives the cycles
 void superposed_cycles(std::span<const OscillatingStep> steps, Residue residue,
                        const std::function<void(const StepCycle&)>& sink);
 

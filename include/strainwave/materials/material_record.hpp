@@ -72,30 +72,36 @@ struct Evidence {
   }
 };
 
+/// A stress or an elastic modulus, for Sourced.
 struct StressKind {
-  static constexpr std::string_view kUnit = "Pa";
-  static constexpr std::string_view kExample = R"("900 MPa")";
-  static constexpr Range kRange = kPositive;
+  static constexpr std::string_view kUnit = "Pa";               ///< SI unit
+  static constexpr std::string_view kExample = R"("900 MPa")";  ///< TOML value in templates
+  static constexpr Range kRange = kPositive;                    ///< allowed values [Pa]
 };
+/// A fracture toughness or a growth threshold, for Sourced.
 struct ToughnessKind {
-  static constexpr std::string_view kUnit = "Pa*m^0.5";
-  static constexpr std::string_view kExample = R"("60 MPa*m^0.5")";
-  static constexpr Range kRange = kPositive;
+  static constexpr std::string_view kUnit = "Pa*m^0.5";              ///< SI unit
+  static constexpr std::string_view kExample = R"("60 MPa*m^0.5")";  ///< TOML value in templates
+  static constexpr Range kRange = kPositive;                         ///< allowed values [Pa*m^0.5]
 };
+/// A Poisson's ratio, for Sourced.
 struct PoissonKind {
-  static constexpr std::string_view kUnit = "1";
-  static constexpr std::string_view kExample = "0.3";
-  static constexpr Range kRange = {.lower = -1.0, .upper = 0.5};
+  static constexpr std::string_view kUnit = "1";                  ///< SI unit
+  static constexpr std::string_view kExample = "0.3";             ///< TOML value in templates
+  static constexpr Range kRange = {.lower = -1.0, .upper = 0.5};  ///< allowed values [-]
 };
+/// A density, for Sourced.
 struct DensityKind {
-  static constexpr std::string_view kUnit = "kg/m^3";
-  static constexpr std::string_view kExample = R"("7850 kg/m^3")";
-  static constexpr Range kRange = kPositive;
+  static constexpr std::string_view kUnit = "kg/m^3";               ///< SI unit
+  static constexpr std::string_view kExample = R"("7850 kg/m^3")";  ///< TOML value in templates
+  static constexpr Range kRange = kPositive;                        ///< allowed values [kg/m^3]
 };
+/// A hardness HRC, for Sourced.
 struct RockwellKind {
-  static constexpr std::string_view kUnit = "1";
-  static constexpr std::string_view kExample = "60";
-  static constexpr Range kRange = {.lower = 20.0, .lower_open = false, .upper = 70.0};
+  static constexpr std::string_view kUnit = "1";      ///< SI unit
+  static constexpr std::string_view kExample = "60";  ///< TOML value in templates
+  static constexpr Range kRange = {
+      .lower = 20.0, .lower_open = false, .upper = 70.0};  ///< allowed values [-]
 };
 
 /// A number [Kind::kUnit] with its evidence.
@@ -126,7 +132,7 @@ struct EnumNames<FatigueLoading> {
 /// Stress amplitude that a smooth specimen withstands for a number of cycles [Pa].
 struct FatigueLimit : Sourced<StressKind> {
   double stress_ratio = -1.0;    ///< R = sigma_min/sigma_max [-]; < 1
-  std::optional<double> cycles;  ///< [-]; > 0.  Absent: not stated
+  std::optional<double> cycles;  ///< for which it is stated [-]; > 0.  Absent: not stated
   FatigueLoading loading = FatigueLoading::not_stated;
 
   template <class Visitor>
@@ -155,11 +161,13 @@ struct FatigueLimit : Sourced<StressKind> {
 /// Closed interval of stress ratios for which a growth datum is valid.
 using StressRatios = std::array<double, 2>;
 
+/// Field of the stress ratios of a threshold or a law.
 inline constexpr Field kStressRatioField{.name = "stress_ratio",
                                          .unit = "1",
                                          .doc = "range of R for which the law is stated",
                                          .range = {.upper = 1.0, .upper_open = false},
                                          .example = "[0.5, 1]"};
+/// Field of the environment of a threshold or a law.
 inline constexpr Field kEnvironmentField{
     .name = "environment", .unit = "", .doc = "environment of the crack", .example = R"("air")"};
 
@@ -279,6 +287,7 @@ struct NasgroLaw : Evidence {
   }
 };
 
+/// A law of crack growth, as a record states it.
 using GrowthLaw = std::variant<ParisLaw, NasgroLaw>;
 
 /// A steel in one condition, or a layer of fibres in a matrix.
@@ -288,25 +297,29 @@ struct MaterialRecord {
   std::string name;                  ///< name as written in an input file: "17-4PH H900"
   std::vector<std::string> aliases;  ///< other names of the same steel in the same condition
   std::vector<MaterialUse> use;      ///< at least one
-  std::string treatment;
-  std::string remark;
-  std::optional<Sourced<StressKind>> youngs_modulus;  ///< E [Pa]
-  std::optional<Sourced<StressKind>> shear_modulus;   ///< G, if measured independently [Pa]
-  std::optional<Sourced<PoissonKind>> poissons_ratio;
-  std::optional<Sourced<DensityKind>> density;
+  std::string treatment;             ///< heat treatment and product
+  std::string remark;                ///< on the whole record; may be empty
+  std::optional<Sourced<StressKind>> youngs_modulus;      ///< E [Pa]
+  std::optional<Sourced<StressKind>> shear_modulus;       ///< G, if measured independently [Pa]
+  std::optional<Sourced<PoissonKind>> poissons_ratio;     ///< nu [-]
+  std::optional<Sourced<DensityKind>> density;            ///< rho [kg/m^3]
   std::optional<Sourced<StressKind>> transverse_modulus;  ///< E2 of a layer [Pa]
-  std::optional<Sourced<StressKind>> fibre_tension;       ///< strengths of a layer [Pa]
+  /// Tensile strength of a layer along its fibres [Pa].
+  std::optional<Sourced<StressKind>> fibre_tension;
+  /// Compressive strength of a layer along its fibres [Pa].
   std::optional<Sourced<StressKind>> fibre_compression;
+  /// Tensile strength of a layer across its fibres [Pa].
   std::optional<Sourced<StressKind>> transverse_tension;
+  /// Compressive strength of a layer across its fibres [Pa].
   std::optional<Sourced<StressKind>> transverse_compression;
-  std::optional<Sourced<StressKind>> shear_strength;
-  std::optional<Sourced<StressKind>> yield_strength;
-  std::optional<Sourced<StressKind>> ultimate_strength;
-  std::optional<Sourced<ToughnessKind>> fracture_toughness;
-  std::optional<Sourced<RockwellKind>> hardness;  ///< Rockwell C
-  std::vector<FatigueLimit> fatigue_limit;
-  std::vector<GrowthThreshold> threshold;
-  std::vector<GrowthLaw> growth;
+  std::optional<Sourced<StressKind>> shear_strength;         ///< of a layer, along its fibres [Pa]
+  std::optional<Sourced<StressKind>> yield_strength;         ///< sigma_y [Pa]
+  std::optional<Sourced<StressKind>> ultimate_strength;      ///< sigma_u, tensile strength [Pa]
+  std::optional<Sourced<ToughnessKind>> fracture_toughness;  ///< K_Ic [Pa*m^0.5]
+  std::optional<Sourced<RockwellKind>> hardness;             ///< Rockwell C [-]
+  std::vector<FatigueLimit> fatigue_limit;  ///< limits of smooth specimens; empty: none is known
+  std::vector<GrowthThreshold> threshold;   ///< of long cracks; empty: none is known
+  std::vector<GrowthLaw> growth;            ///< laws, or the branches of one; empty: none is known
 
   template <class Visitor>
   static void describe(Visitor&& field) {

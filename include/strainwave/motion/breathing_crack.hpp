@@ -31,12 +31,13 @@ struct EnumNames<BreathingShaft> {
 
 /// Opening b(theta) = sum_k c_k cos(k (o theta - p)) of a crack over the angle of a shaft (MO-6).
 struct AngleOpening {
-  BreathingShaft shaft = BreathingShaft::input;
-  double order = 0.0;  ///< o, openings in a turn of the shaft [-]; > 0
-  double phase = 0.0;  ///< p; the crack is open at o theta = p [rad]
+  BreathingShaft shaft = BreathingShaft::input;  ///< whose angle is theta
+  double order = 0.0;                            ///< o, openings in a turn of the shaft [-]; > 0
+  double phase = 0.0;                            ///< p; the crack is open at o theta = p [rad]
   /// c_k, with b between 0 and 1 at all angles; Mayes' law if left [-]
   std::vector<double> coefficients = {0.5, 0.5};
 
+  /// The opening at one angle.
   struct At {
     double value = 0.0;  ///< b [-]
     double slope = 0.0;  ///< db/dtheta of the shaft [-]

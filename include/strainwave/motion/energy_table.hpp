@@ -23,6 +23,7 @@ struct EnergySamples {
   std::vector<double> twist;       ///< dW/dT by angle, then by torque [rad]
   std::vector<double> compliance;  ///< d2W/dT2, in the same order [rad/(N*m)]
 
+  /// Number of angles over the period [-].
   [[nodiscard]] std::size_t angles() const { return energy.size(); }
 };
 
@@ -41,6 +42,7 @@ struct EnergySamples {
 /// is immutable, and any number of threads may use it.
 class EnergyTable {
  public:
+  /// Largest number of families [-].
   static constexpr std::size_t kMostFamilies = 4;
 
   /// @param torques     [N*m]; at least 3, rising, the first negative and the last positive
@@ -51,8 +53,11 @@ class EnergyTable {
   EnergyTable(std::vector<double> torques, const std::vector<EnergySamples>& families,
               double compliance);
 
+  /// Torques of the grid, rising [N*m].
   [[nodiscard]] const std::vector<double>& torques() const { return torques_; }
+  /// The first torque of the grid, < 0 [N*m].
   [[nodiscard]] double least_torque() const { return torques_.front(); }
+  /// The last torque of the grid, > 0 [N*m].
   [[nodiscard]] double most_torque() const { return torques_.back(); }
   /// In series with all families [rad/(N*m)].
   [[nodiscard]] double compliance() const { return compliance_; }
@@ -82,12 +87,14 @@ class EnergyTable {
 
     /// W = sum_j a[j] t^j above the torque `from`, and its derivative by the input's angle.
     struct Piece {
-      double from = 0.0;   ///< [N*m]
-      double least = 0.0;  ///< torque from which on it holds [N*m]
-      double most = 0.0;   ///< torque below which it holds [N*m]
-      std::array<double, 5> a{};
-      std::array<double, 5> by_input{};
+      double from = 0.0;                 ///< [N*m]
+      double least = 0.0;                ///< torque from which on it holds [N*m]
+      double most = 0.0;                 ///< torque below which it holds [N*m]
+      std::array<double, 5> a{};         ///< of W; t = T - from [J/(N*m)^j]
+      std::array<double, 5> by_input{};  ///< of dW/d theta_m, over the same t [J/(N*m)^j]
+      /// The state at a torque T that the piece contains [N*m].
       [[nodiscard]] At at(double torque) const;
+      /// Whether the piece holds at a torque T: least <= T < most [N*m].
       [[nodiscard]] bool contains(double torque) const { return torque >= least && torque < most; }
     };
     /// The piece that contains a torque, for a method that asks many torques near each other.

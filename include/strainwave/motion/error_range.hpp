@@ -10,7 +10,9 @@ struct AngleRange {
   double least = 0.0;    ///< [rad]
   double largest = 0.0;  ///< [rad]
 
+  /// Largest less least angle [rad].
   [[nodiscard]] double peak_to_valley() const { return largest - least; }
+  /// Angle halfway between the least and the largest [rad].
   [[nodiscard]] double middle() const { return (largest + least) / 2; }
   /// Largest magnitude [rad].
   [[nodiscard]] double magnitude() const { return largest > -least ? largest : -least; }

@@ -48,6 +48,7 @@ struct FrictionValue {
   std::optional<double> simulated = {};  ///< on the bench; absent: the bench did not measure it
   std::string reason = {};               ///< why the bench did not measure it
 
+  /// Unit of the values: "1" for the efficiency, else "N*m".
   [[nodiscard]] std::string_view unit() const {
     return quantity == FrictionQuantity::efficiency ? "1" : "N*m";
   }
@@ -79,9 +80,9 @@ struct FrictionValue {
 /// Friction of the input that is fitted to four values, and its evidence.
 struct FrictionFit {
   LuGre friction;
-  FrictionTargets targets;
-  double ratio = 0.0;                      ///< magnitude [-]
-  bool converged = false;                  ///< whether the friction returns all four by simulation
+  FrictionTargets targets;  ///< what was wanted, with speed and torque of the efficiency
+  double ratio = 0.0;       ///< magnitude [-]
+  bool converged = false;   ///< whether the friction returns all four by simulation
   std::vector<FrictionValue> values = {};  ///< in the order of FrictionQuantity
 
   template <class Visitor>
@@ -119,10 +120,10 @@ struct FrictionFit {
 /// Measures the four values on a joint by `simulate` and adds them to the fit.
 ///
 /// The bench takes the joint's inertias, spring, damping and hysteresis, and the fitted friction.
-/// It leaves out cracks, kinematic error, gravity, and the damping of motor and load.  Without
-/// load: a run at the given speed, and a ramp of the input's torque until the input turns.  With
-/// load: a run at the given speed and torque, and a ramp of the output's torque until the input
-/// turns.  The ramps are so slow that inertia adds 5e-4 to the torque.
+/// It leaves out cracks, kinematic error, gravity, the damping of motor and load, and the friction
+/// of the output.  Without load: a run at the given speed, and a ramp of the input's torque until
+/// the input turns.  With load: a run at the given speed and torque, and a ramp of the output's
+/// torque until the input turns.  The ramps are so slow that inertia adds 5e-4 to the torque.
 /// @throws Stopped  if the caller requests a stop
 void measure(FrictionFit& fit, const Joint& joint, const Progress& progress = {});
 

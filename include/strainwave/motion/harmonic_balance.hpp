@@ -42,9 +42,9 @@ struct EnumNames<JointEnd> {
 
 /// What all periodic motions of a joint have in common.
 struct BalanceSettings {
-  VibratingInput input = VibratingInput::free;
-  double load_torque = 0.0;  ///< T_0, constant torque on the output [N*m]
-  int harmonics = 9;         ///< H of the twist [-]; 1 to 200
+  VibratingInput input = VibratingInput::free;  ///< whether the input vibrates too
+  double load_torque = 0.0;                     ///< T_0, constant torque on the output [N*m]
+  int harmonics = 9;                            ///< H of the twist [-]; 1 to 200
 };
 
 /// Which free vibration a backbone describes.
@@ -57,10 +57,11 @@ struct EnumNames<BackboneKind> {
   static constexpr std::array<std::string_view, 2> names = {"undamped", "quadrature"};
 };
 
+/// What `backbone` is asked for.
 struct BackboneSettings {
-  BalanceSettings balance = {};
-  BackboneKind kind = BackboneKind::undamped;
-  JointEnd excited = JointEnd::load;  ///< where `excitation` of a quadrature acts
+  BalanceSettings balance = {};                ///< input, load torque and number of harmonics
+  BackboneKind kind = BackboneKind::undamped;  ///< without losses and excitation, or with both
+  JointEnd excited = JointEnd::load;           ///< where `excitation` of a quadrature acts
   /// half of the range of the twist [rad]; > 0 and rising
   std::vector<double> amplitudes = {};
 };
@@ -81,9 +82,9 @@ struct BackbonePoint {
 
 /// Frequencies over the amplitude, and their evidence.
 struct Backbone {
-  bool converged = false;
-  std::string reason = {};  ///< why it did not converge; empty if it did
-  std::vector<BackbonePoint> points = {};
+  bool converged = false;                  ///< whether there is a point for each amplitude
+  std::string reason = {};                 ///< why it did not converge; empty if it did
+  std::vector<BackbonePoint> points = {};  ///< in the order of the amplitudes
 };
 
 /// Frequency of a joint over the amplitude of its twist, by continuation in the amplitude.
@@ -96,14 +97,15 @@ struct Backbone {
 [[nodiscard]] Backbone backbone(const Joint& joint, const BackboneSettings& settings,
                                 const Progress& progress = {});
 
+/// What `forced_response` is asked for.
 struct ResponseSettings {
-  BalanceSettings balance = {};
-  JointEnd excited = JointEnd::load;
-  double excitation = 0.0;    ///< amplitude of the torque at the excited end [N*m]; > 0
-  double from = 0.0;          ///< frequency at which the curve begins [Hz]; > 0
-  double to = 0.0;            ///< frequency at which the curve ends [Hz]; > from
-  int most_points = 4000;     ///< without an end after this number of points [-]; >= 2
-  double largest_step = 0.1;  ///< of the relative length of the curve [-]; > 0
+  BalanceSettings balance = {};       ///< input, load torque and number of harmonics
+  JointEnd excited = JointEnd::load;  ///< where the torque acts; motor: a free input only
+  double excitation = 0.0;            ///< amplitude of the torque at the excited end [N*m]; > 0
+  double from = 0.0;                  ///< frequency at which the curve begins [Hz]; > 0
+  double to = 0.0;                    ///< frequency at which the curve ends [Hz]; > from
+  int most_points = 4000;             ///< without an end after this number of points [-]; >= 2
+  double largest_step = 0.1;          ///< of the relative length of the curve [-]; > 0
 };
 
 /// A periodic response to a harmonic torque.
@@ -136,16 +138,16 @@ struct Peak {
   double frequency = 0.0;  ///< [Hz]
   double amplitude = 0.0;  ///< half of the range of the twist [rad]
   double torque = 0.0;     ///< half of the range of spring and hysteresis [N*m]
-  bool stable = false;
+  bool stable = false;     ///< multiplier <= 1 + 1e-6, as of a ResponsePoint
 };
 
 /// A curve of responses in the order of its length, and its evidence.
 struct ForcedResponse {
-  bool converged = false;
-  std::string reason = {};  ///< why the curve has no end; empty if it has one
-  std::vector<ResponsePoint> points = {};
-  std::vector<Fold> folds = {};
-  std::vector<Peak> peaks = {};
+  bool converged = false;                  ///< whether the curve reaches its last frequency
+  std::string reason = {};                 ///< why the curve has no end; empty if it has one
+  std::vector<ResponsePoint> points = {};  ///< along the curve; the frequency may fall
+  std::vector<Fold> folds = {};            ///< along the curve, within the range of frequencies
+  std::vector<Peak> peaks = {};            ///< likewise
 };
 
 /// Response of a joint to a harmonic torque over the frequency, by continuation along the curve.

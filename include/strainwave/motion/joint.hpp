@@ -24,18 +24,19 @@ namespace strainwave {
 
 /// The input is driven by a torque over time [N*m].
 struct GivenTorque {
-  Profile torque;
+  Profile torque;  ///< T_m on the input over time [N*m]
 };
 /// The input turns at a speed over time [rad/s], whatever torque it needs.
 struct GivenSpeed {
-  Profile speed;
+  Profile speed;  ///< of the input over time [rad/s]
 };
 /// A controlled motor follows a speed over time [rad/s] and its angle, which begins at 0.
 struct ServoDrive {
-  Servo servo;
-  Profile speed;
+  Servo servo;    ///< controller and motor
+  Profile speed;  ///< w*, wanted over time [rad/s]; its integral is the wanted angle theta*
   double holding_torque = 0.0;  ///< T_0, with which the controller begins [N*m]
 };
+/// What drives the input of a joint.
 using InputDrive = std::variant<GivenTorque, GivenSpeed, ServoDrive>;
 
 /// A joint of a motor, a strain wave gear and a load.
@@ -53,15 +54,16 @@ struct Joint {
   double output_damping = 0.0;  ///< B_L [N*m*s/rad]; >= 0
   /// friction in the contacts of the drive, in series with the spring (MO-52)
   std::shared_ptr<const TwistLoops> loops = {};
-  std::optional<BoucWen> hysteresis = {};
+  std::optional<BoucWen> hysteresis = {};       ///< parallel to the spring (MO-8); absent: none
   std::vector<SlipElement> slip_elements = {};  ///< parallel to the spring
+  /// against the turn of the input (MO-10, MO-40); absent: none
   std::optional<LuGre> input_friction = {};
   /// of the load against the housing, without a part that depends on the load
   std::optional<LuGre> output_friction = {};
-  KinematicError kinematic_error = {};
-  std::vector<BreathingCrack> cracks = {};
-  InputDrive input = GivenTorque{{.value = {0.0}}};
-  Profile output_torque = {.value = {0.0}};  ///< T_ext on the output [N*m]
+  KinematicError kinematic_error = {};               ///< theta_k (MO-4); without lines 0
+  std::vector<BreathingCrack> cracks = {};           ///< in series with the spring (MO-5)
+  InputDrive input = GivenTorque{{.value = {0.0}}};  ///< by default no torque
+  Profile output_torque = {.value = {0.0}};          ///< T_ext on the output [N*m]
   /// speed of the output [rad/s], whatever torque T_ext it needs in place of `output_torque`
   /// (MO-46); absent: the output moves freely
   std::optional<Profile> output_speed = {};
@@ -106,15 +108,16 @@ struct JointForces {
   double parallel_rate = 0.0;                  ///< its rate [rad/s]
   double elastic_torque = 0.0;                 ///< T_el of the spring or of the table [N*m]
   std::optional<ContactForces> contacts = {};  ///< absent: the joint has no loops
-  double torque = 0.0;                         ///< T_el + c phi' + z, on the output [N*m]
-  double output_torque = 0.0;                  ///< T_ext on the output, given or needed [N*m]
-  double input_torque = 0.0;                   ///< torque that drives the input [N*m]
-  double reaction = 0.0;  ///< torque of the drive on the input, with its cracks [N*m]
+  /// M = T_el + c (phi - phi_0)' + z and the torque of the slip elements, on the output [N*m]
+  double torque = 0.0;
+  double output_torque = 0.0;  ///< T_ext on the output, given or needed [N*m]
+  double input_torque = 0.0;   ///< torque that drives the input [N*m]
+  double reaction = 0.0;       ///< torque of the drive on the input, with its cracks [N*m]
 };
 
 /// Rates of change of a state, with the torques and powers behind them.
 struct JointRate {
-  JointForces forces;
+  JointForces forces;                ///< twists and torques of the state
   double input_acceleration = 0.0;   ///< [rad/s^2]
   double output_acceleration = 0.0;  ///< [rad/s^2]
   double hysteresis = 0.0;           ///< dz/dt [N*m/s]

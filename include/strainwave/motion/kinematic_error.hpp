@@ -53,8 +53,10 @@ class KinematicError {
   /// @param orders  lines in any order
   KinematicError(std::vector<ErrorOrder> orders);  // NOLINT(google-explicit-constructor)
 
+  /// The lines as they were given.
   [[nodiscard]] const std::vector<ErrorOrder>& orders() const { return orders_; }
 
+  /// The error at one angle of the input.
   struct At {
     double value = 0.0;  ///< theta_k [rad]
     double slope = 0.0;  ///< d theta_k/d theta_m [-]

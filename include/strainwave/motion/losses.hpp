@@ -130,7 +130,7 @@ struct LuGre {
   double load_coulomb = 0.0;                  ///< kappa_c [-]; >= 0
   std::optional<double> load_breakaway = {};  ///< kappa_s [-]; >= 0; absent: as load_coulomb
   double thinning = 0.0;  ///< beta, share of sigma_2 lost per kelvin of warming [1/K]; >= 0
-  double warming = 0.0;   ///< temperature above that at which sigma_2 was measured [K]
+  double warming = 0.0;   ///< temperature above that at which sigma_2 was measured [K]; -200 to 200
 
   /// sigma_2 at the temperature of the motion (MO-55) [N*m*s/rad].
   [[nodiscard]] double viscous_when_warm() const {
@@ -143,10 +143,15 @@ struct LuGre {
   /// g, the torque of the bristles at constant speed (MO-40) [N*m].
   /// @param load  L, torque on the load over the ratio [N*m]; >= 0
   [[nodiscard]] double sliding(double speed, double load = 0.0) const;
+  /// The friction at one state.
   struct At {
     double rate = 0.0;    ///< u' [rad/s]
     double torque = 0.0;  ///< T_f, against the speed [N*m]
   };
+  /// Rate of the bristles and torque of the friction (MO-10, MO-40).
+  /// @param deflection  u [rad]
+  /// @param speed       w [rad/s]
+  /// @param load        L, torque on the load over the ratio [N*m]; >= 0
   [[nodiscard]] At at(double deflection, double speed, double load = 0.0) const;
   /// T_f at constant speed [N*m].
   [[nodiscard]] double steady(double speed, double load = 0.0) const;
@@ -215,6 +220,7 @@ struct LuGre {
 
 /// Throws InputError, which names the constant, unless each constant is in its range.
 void require_constants(const BoucWen& model);
+/// The same for each of the elements.
 void require_constants(const std::vector<SlipElement>& elements);
 /// @param at  path of the friction in messages
 void require_constants(const LuGre& model, const FieldPath& at = FieldPath("friction"));

@@ -12,6 +12,7 @@ struct Profile {
   std::vector<double> time = {};   ///< [s]; rising
   std::vector<double> value = {};  ///< as many; a single one without time is a constant
 
+  /// The number at a time [s].
   [[nodiscard]] double at(double time) const;
   [[nodiscard]] double slope(double time) const;  ///< behind the time [1/s]
   /// From the time 0; the value's unit times [s].

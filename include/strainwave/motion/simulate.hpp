@@ -16,6 +16,7 @@
 
 namespace strainwave {
 
+/// How long and how exactly `simulate` computes.
 struct SimulationOptions {
   double duration = 0.0;     ///< [s]; > 0
   double output_step = 0.0;  ///< time between two samples [s]; > 0, <= duration
@@ -27,9 +28,9 @@ struct SimulationOptions {
 
 /// The joint at one time.
 struct MotionSample {
-  double time = 0.0;  ///< [s]
-  JointState state;
-  JointForces forces;
+  double time = 0.0;   ///< [s]
+  JointState state;    ///< angles, speeds and memory
+  JointForces forces;  ///< twists and torques of this state
 };
 
 /// What a time step ended at before its time.
@@ -58,8 +59,8 @@ struct EnumNames<MotionEvent> {
 
 /// Time of an event.
 struct EventTime {
-  MotionEvent event = MotionEvent::spring_corner;
-  double time = 0.0;  ///< [s]
+  MotionEvent event = MotionEvent::spring_corner;  ///< what the step ended at
+  double time = 0.0;                               ///< [s]
 };
 
 /// Energy of a motion (MO-12).
@@ -67,7 +68,8 @@ struct MotionEnergy {
   double at_start = 0.0;  ///< stored [J]
   double at_end = 0.0;    ///< stored [J]
   double supplied = 0.0;  ///< work of the input and of T_ext [J]
-  /// in damping, friction, slip and the growth of cracks, or stored in z and the bristles [J]
+  /// in damping, friction, slip and the growth of cracks, or stored in z, in the bristles and in
+  /// contacts that hold [J]
   double lost = 0.0;
   double released = 0.0;  ///< part of `lost` that the growing cracks release (MO-50) [J]
   /// kinetic energy that came and went, with supplied and lost: what the balance is compared with
@@ -79,15 +81,15 @@ struct MotionEnergy {
 
 /// A motion and its evidence.
 struct Motion {
-  bool converged = false;
-  std::string reason = {};    ///< why it did not converge; empty if it did
-  bool beyond_table = false;  ///< whether the elastic torque left the table of the joint
-  double time_reached = 0.0;  ///< [s]
-  JointState last = {};       ///< the last good state
-  MotionEnergy energy = {};
-  std::uint64_t steps = 0;     ///< accepted [-]
-  std::uint64_t rejected = 0;  ///< [-]
-  std::uint64_t event_count = 0;
+  bool converged = false;              ///< whether it reached the duration
+  std::string reason = {};             ///< why it did not converge; empty if it did
+  bool beyond_table = false;           ///< whether the elastic torque left the table of the joint
+  double time_reached = 0.0;           ///< [s]
+  JointState last = {};                ///< the last good state
+  MotionEnergy energy = {};            ///< until the time reached
+  std::uint64_t steps = 0;             ///< accepted [-]
+  std::uint64_t rejected = 0;          ///< [-]
+  std::uint64_t event_count = 0;       ///< also of events that the list leaves out [-]
   std::vector<EventTime> events = {};  ///< the first 10 000
 };
 
@@ -104,18 +106,18 @@ struct MotionCheckpoint {
   /// [rad/s], z [N*m], S, phi_0, u of input and output, q [rad], held torque [N*m], supplied, lost
   /// and released energy [J]
   std::array<double, 14> state = {};
-  std::array<double, 14> slope = {};  ///< of the state, per second
-  double step = 0.0;                  ///< length of the next trial [s]
-  double segment_end = 0.0;           ///< next point of a profile or sample of a controller [s]
-  std::uint64_t next_corner = 0;      ///< points of the profiles before the end of the segment [-]
-  std::uint64_t samplings = 0;        ///< of the controller [-]
-  std::uint64_t next_sample = 0;      ///< samples that were handed out [-]
-  double at_start = 0.0;              ///< energy stored at the start [J]
-  double exchanged = 0.0;             ///< kinetic energy that came and went [J]
-  std::uint64_t steps = 0;            ///< accepted [-]
-  std::uint64_t rejected = 0;         ///< [-]
-  std::uint64_t event_count = 0;
-  std::optional<SlipState> slip = {};    ///< of the slip elements; absent: the joint has none
+  std::array<double, 14> slope = {};   ///< of the state, per second
+  double step = 0.0;                   ///< length of the next trial [s]
+  double segment_end = 0.0;            ///< next point of a profile or sample of a controller [s]
+  std::uint64_t next_corner = 0;       ///< points of the profiles before the end of the segment [-]
+  std::uint64_t samplings = 0;         ///< of the controller [-]
+  std::uint64_t next_sample = 0;       ///< samples that were handed out [-]
+  double at_start = 0.0;               ///< energy stored at the start [J]
+  double exchanged = 0.0;              ///< kinetic energy that came and went [J]
+  std::uint64_t steps = 0;             ///< accepted [-]
+  std::uint64_t rejected = 0;          ///< [-]
+  std::uint64_t event_count = 0;       ///< since the start of the motion [-]
+  std::optional<SlipState> slip = {};  ///< of the slip elements; absent: the joint has none
   std::optional<LoopMemory> loops = {};  ///< of the contacts; absent: the joint has no loops
   std::vector<double> guards = {};       ///< functions whose change of sign is an event
   std::vector<bool> fresh = {};          ///< whether the step begins at an event of this function
@@ -134,8 +136,11 @@ class MotionRun {
   /// @throws InputError  as `simulate`, or if the checkpoint cannot be one of this joint
   MotionRun(Joint joint, const MotionCheckpoint& from, const SimulationOptions& options);
   ~MotionRun();
+  /// A run that was moved from has no steps; it may only be destroyed or assigned to.
+  /// @{
   MotionRun(MotionRun&&) noexcept;
   MotionRun& operator=(MotionRun&&) noexcept;
+  /// @}
   MotionRun(const MotionRun&) = delete;
   MotionRun& operator=(const MotionRun&) = delete;
 

@@ -24,6 +24,9 @@ struct SpringState {
 struct LinearSpring {
   double stiffness = 0.0;  ///< K [N*m/rad]; > 0
 
+  /// Torque of the spring with a compliance in series.
+  /// @param twist       phi of both [rad]
+  /// @param compliance  [rad/(N*m)]; >= 0
   [[nodiscard]] SpringState in_series(double twist, double compliance) const;
   [[nodiscard]] double twist(double torque) const;      ///< psi [rad]
   [[nodiscard]] double energy(double twist) const;      ///< integral of the torque [J]
@@ -36,10 +39,12 @@ struct CatalogueSpring {
   std::array<double, 3> stiffness{};  ///< K1, K2, K3 [N*m/rad]; > 0
   std::array<double, 2> torque{};     ///< T1, T2 [N*m]; 0 < T1 < T2
 
+  /// See LinearSpring::in_series.
   [[nodiscard]] SpringState in_series(double twist, double compliance) const;
-  [[nodiscard]] double twist(double torque) const;
-  [[nodiscard]] double energy(double twist) const;
-  [[nodiscard]] double tangent(double twist) const;
+  [[nodiscard]] double twist(double torque) const;   ///< psi [rad]
+  [[nodiscard]] double energy(double twist) const;   ///< integral of the torque over psi [J]
+  [[nodiscard]] double tangent(double twist) const;  ///< dT/dpsi [N*m/rad]
+  /// T1 and T2, at whose magnitudes the tangent jumps [N*m].
   [[nodiscard]] const std::array<double, 2>& corners() const { return torque; }
 };
 
@@ -48,13 +53,15 @@ struct CubicSpring {
   double stiffness = 0.0;  ///< K [N*m/rad]; > 0
   double cubic = 0.0;      ///< K_3 [N*m/rad^3]; >= 0
 
+  /// See LinearSpring::in_series.
   [[nodiscard]] SpringState in_series(double twist, double compliance) const;
-  [[nodiscard]] double twist(double torque) const;
-  [[nodiscard]] double energy(double twist) const;
-  [[nodiscard]] double tangent(double twist) const;
-  [[nodiscard]] std::array<double, 0> corners() const;
+  [[nodiscard]] double twist(double torque) const;      ///< psi [rad]
+  [[nodiscard]] double energy(double twist) const;      ///< integral of the torque over psi [J]
+  [[nodiscard]] double tangent(double twist) const;     ///< dT/dpsi [N*m/rad]
+  [[nodiscard]] std::array<double, 0> corners() const;  ///< the tangent jumps nowhere
 };
 
+/// A spring of one of the three kinds.
 using Spring = std::variant<LinearSpring, CatalogueSpring, CubicSpring>;
 
 /// Torque at a twist of the spring and a compliance together (MO-1).

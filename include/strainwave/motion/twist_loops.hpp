@@ -46,6 +46,7 @@ class TwistLoops {
     double value = 0.0;  ///< w [rad]; beyond the last torques it is constant
     double slope = 0.0;  ///< dw/dT [rad/(N*m)]
   };
+  /// At a torque [N*m].
   [[nodiscard]] Width width(double torque) const { return width_near(torque).at(torque); }
   /// The width over a range of the torque, for a method that asks many torques near each other.
   struct WidthPiece {
@@ -53,14 +54,18 @@ class TwistLoops {
     double most = 0.0;          ///< torque below which it holds [N*m]
     double from = 0.0;          ///< [N*m]
     std::array<double, 4> a{};  ///< w = sum_j a[j] (T - from)^j
+    /// The width at a torque T that the piece contains [N*m].
     [[nodiscard]] Width at(double torque) const {
       const double t = torque - from;
       return {.value = a[0] + t * (a[1] + t * (a[2] + t * a[3])),
               .slope = a[1] + t * (2 * a[2] + t * 3 * a[3])};
     }
+    /// Whether the piece holds at a torque T: least <= T < most [N*m].
     [[nodiscard]] bool contains(double torque) const { return torque >= least && torque < most; }
   };
+  /// The piece that contains a torque [N*m].
   [[nodiscard]] const WidthPiece& width_near(double torque) const;
+  /// 1/Theta of the constructor [1/rad].
   [[nodiscard]] double fading() const { return fading_; }
   /// Largest |q_k| of an element at a torque [rad].
   [[nodiscard]] double bound(std::size_t element, double torque) const;
@@ -75,8 +80,10 @@ class TwistLoops {
     double free_weight = 0.0;  ///< of the elements between their bounds: -dh/dS [-]
     double free_twist = 0.0;   ///< their part of h, which fades [rad]
     double held = 0.0;         ///< part of the elements that stay at a bound, over w [-]
+    /// h at the width of the present torque [rad].
     [[nodiscard]] double twist(const Width& w) const { return free_twist + held * w.value; }
   };
+  /// The twist of the loops after a path from the memory (MO-52, MO-53).
   [[nodiscard]] At at(const LoopMemory& memory, const Path& path) const;
   /// Largest |q_k| less its bound of the elements that move between their bounds [rad]; -w if
   /// there is none.
@@ -93,7 +100,7 @@ class TwistLoops {
     double turn = 0.0;    ///< |w_m| [rad/s]
   };
   /// By how much an element at a bound would move outward faster than this bound; the least of all
-  /// that stay there [rad/s]; 1 if there is none.
+  /// that stay there, but at most 1 [rad/s]; 1 if there is none.
   /// @param torque  T [N*m]
   [[nodiscard]] double hold_margin(const LoopMemory& memory, const Rates& rates,
                                    double torque) const;

@@ -43,7 +43,7 @@ struct ShellWave {
 
 /// A place of the meridian.
 struct ShellPlace {
-  WallPart part = WallPart::barrel;
+  WallPart part = WallPart::barrel;  ///< the part that has the place
   /// z, or the radius if the place is in the diaphragm [m]
   double at{};
   double radius{};               ///< of the middle surface [m]
@@ -76,9 +76,9 @@ struct ShellContact : WaveContact {
 
 /// A sound cup under the wave generator and under torque, as a shell.
 struct OvalShell {
-  ShellCup cup;
-  bool large_rotations = false;
-  ShellContact contact;
+  ShellCup cup;                  ///< as given
+  bool large_rotations = false;  ///< whether large rotations were computed
+  ShellContact contact;          ///< of the wave generator with the bore
   /// Pressure on the band at even angles from a lobe, 0, to the middle between the lobes, pi/2
   /// [Pa].
   std::vector<double> pressure;
@@ -110,7 +110,9 @@ struct OvalShell {
 /// @param gear  passes require_turning_cup
 [[nodiscard]] ShellCup shell_cup(const GearSet& gear);
 
+/// How `oval_shell` computes, and what it keeps.
 struct ShellOptions {
+  /// automatic: the size of their second order stress decides, see `oval_shell`
   LargeRotations large_rotations = LargeRotations::automatic;
   bool whole_meridian = false;  ///< false: only the barrel's places are kept
 };

@@ -15,8 +15,9 @@
 
 namespace strainwave {
 
+/// What a report contains.
 struct ReportOptions {
-  Method method = Method::corrected;
+  Method method = Method::corrected;  ///< method that gives the results
   /// The unchanged input file; empty: the report shows the drive as `gear_text` writes it.
   std::string input_text = {};
   std::string date = {};  ///< date as printed; empty: no date
@@ -32,12 +33,13 @@ struct ReportSection {
   std::string html;   ///< content, well-formed as XML
 };
 
+/// A report on one drive, by its chapters.
 struct Report {
-  std::string title;       ///< name of the drive; plain text
-  std::string subtitle;    ///< subtitle: file, method, version, date; plain text
-  StiffnessResult result;  ///< as `evaluate` gives it
-  std::string verdict;     ///< verdict: usability, reason, and the key numbers; HTML
-  std::vector<ReportSection> sections;
+  std::string title;                    ///< name of the drive; plain text
+  std::string subtitle;                 ///< subtitle: file, method, version, date; plain text
+  StiffnessResult result;               ///< as `evaluate` gives it
+  std::string verdict;                  ///< verdict: usability, reason, and the key numbers; HTML
+  std::vector<ReportSection> sections;  ///< the chapters, in their order
 };
 
 /// Evaluates a drive and writes the chapters: drawing, inputs and their origin, results, shares,

@@ -22,7 +22,7 @@ struct NumberedCrack {
   int number = 0;    ///< from 1
   std::string path;  ///< "flexspline.crack[0]"
   std::string kind;  ///< "through"
-  CrackPlace place;
+  CrackPlace place;  ///< part, shape, size and position of the crack
   std::string size;  ///< "2a = 4 mm, β = 45°", written for people
 };
 

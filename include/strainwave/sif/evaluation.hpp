@@ -27,7 +27,7 @@ struct CrackMaterial {
 struct Input {
   std::string name;
   std::string unit;
-  std::string doc;
+  std::string doc;  ///< meaning of the field or load
   double value = 0.0;
   /// true: given by the caller; false: the example of a field, or 0 for a load
   bool given = false;
@@ -81,7 +81,7 @@ struct ComplianceEntry {
 
 /// A solution with numbers: stress intensities, geometry factors, compliance, and its evidence.
 struct Evaluation {
-  SolutionInfo info;
+  SolutionInfo info;  ///< title, source, accuracy and tag of the equation
   std::vector<Input> fields;
   std::vector<Input> loads;
   CrackMaterial material;

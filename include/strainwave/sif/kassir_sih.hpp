@@ -25,10 +25,12 @@ class BasicKassirSih {
 
   /// Root mean square of each factor along the front [-].
   struct FrontMeans {
-    Real II{};
-    Real III{};
-    bool converged = true;
+    Real II{};              ///< of `factor_II`
+    Real III{};             ///< of `factor_III`
+    bool converged = true;  ///< both integrals met their tolerance
   };
+  /// Computes the means by quadrature.
+  /// @param options  its tolerance
   [[nodiscard]] FrontMeans root_mean_squares(const QuadratureOptions& options) const;
 
  private:

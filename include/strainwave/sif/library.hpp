@@ -61,6 +61,7 @@ class AnyCrack {
   AnyCrack& operator=(AnyCrack&&) = delete;
 
   [[nodiscard]] virtual double size() const = 0;  ///< size a in Y = K/(sigma sqrt(pi a)) [m]
+  /// Range of the front parameter s; begin == end for a front of one point.
   [[nodiscard]] virtual FrontRange front() const = 0;
   /// K of all modes per unit of a load, for the crack scaled in proportion to size `a`.
   [[nodiscard]] virtual PointIntensity unit_intensity(std::size_t load, double a,
@@ -69,15 +70,18 @@ class AnyCrack {
   [[nodiscard]] virtual double swept_area(double a, double s) const = 0;
   /// Reference stress of Y at the size a, per unit of a load [1; 1/m^2, 1/m^3].
   [[nodiscard]] virtual double gross_stress(std::size_t load, double a) const = 0;
+  /// The limits of the range in which the stated accuracy holds.
   [[nodiscard]] virtual std::vector<ValidityLimit> validity() const = 0;
   /// Rules between fields; a crack that breaks one is refused.
   [[nodiscard]] virtual std::vector<std::string_view> rules() const = 0;
   /// Added compliance, upper triangle row by row, and whether its quadrature converged.
   struct Compliance {
-    std::vector<double> upper;
-    double relative_error = 0.0;
-    bool converged = false;
+    std::vector<double> upper;    ///< [displacement of load i per unit of load j]
+    double relative_error = 0.0;  ///< estimated, relative to the largest entry [-]
+    bool converged = false;       ///< every integral met its tolerance
   };
+  /// Added compliance of the crack with open faces (FR-2).
+  /// @param moduli  E' and mu; > 0
   [[nodiscard]] virtual Compliance compliance(const CrackModuli& moduli) const = 0;
   /// Field values of this crack, in order.
   [[nodiscard]] virtual const std::vector<double>& values() const = 0;
@@ -85,10 +89,10 @@ class AnyCrack {
 
 /// A row of the library.
 struct Row {
-  SolutionInfo info;
-  std::vector<LoadInfo> loads;
-  std::vector<FrontPoint> points;
-  std::vector<Field> fields;  ///< every field is a number; `example` is its default
+  SolutionInfo info;               ///< title, source, accuracy and tag of the equation
+  std::vector<LoadInfo> loads;     ///< in the order of the indices of the loads
+  std::vector<FrontPoint> points;  ///< the named points of the front
+  std::vector<Field> fields;       ///< every field is a number; `example` is its default
   /// Makes the crack with fields set to `values`; other fields take their examples.
   /// @throws InputError  if a field is unknown, a number is outside its range, or the geometry is
   ///                     impossible

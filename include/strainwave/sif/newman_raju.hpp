@@ -33,9 +33,11 @@ class BasicNewmanRaju {
 
   /// Means along the front of f_phi^2 (1 - sin(phi))^(2 n) for n = 0, 1, 2 [-]; (FR-4).
   struct FrontMeans {
-    std::array<Real, 3> mean{};
-    bool converged = true;
+    std::array<Real, 3> mean{};  ///< by n
+    bool converged = true;       ///< all integrals met their tolerance
   };
+  /// Computes the means by quadrature; they serve `root_mean_square` at every depth ratio.
+  /// @param options  tolerance of the quadrature
   [[nodiscard]] FrontMeans front_means(const QuadratureOptions& options) const;
   /// Square root of the mean of the squares of `factor` along the front [-].
   /// @param depth_ratio  alpha = a/t [-]
@@ -49,8 +51,13 @@ class BasicNewmanRaju {
   /// H = 1 + alpha h at the surface and at the deepest point, and the exponent of sin(phi) with
   /// which H changes from the first to the second value [-]; (SP-3).
   struct BendingEnds {
+    /// h1 at the surface, h2 at the deepest point, and the exponent p [-].
+    /// @{
     Real h1, h2, p;
+    /// @}
   };
+  /// The three numbers at a depth.
+  /// @param depth_ratio  alpha = a/t [-]
   [[nodiscard]] BendingEnds bending_ends(const Real& depth_ratio) const;
 
   /// Width factor f_w for a plate of half width b [-]; (SP-1).

@@ -17,7 +17,8 @@
 /// Types of the stress intensity library.  A solution is a struct of lengths, angles and constants
 /// that provides its stress intensity factors per unit of each load, its validity, its accuracy and
 /// its source.  Each solution has a header of its own and one row of a registry
-/// (src/sif/<family>.cpp).  The engine of crack_compliance.hpp computes its added compliance.
+/// (src/sif, a source for each family).  The engine of crack_compliance.hpp computes its added
+/// compliance.
 
 namespace strainwave::sif {
 
@@ -142,8 +143,10 @@ concept Solution = SweptCrack<S> && Described<S> && requires(const S& s, std::si
 };
 
 /// The loads of most solutions for plates.
+/// @{
 inline constexpr LoadInfo kTension{"tension", "Pa", "stress normal to the crack, far away"};
 inline constexpr LoadInfo kInPlaneShear{"shear", "Pa", "in-plane shear stress, far away"};
 inline constexpr LoadInfo kAntiplaneShear{"antiplane_shear", "Pa", "out-of-plane shear stress"};
+/// @}
 
 }  // namespace strainwave::sif

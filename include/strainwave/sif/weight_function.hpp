@@ -28,9 +28,11 @@ inline constexpr QuadratureOptions kWeightQuadrature{.relative_tolerance = 1e-11
 
 /// K, with the K of a uniform stress as large as the largest stress; the latter scales the error.
 struct WeightedSum {
-  double K = 0.0;
-  double uniform = 0.0;
+  double K = 0.0;        ///< under the stress [Pa*m^0.5]
+  double uniform = 0.0;  ///< under the uniform stress [Pa*m^0.5]
 
+  /// Sums, differences and multiples of both numbers.
+  /// @{
   WeightedSum& operator+=(const WeightedSum& other) {
     K += other.K;
     uniform += other.uniform;
@@ -43,6 +45,9 @@ struct WeightedSum {
   friend WeightedSum operator*(const WeightedSum& a, double factor) {
     return {.K = a.K * factor, .uniform = a.uniform * factor};
   }
+  /// @}
+
+  /// The larger magnitude of the two; the adaptive quadrature uses it as the norm [Pa*m^0.5].
   friend double abs(const WeightedSum& a) { return std::max(std::abs(a.K), std::abs(a.uniform)); }
 };
 
@@ -183,7 +188,9 @@ class SurfaceWeight {
 
   /// Coefficients 1, M_1, M_2, M_3 for the deepest point or the surface point [-].
   using Coefficients = std::array<double, 4>;
+  /// Coefficients of the deepest point; (SW-3).
   [[nodiscard]] const Coefficients& deepest() const { return deepest_; }
+  /// Coefficients of the point at the surface; (SW-4).
   [[nodiscard]] const Coefficients& surface() const { return surface_; }
 
  private:

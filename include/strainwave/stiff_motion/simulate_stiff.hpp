@@ -25,8 +25,11 @@ class StiffRun {
   /// @throws InputError  as `simulate_stiff`
   StiffRun(Joint joint, const JointState& start, const SimulationOptions& options);
   ~StiffRun();
+  /// A run that was moved from has no steps; it may only be destroyed or assigned to.
+  /// @{
   StiffRun(StiffRun&&) noexcept;
   StiffRun& operator=(StiffRun&&) noexcept;
+  /// @}
   StiffRun(const StiffRun&) = delete;
   StiffRun& operator=(const StiffRun&) = delete;
 

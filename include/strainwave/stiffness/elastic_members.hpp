@@ -14,6 +14,7 @@ struct BasicTube {
   Real inner_diameter{};  ///< d [m]; >= 0, < D; 0 is a solid bar
   Real length{};          ///< L [m]; > 0
 };
+/// A tube in plain numbers.
 using Tube = BasicTube<double>;
 
 /// Torsional compliance of a tube [rad/(N*m)].
@@ -26,6 +27,7 @@ using Tube = BasicTube<double>;
 /// @throws InputError    if a length or G is not positive, or the bore is not smaller than the
 ///                       outer diameter
 [[nodiscard]] double torsional_compliance(const Tube& tube, double shear_modulus);
+/// The compliance of a tube with its derivatives [rad/(N*m)], in dual numbers.
 [[nodiscard]] DualReal torsional_compliance(const BasicTube<DualReal>& tube,
                                             const DualReal& shear_modulus);
 
@@ -81,6 +83,7 @@ template <class Real>
 /// @param bending_stiffness  E I of the section [N*m^2]; > 0
 /// @throws InputError        if a parameter is out of range
 [[nodiscard]] double ring_compliance(int wave_number, double mean_radius, double bending_stiffness);
+/// The deflection over the force with its derivatives [m/N], in dual numbers.
 [[nodiscard]] DualReal ring_compliance(int wave_number, const DualReal& mean_radius,
                                        const DualReal& bending_stiffness);
 

@@ -24,15 +24,18 @@ struct SeriesCompliance {
   /// Compliance added by the cracks of flexspline and shaft, which are in line with the teeth
   /// [rad/(N*m)].
   Real positive_in_line{};
-  Real negative_in_line{};
-  bool usable = true;  ///< as StiffnessResult::usable
+  Real negative_in_line{};  ///< the same, torque about -z [rad/(N*m)]
+  bool usable = true;       ///< as StiffnessResult::usable
 
   /// Stiffness K_HD of the sound drive [N*m/rad]; eq. (ST-1).
   [[nodiscard]] Real intact_stiffness() const { return 1 / intact; }
+  /// Stiffness of the cracked drive, torque about +z [N*m/rad].
   [[nodiscard]] Real positive_stiffness() const { return 1 / positive; }
+  /// Stiffness of the cracked drive, torque about -z [N*m/rad].
   [[nodiscard]] Real negative_stiffness() const { return 1 / negative; }
   /// Share of its stiffness that the drive has lost, -(K/K_intact - 1) [-]; eq. (ST-15).
   [[nodiscard]] Real positive_loss() const { return positive_added / positive; }
+  /// The same share under torque about -z [-].
   [[nodiscard]] Real negative_loss() const { return negative_added / negative; }
 };
 
@@ -64,8 +67,10 @@ template <class Real>
 /// @param gear  has passed `check`
 [[nodiscard]] std::vector<Note> smoothness_notes(const GearSet& gear);
 
+/// Compiled in the library for plain numbers.
 extern template SeriesCompliance<double> series_compliance(const GearSet&, const Lift<double>&,
                                                            const StiffnessOptions&);
+/// Compiled in the library for numbers with their derivatives.
 extern template SeriesCompliance<DualReal> series_compliance(const GearSet&, const Lift<DualReal>&,
                                                              const StiffnessOptions&);
 

@@ -10,6 +10,7 @@
 
 namespace strainwave {
 
+/// What the sum of the members takes beside the drive.
 struct StiffnessOptions {
   /// Tolerance of the crack integrals.
   QuadratureOptions quadrature = {};
@@ -28,11 +29,12 @@ struct StiffnessOptions {
 struct MemberCompliance {
   double intact = 0.0;                ///< without cracks [rad/(N*m)]
   double relative_uncertainty = 0.0;  ///< relative uncertainty of `intact` [-]
-  std::vector<CrackReport> cracks;
-  std::vector<Note> notes;
+  std::vector<CrackReport> cracks;  ///< the member's cracks, each with the compliance that it adds
+  std::vector<Note> notes;          ///< remarks on the validity of the member's values
+  /// uncertainties that entered the values, with their bases
   std::vector<AccuracyBasis> accuracies;
-  std::vector<std::string> equations;
-  std::string unusable_because;  ///< empty if usable
+  std::vector<std::string> equations;  ///< tags of the theory manual
+  std::string unusable_because;        ///< empty if usable
 };
 
 /// Compliance of the wave generator: lobe compliance (ST-8, ST-9), conversion (ST-6, ST-7), race

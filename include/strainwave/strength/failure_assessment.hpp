@@ -37,8 +37,8 @@ struct AssessmentMaterial {
 
 /// One row of a table of the assessment line.
 struct AssessmentPoint {
-  double L_r = 0.0;
-  double K_r = 0.0;
+  double L_r = 0.0;  ///< reference stress over yield strength [-]
+  double K_r = 0.0;  ///< largest accepted stress intensity over toughness [-]
 };
 
 /// The assessment line from L_r = 0 to the collapse limit; the last row has K_r = 0 [-].

@@ -32,20 +32,23 @@ struct EnumNames<BudgetItem> {
   static constexpr std::array<std::string_view, 5> names = {
       "wind_up", "kinematic_error", "hysteresis", "worst_case", "root_of_squares"};
 };
+/// Number of the lines of a budget.
 inline constexpr std::size_t kBudgetItems = EnumNames<BudgetItem>::names.size();
 
 /// One line of the budget for the sound drive and for the one with its cracks.
 struct BudgetLine {
   BudgetItem item = BudgetItem::wind_up;
-  AngleRange intact;
+  AngleRange intact;                       ///< error of the output's angle, sound drive
   std::optional<AngleRange> cracked = {};  ///< absent: no crack
   std::optional<double> tool_radius = {};  ///< [m]
 
   /// The drive as it is.
   [[nodiscard]] const AngleRange& present() const { return cracked ? *cracked : intact; }
+  /// Least error of the tool point, with the cracks [m]; absent without a tool radius.
   [[nodiscard]] std::optional<double> tool_least() const {
     return tool_radius ? std::optional(*tool_radius * present().least) : std::nullopt;
   }
+  /// Largest error of the tool point, with the cracks [m]; absent without a tool radius.
   [[nodiscard]] std::optional<double> tool_largest() const {
     return tool_radius ? std::optional(*tool_radius * present().largest) : std::nullopt;
   }
@@ -163,6 +166,7 @@ struct AccuracyBands {
   }
 };
 
+/// What a budget is computed for.
 struct AccuracyOptions {
   std::optional<double> torque = {};       ///< external, on the output [N*m]; absent: of the load
   std::optional<double> speed = {};        ///< of the input [rad/s]; absent: largest manoeuvre's
@@ -170,6 +174,7 @@ struct AccuracyOptions {
   int draws = 200;                         ///< of ranges and scatters, 0 to kMostAccuracyDraws
   int threads = 0;                         ///< 0: as many as the machine runs at once
 };
+/// Largest number of draws of a budget.
 inline constexpr int kMostAccuracyDraws = 100'000;
 
 /// The result of `strainwave accuracy`.
@@ -194,21 +199,27 @@ struct AccuracyReport {
   std::vector<OrderAtSpeed> orders = {};
   std::vector<CrackOnAccuracy> cracks = {};
   std::optional<AccuracyBands> bands = {};  ///< absent: no range and no scatter
-  std::vector<Note> notes = {};
-  std::vector<std::string> equations = {};
+  std::vector<Note> notes = {};             ///< remarks on the validity of the budget
+  std::vector<std::string> equations = {};  ///< tags of the theory manual
 
+  /// The line of an item; the report must have its budget.
   [[nodiscard]] const BudgetLine& of(BudgetItem item) const {
     return budget[static_cast<std::size_t>(item)];
   }
+  /// Largest magnitude of the error as the sum of the parts, with the cracks [rad].
   [[nodiscard]] double worst_case() const {
     return of(BudgetItem::worst_case).present().magnitude();
   }
+  /// Largest magnitude of the error with the half ranges added by their squares, with the cracks
+  /// [rad].
   [[nodiscard]] double root_of_squares() const {
     return of(BudgetItem::root_of_squares).present().magnitude();
   }
+  /// `worst_case` at the tool point [m]; absent without a tool radius.
   [[nodiscard]] std::optional<double> tool_worst_case() const {
     return tool_radius ? std::optional(*tool_radius * worst_case()) : std::nullopt;
   }
+  /// `root_of_squares` at the tool point [m]; absent without a tool radius.
   [[nodiscard]] std::optional<double> tool_root_of_squares() const {
     return tool_radius ? std::optional(*tool_radius * root_of_squares()) : std::nullopt;
   }

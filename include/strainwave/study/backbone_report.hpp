@@ -20,10 +20,11 @@
 
 namespace strainwave {
 
+/// What vibration is computed.
 struct BackboneReportSettings {
   std::optional<double> load_torque = {};  ///< on the output [N*m]; that of the load if left out
-  VibratingInput input = VibratingInput::free;
-  JointEnd at = JointEnd::load;  ///< where the excitation acts
+  VibratingInput input = VibratingInput::free;  ///< whether the input turns or is held
+  JointEnd at = JointEnd::load;                 ///< where the excitation acts
   /// amplitudes of the exciting torque [N*m]; > 0; a twentieth and a fifth of the load's torque if
   /// empty
   std::vector<double> excitations = {};
@@ -174,8 +175,8 @@ struct BackboneReport {
   double truncation = 0.0;
   std::vector<BackboneRow> backbone = {};
   std::vector<ResponseOf> responses = {};
-  std::vector<Note> notes = {};
-  std::vector<std::string> equations = {};
+  std::vector<Note> notes = {};             ///< remarks on the validity of the results
+  std::vector<std::string> equations = {};  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -81,16 +81,17 @@ struct CurveSamples {
   std::vector<EnergySamples> sound;    ///< by family
   std::vector<EnergySamples> cracked;  ///< by family; empty without cracks in the contacts
   double compliance = 0.0;             ///< of the sound members in series [rad/(N*m)]
-  CurveTable table;
+  CurveTable table;                    ///< grid and error of the table that is made of the samples
 };
 
 /// The sound drive and the drive with its cracks as energies at the output, without the cracks of
 /// wall and shaft.
 struct ComputedCurve {
+  /// energy of the sound drive, with the deviations of its teeth if there are any
   std::shared_ptr<const EnergyTable> sound;
   std::shared_ptr<const EnergyTable> cracked;  ///< `sound` itself without cracks in the contacts
-  CurveTable table;
-  CurveSamples samples;
+  CurveTable table;                            ///< grid and error of the energies
+  CurveSamples samples;  ///< the numbers from which `read_curve` makes the same energies
 };
 
 /// Most random angles at which the table is checked.

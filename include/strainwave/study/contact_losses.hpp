@@ -50,9 +50,9 @@ struct ContactLosses {
 
 /// Friction in the contacts for a motion.
 struct DriveContacts {
-  std::shared_ptr<const TwistLoops> loops;
-  std::optional<LuGre> friction = {};  ///< absent: the file gives its own
-  ContactLosses losses;
+  std::shared_ptr<const TwistLoops> loops;  ///< loops of the twist by slip in the contacts
+  std::optional<LuGre> friction = {};       ///< absent: the file gives its own
+  ContactLosses losses;                     ///< the numbers of loops and friction, for a report
 };
 
 /// Implements theory manual eqs. (MO-52) to (MO-54), from (TC-16), (TC-33) and (TC-34).

@@ -16,13 +16,15 @@ namespace strainwave {
 
 /// A drive of a file between its motor and its load, as a joint of two inertias.
 struct DriveJoint {
-  Joint joint;  ///< with the cracks that the series model contains
-  SpringModel springs = SpringModel::members;
+  Joint joint;                                 ///< with the cracks that the series model contains
+  SpringModel springs = SpringModel::members;  ///< origin of the spring
   /// energy of the sound drive, and the error of the table; absent without a computed curve
   std::shared_ptr<const EnergyTable> sound_table = {};
+  /// grid and error of the computed curve; absent without one
   std::optional<CurveTable> table = {};
-  std::vector<Note> notes = {};
+  std::vector<Note> notes = {};  ///< remarks on the validity of the joint
 
+  /// The joint without cracks.
   [[nodiscard]] Joint sound() const {
     Joint without = joint;
     without.cracks.clear();

@@ -25,9 +25,9 @@ inline constexpr std::string_view kRainflowRule = "rainflow by four points, as A
 struct CountedCycles {
   std::string unit;  ///< of ranges and means
   std::string rule{kRainflowRule};
-  Residue residue = Residue::half_cycles;
-  double cycles = 0.0;         ///< sum of all counts
-  double largest_range = 0.0;  ///< [unit]
+  Residue residue = Residue::half_cycles;  ///< how the ranges that stay open count
+  double cycles = 0.0;                     ///< sum of all counts
+  double largest_range = 0.0;              ///< [unit]
   std::optional<double> class_width =
       {};                 ///< absent: each row is a range and a mean, exactly [unit]
   double left_out = 0.0;  ///< cycles in no row, the smallest ones
@@ -186,8 +186,8 @@ struct DriveDuty {
 struct DutyReport {
   std::optional<DriveDuty> drive;
   std::optional<HistoryCount> history;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;             ///< remarks on the validity of the counts
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -197,11 +197,12 @@ struct DutyReport {
   }
 };
 
+/// What is counted of a history, and how.
 struct HistoryCountOptions {
   /// absent: the only column
   std::optional<std::string> column = {};
-  Residue residue = Residue::half_cycles;
-  std::optional<int> classes = {};  ///< of ranges and of means; absent: exact rows
+  Residue residue = Residue::half_cycles;  ///< how the ranges that stay open count
+  std::optional<int> classes = {};         ///< of ranges and of means; absent: exact rows
 };
 
 /// Counts the cycles of a column of a history, which may be of any length.

@@ -34,6 +34,7 @@ struct EnumNames<DriveResponse> {
       "motor_angle",       "load_angle",  "error_given_torque",
       "error_given_speed", "load_torque", "load_torque_at_speed"};
 };
+/// Number of the responses.
 inline constexpr std::size_t kDriveResponses = EnumNames<DriveResponse>::names.size();
 
 /// SI unit of a response: "rad/(N*m)" for one by a torque, "1" for one by the kinematic error.
@@ -47,6 +48,7 @@ struct ResponseCurve {
   std::vector<double> cracked_amplitude = {};  ///< empty without cracks
   std::vector<double> cracked_phase = {};      ///< empty without cracks [rad]
 
+  /// SI unit of the amplitudes, as `unit_of` gives it.
   [[nodiscard]] std::string unit() const { return std::string(unit_of(response)); }
 
   template <class Visitor>
@@ -68,7 +70,9 @@ struct ResponseCurve {
 struct ExtremumPair {
   DriveResponse response = DriveResponse::motor_angle;
   ExtremumKind kind = ExtremumKind::resonance;
+  /// of the sound drive; absent: it has none that belongs to the cracked one
   std::optional<ResponseExtremum> intact = {};
+  /// of the cracked drive; absent: no crack, or none that belongs to the sound one
   std::optional<ResponseExtremum> cracked = {};
 
   /// f cracked/sound - 1 [-].
@@ -109,14 +113,17 @@ struct ExtremumPair {
   }
 };
 
+/// Torque and frequencies of the responses.
 struct FrfOptions {
   std::optional<double> torque = {};  ///< T at the output [N*m]; absent: that of the load
   /// first and last frequency [Hz]; absent: a tenth of the lowest natural frequency with locked
   /// input, and ten times that with free input
   std::optional<double> from = {};
+  /// Last frequency [Hz], as above.
   std::optional<double> to = {};
   int points = 1000;  ///< 2 to kMostFrfPoints [-]
 };
+/// Largest number of frequencies.
 inline constexpr int kMostFrfPoints = 100'000;
 
 /// The result of `strainwave frf`.
@@ -129,16 +136,22 @@ struct FrfReport {
   std::vector<double> frequency = {};      ///< [Hz]
   std::vector<ResponseCurve> curves = {};  ///< one for each DriveResponse, in their order
   std::vector<ExtremumPair> extrema = {};
-  std::vector<Note> notes = {};
-  std::vector<std::string> equations = {};
+  std::vector<Note> notes = {};             ///< remarks on the validity of the responses
+  std::vector<std::string> equations = {};  ///< tags of the theory manual
 
+  /// The curve of a response; the report must have its curves.
   [[nodiscard]] const ResponseCurve& of(DriveResponse response) const {
     return curves[static_cast<std::size_t>(response)];
   }
   /// The first extremum of a kind, with the cracks if there are any; null without one.
   [[nodiscard]] const ResponseExtremum* first(DriveResponse response, ExtremumKind kind) const;
+  /// First resonance of the motor's angle under its torque, with the cracks if there are any [Hz].
   [[nodiscard]] std::optional<double> resonance() const;
+  /// First antiresonance of the motor's angle under its torque, with the cracks if there are any
+  /// [Hz].
   [[nodiscard]] std::optional<double> antiresonance() const;
+  /// Load's angle over the kinematic error at its first resonance, motor of given speed, with the
+  /// cracks if there are any [-]; absent: no resonance, or infinite without damping.
   [[nodiscard]] std::optional<double> error_gain() const;
 
   template <class Visitor>

@@ -52,7 +52,9 @@ struct FittedParameter {
   std::string name;
   double value = 0.0;                ///< [-]
   std::optional<double> error = {};  ///< standard error [-]; absent: the records do not tell
-  bool identified = false;           ///< whether the value is larger than two standard errors
+  /// whether the value is larger than two standard errors; for the logarithm of a length, whether
+  /// the error is below 1
+  bool identified = false;
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -159,7 +161,7 @@ struct EnumNames<JudgedBy> {
 struct GrowthFitReport {
   int specimens = 0;
   int steps = 0;
-  PooledLine pooled;
+  PooledLine pooled;  ///< one straight line through all steps (GS-2)
   std::vector<FittedKnot> knots;
   std::vector<FittedParameter> scatter;
   std::vector<TriedKnots> tried;
@@ -171,9 +173,9 @@ struct GrowthFitReport {
   std::vector<BandCheck> checks;
   std::optional<double> coverage;  ///< mean share inside over the bands without a record [-]
   std::vector<SpecimenBand> bands;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
-  std::string unusable_because;
+  std::vector<Note> notes;             ///< remarks on the validity of law and bands
+  std::vector<std::string> equations;  ///< tags of the theory manual
+  std::string unusable_because;        ///< reason why the answer must not be used; empty if usable
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -202,14 +204,15 @@ struct GrowthFitReport {
   }
 };
 
+/// What is fitted, and which bands are judged.
 struct GrowthFitRequest {
-  GrowthFitSettings fit;
+  GrowthFitSettings fit;      ///< parts of the scatter and number of knots
   std::vector<double> sizes;  ///< whose cycles are predicted [m]; empty: five over the record
   std::vector<double> known;  ///< sizes up to which the own record is known, too [m]
   double confidence = 0.9;    ///< of the bands [-]; in (0, 1)
   int draws = 4000;           ///< >= 100
-  std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: as many as the machine runs; does not change the answer
+  std::uint64_t seed = 1;     ///< seed of the draws; the same seed gives the same bands
+  int threads = 0;            ///< 0: as many as the machine runs; does not change the answer
   /// Specimens to judge; empty: each specimen of the fit, by a fit to all others.
   std::vector<GrowthSpecimen> judged;
 };

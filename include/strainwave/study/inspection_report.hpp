@@ -21,6 +21,7 @@ namespace strainwave {
 
 /// How inspections find cracks.
 struct InspectionMethod {
+  /// form of the curve of detection over the size
   DetectionForm form = DetectionForm::log_logistic;
   double a50 = 0.0;          ///< [m]
   double a90 = 0.0;          ///< [m]
@@ -37,14 +38,15 @@ struct InspectionTimes {
   int most = 20;                ///< largest number of planned inspections
 };
 
+/// What is drawn and inspected.
 struct InspectionOptions {
-  GrowthOptions growth;
+  GrowthOptions growth;         ///< how the cracks grow
   std::optional<double> until;  ///< end of service [s]; absent: the life at the values of the file
   std::optional<InspectionMethod> method;  ///< absent: no inspection
-  InspectionTimes times;
-  int draws = 500;
-  std::uint64_t seed = 1;
-  int threads = 0;
+  InspectionTimes times;                   ///< when the drive is inspected
+  int draws = 500;                         ///< drawn drives; 20 to 1 000 000
+  std::uint64_t seed = 1;                  ///< the same seed gives the same draws
+  int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
 };
 
 /// How the drawn drives end.
@@ -176,6 +178,7 @@ struct PlannedInspections {
   }
 };
 
+/// The result of `strainwave inspect`.
 struct InspectionReport {
   std::string sentence;                     ///< the answer in words
   double until = 0.0;                       ///< end of service [s]
@@ -191,8 +194,8 @@ struct InspectionReport {
   std::vector<PlannedInspections> plans;
   /// Half of the time from the size a90 to the end of the life, at the values of the file [s]
   std::optional<double> half_interval = {};
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;             ///< remarks on the validity of the probabilities
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -25,11 +25,13 @@ struct PlyState {
   double thickness = 0.0;  ///< in the wall [m]
   /// Stress by torque and axial force in the axes of the fibres [Pa]
   double load_along = 0.0;
-  double load_across = 0.0;
-  double load_shear = 0.0;
+  double load_across = 0.0;  ///< stress across the fibres by torque and axial force [Pa]
+  double load_shear = 0.0;   ///< shear stress along the fibres by torque and axial force [Pa]
   /// Largest magnitudes of the stress by the assembly over the ply and over a turn [Pa]
   double assembly_along = 0.0;
+  /// largest magnitude of the stress across the fibres by the assembly [Pa]
   double assembly_across = 0.0;
+  /// largest magnitude of the shear stress along the fibres by the assembly [Pa]
   double assembly_shear = 0.0;
   /// Least factors on torque and axial force at which the ply fails, both senses of torque [-]
   std::optional<double> tsai_wu = {};
@@ -125,8 +127,8 @@ struct LaminateReport {
   std::string sentence;  ///< the answer in words
   std::optional<double> reserve = {};
   std::vector<LaminateWall> walls;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;             ///< remarks on the validity of the values
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -275,6 +275,7 @@ struct SurvivalPoint {
   }
 };
 
+/// The result of `strainwave life`.
 struct LifeReport {
   std::string answer;           ///< "ends by ... after ... h", or "no end found"
   std::optional<double> hours;  ///< life that 90 % of the drives reach [s]; absent: no end found
@@ -289,8 +290,8 @@ struct LifeReport {
   std::optional<FlankWear> wear;  ///< absent without mesh.wear_coefficient
   std::vector<LifePart> parts;
   std::vector<SurvivalPoint> survival;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  std::vector<Note> notes;             ///< remarks on the validity of the lives
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

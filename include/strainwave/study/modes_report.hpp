@@ -186,6 +186,7 @@ struct ModeAtTorque {
   double intact = 0.0;                  ///< f [Hz]
   std::optional<double> cracked = {};   ///< absent: no crack
   std::optional<double> likeness = {};  ///< MAC with the sound mode one torque before (DY-11) [-]
+  /// f cracked/sound - 1 [-]; absent without cracks.
   [[nodiscard]] std::optional<double> change() const {
     return cracked ? std::optional(*cracked / intact - 1) : std::nullopt;
   }
@@ -257,8 +258,8 @@ struct ModesReport {
   /// the modes over the torque; empty for the sum of the members, which does not depend on it
   std::vector<ModeAtTorque> over_torque = {};
   std::optional<ModesOverGrowth> over_growth = {};  ///< by `add_modes_over_growth`
-  std::vector<Note> notes = {};
-  std::vector<std::string> equations = {};
+  std::vector<Note> notes = {};                     ///< remarks on the validity of the modes
+  std::vector<std::string> equations = {};          ///< tags of the theory manual
 
   /// The first mode for a condition of the motor; null without a mode.
   [[nodiscard]] const ModePair* first(MotorGives motor) const {
@@ -272,9 +273,11 @@ struct ModesReport {
     if (pair == nullptr) return std::nullopt;
     return (pair->cracked ? *pair->cracked : pair->intact).frequency;
   }
+  /// f of the first mode while the motor gives its torque, with the cracks if there are any [Hz].
   [[nodiscard]] std::optional<double> free_frequency() const {
     return first_frequency(MotorGives::torque);
   }
+  /// f of the first mode while the motor keeps its speed, with the cracks if there are any [Hz].
   [[nodiscard]] std::optional<double> locked_frequency() const {
     return first_frequency(MotorGives::speed);
   }

@@ -116,16 +116,16 @@ struct DrawnReliability {
 
 /// One requirement and the probability that it is not met.
 struct RequirementReliability {
-  Requirement requirement;
-  Quantity value = {};  ///< output at the inputs of the file
+  Requirement requirement;  ///< the requirement whose failure is counted
+  Quantity value = {};      ///< output at the inputs of the file
   FirstOrderReliability first_order = {};
   std::optional<SecondOrderReliability> second_order = {};
   std::optional<DrawnReliability> importance_sampling = {};
   DrawnReliability monte_carlo = {};
-  ReliabilityRoad trusted = ReliabilityRoad::none;
-  std::optional<double> probability = {};  ///< by the trusted road [-]; absent without one
-  double low = 0.0;                        ///< limits that contain it with 95 % confidence [-]
-  double high = 1.0;
+  ReliabilityRoad trusted = ReliabilityRoad::none;  ///< the road that gives `probability`
+  std::optional<double> probability = {};           ///< by the trusted road [-]; absent without one
+  double low = 0.0;   ///< limits that contain it with 95 % confidence [-]
+  double high = 1.0;  ///< upper limit [-]; draws without a usable drive count as failures
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -158,7 +158,7 @@ struct RequirementReliability {
 struct ReliabilityReport {
   std::vector<RequirementReliability> answers;
   std::uint64_t seed = 0;
-  std::vector<Note> notes;
+  std::vector<Note> notes;  ///< remarks on the validity of the probabilities
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -174,11 +174,12 @@ struct ReliabilityReport {
 /// Largest number of plain draws.
 inline constexpr int kMaxReliabilityDraws = 10'000'000;
 
+/// Draws of a study of reliability.
 struct ReliabilitySettings {
   /// Plain draws; absent: 200000 for outputs of the sum of the members, 2000 for others.
   std::optional<int> draws = {};
-  std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: as many as the machine runs; the answer does not depend on it
+  std::uint64_t seed = 1;  ///< of the draws
+  int threads = 0;         ///< 0: as many as the machine runs; the answer does not depend on it
 };
 
 /// Probability that each requirement is not met, by four roads.

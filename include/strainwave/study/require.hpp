@@ -22,19 +22,20 @@ struct EnumNames<Comparison> {
 
 /// A requirement on one output.
 struct Requirement {
-  std::string output;  ///< name of the output, as in for_each_quantity
-  Comparison comparison = Comparison::at_least;
-  double bound = 0.0;           ///< [unit]
-  std::string_view unit = "1";  ///< SI unit of the bound
+  std::string output;                            ///< name of the output, as in for_each_quantity
+  Comparison comparison = Comparison::at_least;  ///< how the output must compare with the bound
+  double bound = 0.0;                            ///< [unit]
+  std::string_view unit = "1";                   ///< SI unit of the bound
 };
 
 /// One requirement and its answer.
 struct RequirementAnswer {
-  Requirement requirement;
-  Quantity value;  ///< value of the output
+  Requirement requirement;  ///< the requirement as it was read
+  Quantity value;           ///< value of the output
   /// Limits of the value by its uncertainty [unit]; absent if the uncertainty cannot be stated.
   std::optional<double> low;
-  std::optional<double> high;
+  std::optional<double> high;  ///< upper limit [unit]
+  /// met, not met, or cannot be told
   RequirementOutcome outcome = RequirementOutcome::cannot_be_told;
 
   template <class Visitor>
@@ -69,8 +70,9 @@ struct RequirementReport {
   double coverage = 1.0;
   std::vector<RequirementAnswer> answers;
   RequirementOutcome outcome = RequirementOutcome::cannot_be_told;
+  /// a remark on each requirement that is not met, cannot be told, or is met by the value alone
   std::vector<Note> notes;
-  std::string unusable_because;
+  std::string unusable_because;  ///< reason why the outputs must not be used; empty if usable
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -99,10 +101,10 @@ struct RequirementReport {
 /// Judges requirements on the outputs of a result.
 ///
 /// A requirement is met if the whole uncertainty interval of the output keeps the bound.  It is not
-/// met if the whole interval breaks the bound.  In between, the answer is `cannot tell`.  An output
-/// without a stated uncertainty is judged by its value, and a note says so.  The change of a sum
-/// cannot be told if cracks change the coupled drive alone (ST-18).  The effects that a sum
-/// of members leaves out extend its interval on the softer side only, if the drive is known to be
+/// met if the whole interval breaks the bound.  In between, the answer is `cannot be told`.  An
+/// output without a stated uncertainty is judged by its value, and a note says so.  The change of a
+/// sum cannot be told if cracks change the coupled drive alone (ST-18).  The effects that a sum of
+/// members leaves out extend its interval on the softer side only, if the drive is known to be
 /// softer (ST-18).  A change has its own uncertainty, smaller than that of the stiffnesses it
 /// compares.  The combined answer is `not met` if one requirement is not met, and `met` if all are
 /// met.

@@ -21,6 +21,7 @@ namespace strainwave {
 /// Largest number of draws in one study; their values, which exact quantiles need, take 480 MB.
 inline constexpr int kMaxSamples = 10'000'000;
 
+/// Draws of a study of scatter.
 struct ScatterOptions {
   int samples = 100'000;   ///< draws; 2 to kMaxSamples
   std::uint64_t seed = 1;  ///< the same seed gives the same draws
@@ -104,7 +105,7 @@ struct Scatter {
   int refused = 0;
   int unusable = 0;  ///< draws beyond the validity of the model
   std::uint64_t seed = 0;
-  std::vector<Note> notes;
+  std::vector<Note> notes;  ///< remarks on the validity of the results
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -120,7 +121,7 @@ struct Scatter {
 
 /// Dependence of stiffness and stiffness loss on each input, and the effect of the inputs' scatter.
 struct SensitivityReport {
-  Sensitivity sensitivity;
+  Sensitivity sensitivity;  ///< derivatives with respect to each input
   std::optional<Scatter> scatter;
   std::optional<Sobol> sobol = {};
 

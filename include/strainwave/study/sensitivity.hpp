@@ -86,9 +86,10 @@ struct Sensitivity {
   std::vector<std::string> no_influence;  ///< paths of the numbers whose derivatives are all 0
   /// Numbers with respect to which K1, K2, K3 have no derivative, if the coupled drive is solved.
   std::vector<CurveStep> not_differentiated;
-  std::vector<Note> notes;
+  std::vector<Note> notes;       ///< remarks on the validity of the derivatives
   std::string unusable_because;  ///< reason why the result must not be used; empty if usable
 
+  /// Whether the result may be used.
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
   /// Largest magnitude of the residuals of all outputs (SN-6).
   [[nodiscard]] double homogeneity_residual() const;
@@ -131,8 +132,8 @@ inline constexpr double kMaxHomogeneityResidual = 1e-9;
 
 /// Powers of length and of force in a unit; for N*m they are 1 and 1.
 struct LengthAndForce {
-  double length = 0.0;
-  double force = 0.0;
+  double length = 0.0;  ///< power of length [-]
+  double force = 0.0;   ///< power of force [-]
 };
 /// @throws InputError  if the unit has a dimension other than length and force
 [[nodiscard]] LengthAndForce length_and_force(std::string_view unit);

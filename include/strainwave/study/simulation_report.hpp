@@ -34,11 +34,12 @@ struct EnumNames<MotionEngine> {
   static constexpr std::array<std::string_view, 2> names = {"explicit", "stiff"};
 };
 
+/// How a motion is computed.
 struct SimulationSettings {
   double output_step = 0.0;  ///< time between two rows [s]; > 0; 0: a thousandth of the motion
   double tolerance = 1e-9;   ///< error of the output's angle in one step [rad]; > 0
-  MotionEngine engine = MotionEngine::explicit_steps;
-  CurveSource curve = computed_curve;  ///< makes the computed curve
+  MotionEngine engine = MotionEngine::explicit_steps;  ///< what takes the steps
+  CurveSource curve = computed_curve;                  ///< makes the computed curve
   /// time of the duty that passes evenly during the motion while the cracks grow [s]; > 0; absent:
   /// the cracks keep the sizes of the file
   std::optional<double> growth = {};
@@ -289,8 +290,8 @@ struct SimulationReport {
   std::optional<MotionOrders> orders = {};
   std::optional<double> recorded_rows = {};  ///< absent: the rows are in `rows`
   std::vector<SimulationRow> rows = {};      ///< empty if they were recorded
-  std::vector<Note> notes = {};
-  std::vector<std::string> equations = {};
+  std::vector<Note> notes = {};              ///< remarks on the validity of the motion
+  std::vector<std::string> equations = {};   ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -326,7 +327,7 @@ inline constexpr double kMostRows = 1e6;
 
 /// State of one motion at a sample.
 struct MotionState {
-  MotionCheckpoint motion = {};
+  MotionCheckpoint motion = {};  ///< state of the explicit engine, from which `MotionRun` goes on
   /// largest magnitudes until now: torque [N*m], error [rad], torque of the input [N*m], lag [rad],
   /// torque on an output that moves as given [N*m]
   std::array<double, 5> largest = {};
@@ -341,7 +342,8 @@ struct SimulationCheckpoint {
   std::uint64_t samples = 0;        ///< computed of each motion [-]
   std::uint64_t rows = 0;           ///< written [-]
   double largest_difference = 0.0;  ///< between both motions until now [rad]
-  MotionState sound = {};
+  MotionState sound = {};           ///< the motion without cracks
+  /// the motion with the cracks; absent: no crack that a motion contains
   std::optional<MotionState> cracked = {};
 
   friend bool operator==(const SimulationCheckpoint&, const SimulationCheckpoint&) = default;

@@ -21,6 +21,7 @@ inline constexpr int kMaxSobolPoints = 1 << 18;
 /// Independent scramblings of the points, from which the intervals follow.
 inline constexpr int kSobolReplicates = 16;
 
+/// Points and outputs of a study of Sobol's indices.
 struct SobolSettings {
   int points = 4096;                      ///< base points; a multiple of kSobolReplicates
   std::uint64_t seed = 1;                 ///< the same seed gives the same numbers
@@ -91,7 +92,7 @@ struct Sobol {
   int evaluations = 0;  ///< of the drive
   int left_out = 0;     ///< base points at which a drive broke a rule or left the models' range
   std::uint64_t seed = 0;
-  std::vector<Note> notes = {};
+  std::vector<Note> notes = {};  ///< remarks on the validity of the shares
 
   template <class Visitor>
   static void describe(Visitor&& field) {

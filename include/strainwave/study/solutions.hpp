@@ -40,8 +40,9 @@ struct SolutionField {
 
 /// The description of one solution of the library.
 struct DescribedSolution {
-  const sif::Row* row = nullptr;
+  const sif::Row* row = nullptr;  ///< the solution in the library; not null
 
+  /// The fields of the solution, in the order of the library.
   [[nodiscard]] std::vector<SolutionField> fields() const;
   /// Limits of the validity range.
   [[nodiscard]] std::vector<std::string_view> validity() const;

@@ -59,6 +59,7 @@ struct Target {
 ///                      has another form; on the same conditions as evaluate(gear, method)
 [[nodiscard]] Target parse_target(const GearSet& gear, Method method, std::string_view text);
 
+/// How a range is searched.
 struct SolveOptions {
   /// Points of the first scan.  Two solutions closer than the spacing are found only if the output
   /// has an extremum between them.
@@ -112,11 +113,12 @@ struct SolveResult {
   /// Extremes of the output over the usable parts of the searched range; absent if no part is
   /// usable.
   std::optional<double> least;
-  std::optional<double> greatest;
+  std::optional<double> greatest;  ///< largest value of the output [unit of the target], as `least`
   /// Empty for a single solution without remarks; else sentences on no solution, several solutions,
   /// jumps over the target, or solutions that must not be used.
   std::string reason;
   std::vector<Note> notes;  ///< notes on the accuracies of the solutions
+  /// Whether there is a solution.
   [[nodiscard]] bool usable() const { return !solutions.empty(); }
 
   template <class Visitor>

@@ -19,7 +19,7 @@ namespace strainwave {
 
 /// A column of a table of results.
 struct SweepColumn {
-  std::string name;
+  std::string name;  ///< path of the field or of the output
   std::string unit;  ///< SI unit of the column
 
   friend bool operator==(const SweepColumn&, const SweepColumn&) = default;
@@ -27,7 +27,8 @@ struct SweepColumn {
 
 /// A value of an output with its accuracy, as in Quantity; the column states the unit.
 struct SweepValue {
-  double value = 0.0;
+  double value = 0.0;  ///< value of the output [unit of the column]
+  /// one standard uncertainty, relative [-]; absent if it cannot be stated
   std::optional<double> relative_uncertainty;
 };
 
@@ -59,6 +60,7 @@ struct SweepRow {
   std::vector<std::optional<SweepValue>> outputs;
   std::string reason;  ///< why the point was refused, or why its outputs must not be used
 
+  /// Whether the outputs of this point may be used.
   [[nodiscard]] bool usable() const { return reason.empty(); }
 
   static constexpr bool kTableRow = true;
@@ -71,7 +73,7 @@ struct SweepRow {
 
 /// A note and the rows that have it; `note.text` is the text in the first of these rows.
 struct SweepNote {
-  Note note;
+  Note note;  ///< the note, with the text of its first row
   std::size_t first_row = 0;
   std::size_t n_rows = 0;
 
@@ -89,7 +91,7 @@ struct SweepNote {
 /// A table of results over one or two varied numbers.
 struct SweepResult {
   Method method = Method::corrected;
-  std::vector<Variation> variations;
+  std::vector<Variation> variations;     ///< the varied numbers, one or two, with their values
   std::vector<SweepColumn> inputs;       ///< the varied numbers
   std::vector<SweepColumn> outputs;      ///< all quantities of a result (model/result_fields.hpp)
   std::vector<SweepRow> rows;            ///< the first variation varies slowest

@@ -16,6 +16,7 @@
 
 namespace strainwave {
 
+/// Draws of drives from the tolerances.
 struct ToleranceOptions {
   int draws = 100;               ///< drives drawn from the tolerances; > 0
   std::uint64_t seed = 1;        ///< the same seed gives the same drives
@@ -31,6 +32,7 @@ struct ToleranceSpread {
   double high = 0.0;     ///< 95 %
 };
 
+/// Kinds of quantities that have a spread, which decide its unit.
 enum class SpreadOf { stiffness, angle, count, share };
 
 /// A spread with the unit of its quantity.

@@ -19,6 +19,7 @@
 
 namespace strainwave {
 
+/// What a report on the torsion curve contains.
 struct TorsionReportOptions {
   /// compare with the drive without cracks, over a turn of the wave generator
   bool compare = false;
@@ -101,6 +102,7 @@ struct FrictionReport {
   }
 };
 
+/// The result of `strainwave torsion`.
 struct TorsionReport {
   MakersTorques torques;
   TwistAtLoad at_load;
@@ -119,9 +121,9 @@ struct TorsionReport {
   std::optional<CurveComparison> comparison;
   std::optional<ToleranceEffects> tolerances;
   TorsionCurve sound;  ///< curve without cracks at the points of `curve`; empty unless compared
-  TorsionCurve sound_negative;
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
+  TorsionCurve sound_negative;         ///< the same under negative torque
+  std::vector<Note> notes;             ///< remarks on the validity of the curve
+  std::vector<std::string> equations;  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -154,8 +156,9 @@ struct TorsionReport {
                                            const TorsionReportOptions& options = {},
                                            const Progress& progress = {});
 
+/// Draws of the ranges for the bands.
 struct BandOptions {
-  int draws = 200;
+  int draws = 200;               ///< drives drawn from the ranges; > 0
   int threads = 0;               ///< 0: as many as the machine runs at once; the result is the same
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
 };

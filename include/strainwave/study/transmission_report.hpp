@@ -104,6 +104,7 @@ struct DrawnTransmission {
   }
 };
 
+/// Torque and deviations for a kinematic error.
 struct TransmissionOptions {
   std::optional<double> torque = {};  ///< T at the output [N*m]; absent: that of the load
   /// deviations of each tooth, without `pairing_gap`, which follows from them (TC-36); without them
@@ -123,10 +124,10 @@ struct TransmissionReport {
   std::vector<TransmissionLine> lines = {};  ///< by falling amplitude
   std::vector<TransmissionRow> rows = {};    ///< over one turn of the wave against each part
   std::optional<DrawnTransmission> drawn = {};
-  int checks = 0;             ///< positions at which the sum of the families was compared
-  double adding_error = 0.0;  ///< largest difference there [rad]
-  std::vector<Note> notes = {};
-  std::vector<std::string> equations = {};
+  int checks = 0;                ///< positions at which the sum of the families was compared
+  double adding_error = 0.0;     ///< largest difference there [rad]
+  std::vector<Note> notes = {};  ///< remarks on the validity of the error
+  std::vector<std::string> equations = {};  ///< tags of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {

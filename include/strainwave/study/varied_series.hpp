@@ -17,12 +17,14 @@ namespace strainwave {
 /// An output of the sum of the members, computed without a report.
 struct SeriesOutput {
   std::string_view name;  ///< as in a result, or "..._loss", the change with the other sign
-  std::string_view unit;
+  std::string_view unit;  ///< SI unit of the output
+  /// the output from the compliances and the load of the drive [unit]
   double (*of)(const SeriesCompliance<double>&, const Load&);
 };
 
 /// All outputs of that kind.  The first five are those of the scatter study.
 [[nodiscard]] std::span<const SeriesOutput> series_outputs();
+/// Number of the outputs of the scatter study.
 inline constexpr std::size_t kScatterOutputs = 5;
 
 /// Why a varied drive has no outputs, if it has none.
@@ -48,6 +50,7 @@ class VariedSeries {
   VariedSeries(const GearSet& gear, const std::vector<std::string>& paths,
                const std::vector<std::string>& outputs);
   ~VariedSeries();
+  /// Takes over the tables of another object, which must not be used after that.
   VariedSeries(VariedSeries&&) noexcept;
 
   /// Whether all outputs are those of the sum of the members.
@@ -59,8 +62,10 @@ class VariedSeries {
   /// Evaluates drives for one thread.
   class Evaluator {
    public:
+    /// Takes the tables that the series has by now.  The series must outlive the evaluator.
     explicit Evaluator(const VariedSeries& of);
     ~Evaluator();
+    /// Takes over the state of another evaluator, which must not be used after that.
     Evaluator(Evaluator&&) noexcept;
 
     /// Fills the outputs of the drive with these values.

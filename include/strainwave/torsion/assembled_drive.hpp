@@ -47,6 +47,7 @@ class AssembledDrive {
 
   /// The drive as given, or after `turned`.
   [[nodiscard]] const GearSet& gear() const;
+  /// The options with which the drive was assembled.
   [[nodiscard]] const CoupledOptions& options() const;
   /// Deviations of the parts; empty without `with_deviations`.
   [[nodiscard]] const Deviations& deviations() const;

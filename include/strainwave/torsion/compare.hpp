@@ -154,8 +154,8 @@ template <class Keep>
 /// The changes of the maker's stiffnesses over a turn, under both senses of torque.
 struct TurnChanges {
   std::vector<double> angles;  ///< angles by which the wave generator has turned [rad]
-  ChangesOverTurn positive;
-  ChangesOverTurn negative;
+  ChangesOverTurn positive;    ///< of the curve under positive torque
+  ChangesOverTurn negative;    ///< of the curve under negative torque
 };
 
 /// Changes of the maker's stiffnesses by the cracks, over a turn of the wave generator (TC-26).

@@ -19,16 +19,16 @@ namespace strainwave {
 /// The maker's stiffnesses in the scalar of a lift [N*m/rad].
 template <class Real>
 struct LineValues {
-  Real K1{};
-  Real K2{};
-  Real K3{};
+  Real K1{};  ///< T1/phi(T1) [N*m/rad]
+  Real K2{};  ///< slope from T1 to T2 [N*m/rad]
+  Real K3{};  ///< slope from T2 to T3 [N*m/rad]
 };
 
 /// The lines of the sound drive, and those with the cracks under both senses of torque.
 struct CurveDerivatives {
-  LineValues<DualReal> intact;
-  LineValues<DualReal> positive;
-  LineValues<DualReal> negative;
+  LineValues<DualReal> intact;    ///< sound drive, torque about +z
+  LineValues<DualReal> positive;  ///< with the cracks, torque about +z
+  LineValues<DualReal> negative;  ///< with the cracks, torque about -z
 };
 
 /// Derivatives of K1, K2, K3 from the derivatives of the equilibrium.
@@ -47,7 +47,7 @@ struct CurveDerivatives {
 class CurveDifferentiator {
  public:
   /// Solves the states and their adjoints.
-  /// @throws InputError   if the cage has a phase other than 0
+  /// @throws InputError   if the cage has a phase other than 0, or a part deviates
   /// @throws SolverError  if the curve is not usable
   explicit CurveDifferentiator(const AssembledDrive& drive);
 

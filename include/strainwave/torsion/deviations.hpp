@@ -28,6 +28,7 @@ struct Deviations {
   double eccentricity_angle = 0.0;  ///< direction of the eccentricity from the major axis [rad]
   double pairing_gap = 0.0;         ///< further gap of all flanks, normal to them [m]
 
+  /// Whether nothing deviates: no lists, and 0 for eccentricity and gap.
   [[nodiscard]] bool empty() const {
     return flexspline.empty() && spline.empty() && balls.empty() && eccentricity == 0 &&
            pairing_gap == 0;

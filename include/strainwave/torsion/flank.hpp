@@ -21,6 +21,7 @@ namespace strainwave {
 /// @param gap_factor           k_g [-]; >= 0
 [[nodiscard]] double flank_gap(double t, double radial_displacement, double flank_angle,
                                double gap_factor);
+/// The gap with its derivatives [m], in dual numbers.
 [[nodiscard]] DualReal flank_gap(double t, const DualReal& radial_displacement,
                                  const DualReal& flank_angle, const DualReal& gap_factor);
 
@@ -41,6 +42,7 @@ namespace strainwave {
 /// @param rim_thickness   t_r [m]; > 0
 [[nodiscard]] double tooth_pair_stiffness(double youngs_modulus, double module,
                                           double rim_thickness);
+/// The stiffness with its derivatives [Pa], in dual numbers.
 [[nodiscard]] DualReal tooth_pair_stiffness(const DualReal& youngs_modulus, const DualReal& module,
                                             const DualReal& rim_thickness);
 
@@ -59,6 +61,7 @@ struct BasicFlankLaw {
   [[nodiscard]] Real stiffness(const Real& closing) const;  ///< dF/du [N/m]
   [[nodiscard]] Real energy(const Real& closing) const;     ///< integral of F [J]
 };
+/// A flank law in plain numbers.
 using FlankLaw = BasicFlankLaw<double>;
 
 extern template struct BasicFlankLaw<double>;

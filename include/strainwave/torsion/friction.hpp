@@ -17,6 +17,7 @@ namespace strainwave {
 struct FrictionWidth {
   double flanks = 0.0;      ///< [rad]
   double outer_ring = 0.0;  ///< outer ring of the bearing in the bore of the rim [rad]
+  /// Width by all contacts [rad].
   [[nodiscard]] double total() const { return flanks + outer_ring; }
 };
 
@@ -45,6 +46,7 @@ struct RunningTorque {
   double outer_ring = 0.0;  ///< slip of the outer ring in the bore of the rim [N*m]
   double flanks = 0.0;      ///< slip of the flanks [N*m]
   double output = 0.0;      ///< friction at the output, over the ratio [N*m]
+  /// Torque that turns the input slowly, the sum of all parts [N*m].
   [[nodiscard]] double total() const { return balls + outer_ring + flanks + output; }
 
   template <class Visitor>

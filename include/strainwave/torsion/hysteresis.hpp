@@ -13,6 +13,7 @@
 
 namespace strainwave {
 
+/// Resolution of the loops.
 struct HysteresisOptions {
   /// number of play elements [-]; >= 1; the area of the loop converges like 1/elements^2
   int elements = 64;
@@ -24,6 +25,7 @@ struct LossAtZero {
   double flanks = 0.0;      ///< flanks that press on each other without torque [rad]
   double outer_ring = 0.0;  ///< outer ring in the bore of the rim, under the assembly [rad]
   double output = 0.0;      ///< `Rating::friction_torque` [rad]
+  /// The maker's hysteresis loss, the sum of all causes [rad].
   [[nodiscard]] double total() const { return flanks + outer_ring + output; }
 
   template <class Visitor>
@@ -65,8 +67,11 @@ class Hysteresis {
   Hysteresis(const GearSet& gear, double largest_torque, const HysteresisOptions& options = {})
       : Hysteresis(AssembledDrive(gear), largest_torque, options) {}
   ~Hysteresis();
+  /// Takes over the envelopes of another object, which must not be used after that.
+  /// @{
   Hysteresis(Hysteresis&&) noexcept;
   Hysteresis& operator=(Hysteresis&&) noexcept;
+  /// @}
 
   /// Twist after each torque of a path that starts at zero torque without previous load [rad].
   ///

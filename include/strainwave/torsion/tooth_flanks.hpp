@@ -16,7 +16,7 @@ namespace strainwave {
 /// The teeth of a drive, and the rim on which they stand.
 template <class Real>
 struct BasicTeeth {
-  ToothProfile profile = ToothProfile::straight;
+  ToothProfile profile = ToothProfile::straight;  ///< shape of the working flanks
   Real flank_angle{};      ///< alpha at the pitch height [rad]; in (0, pi/3); unused by half paths
   Real addendum{};         ///< h_a of the flexspline, working height [m]; > 0
   Real spline_addendum{};  ///< h_ac of the circular spline [m]; > 0
@@ -25,7 +25,7 @@ struct BasicTeeth {
   Real pitch_offset{};     ///< e, pitch radius minus R [m]
   Real wave{};             ///< w_0, half the difference of the semi-axes of the deformed rim [m]
   int teeth = 0;           ///< z
-  ToothTips tips = ToothTips::full;
+  ToothTips tips = ToothTips::full;  ///< whether the tips are relieved
 };
 
 /// Finite motion of a tooth in the space of the circular spline; theory manual eqs. (TC-28),
@@ -34,6 +34,7 @@ template <class Real>
 class BasicToothMotion {
  public:
   BasicToothMotion() = default;
+  /// Finds the centre line of the deformed rim, which keeps its length.
   explicit BasicToothMotion(const BasicTeeth<Real>& teeth);
 
   /// Centre of the section and turn of the tooth, in the frame of the space.
@@ -46,9 +47,10 @@ class BasicToothMotion {
   [[nodiscard]] Pose pose(double t) const { return pose_of(t, section(t)); }
   /// A pose and its derivatives by the angle.
   struct Moving {
-    Pose at;
-    Pose rate;
+    Pose at;    ///< the pose
+    Pose rate;  ///< derivatives by t: of the place [m/rad], of the turn [-]
   };
+  /// Pose and derivatives at an angle.
   [[nodiscard]] Moving moving(double t) const;
   /// R_m [m].
   [[nodiscard]] const Real& mean_radius() const { return mean_radius_; }
@@ -82,9 +84,10 @@ template <class Real>
 struct BasicToothFlank {
   Real gap{};    ///< at the end of the face that touches first [m]; 0 where the flanks would cross
   Real slope{};  ///< growth of the gap along the face, s [-]; >= 0
-  BasicFlankContact<Real> contact;
+  BasicFlankContact<Real> contact;  ///< where and in which direction the flanks press each other
 };
 
+/// A flank at one angle in plain numbers.
 using ToothFlank = BasicToothFlank<double>;
 
 template <class Real>
@@ -99,7 +102,9 @@ class BasicHalfPath;
 template <class Real>
 class BasicToothGap {
  public:
+  /// A flank in the scalar of the gap.
   using Flank = BasicToothFlank<Real>;
+  /// A contact in the scalar of the gap.
   using Contact = BasicFlankContact<Real>;
 
   /// @param cone        growth of the wave along the face, chi w_0 times the tilt (TC-2) [-]; >= 0
@@ -155,6 +160,7 @@ class BasicToothGap {
   double seat_ = 0.0;
   Real play_{};
 };
+/// A gap in plain numbers.
 using ToothGap = BasicToothGap<double>;
 
 extern template class BasicToothGap<double>;

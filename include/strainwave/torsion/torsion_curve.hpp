@@ -48,6 +48,7 @@ struct EnumNames<CurveMember> {
       "diaphragm",      "rim_shear",         "boss_and_flange",
       "series_cracks",  "output_shaft"};
 };
+/// Number of the members that have a share.
 inline constexpr std::size_t kCurveMembers = EnumNames<CurveMember>::names.size();
 
 /// Shares of the members in the tangent compliance [-]; the sum is 1.
@@ -126,11 +127,12 @@ struct TorsionCurve {
   double assembly_ball_force = 0.0;  ///< largest ball force without torque [N]
   /// largest flank force without torque [N]; 0 if no flanks press on each other
   double assembly_flank_force = 0.0;
-  double series_compliance = 0.0;  ///< compliance of the members outside the ring [rad/(N*m)]
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
-  std::string unusable_because;  ///< reason why the answer must not be used; empty if usable
+  double series_compliance = 0.0;      ///< compliance of the members outside the ring [rad/(N*m)]
+  std::vector<Note> notes;             ///< remarks on the validity of the curve
+  std::vector<std::string> equations;  ///< tags of the theory manual
+  std::string unusable_because;        ///< reason why the answer must not be used; empty if usable
 
+  /// Whether the curve may be used.
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
 
   template <class Visitor>

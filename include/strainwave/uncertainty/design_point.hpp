@@ -15,14 +15,14 @@ using LimitState = std::function<std::optional<double>(std::span<const double> z
 
 /// The failure nearest to the origin, where it is most likely.
 struct DesignPoint {
-  bool converged = false;
-  std::string reason;  ///< why the search did not converge; empty after convergence
+  bool converged = false;  ///< whether the search found the point
+  std::string reason;      ///< why the search did not converge; empty after convergence
   /// Distance beta of the failures from the origin [-]; negative if the origin fails.
   double reliability_index = 0.0;
   std::vector<double> place;   ///< z*
   std::vector<double> normal;  ///< unit vector toward more failure
   double slope = 0.0;          ///< magnitude of the gradient of the margin at z*
-  int iterations = 0;
+  int iterations = 0;          ///< steps of the search
 
   /// Probability of failure of a plane limit, Phi(-beta) [-]; eq. (UQ-4).
   [[nodiscard]] double probability() const;

@@ -13,22 +13,24 @@ namespace strainwave {
 
 /// A probability of failure from draws.
 struct SampledProbability {
-  std::size_t draws = 0;
-  std::size_t failures = 0;
+  std::size_t draws = 0;          ///< all draws
+  std::size_t failures = 0;       ///< draws with a negative margin
   std::size_t without_value = 0;  ///< draws at which the output has no value
   double probability = 0.0;       ///< [-]; draws without a value do not count as failures
   double standard_error = 0.0;    ///< of the probability [-]
   /// Limits that contain the probability with 95 % confidence [-].  The upper one counts all draws
   /// without a value as failures.
   double low = 0.0;
-  double high = 1.0;
-  /// The failure nearest to the origin; empty without a failure.
+  double high = 1.0;  ///< upper limit [-]
+  /// The failure nearest to the origin, by plain sampling; empty without a failure, and by
+  /// importance sampling.
   std::vector<double> nearest_failure = {};
 };
 
+/// Draws of a sampling.
 struct SamplingOptions {
-  std::size_t draws = 200'000;
-  std::uint64_t seed = 1;
+  std::size_t draws = 200'000;  ///< number of draws
+  std::uint64_t seed = 1;       ///< the same seed gives the same draws
   int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
 };
 

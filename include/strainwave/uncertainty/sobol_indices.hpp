@@ -14,9 +14,9 @@ namespace strainwave {
 
 /// A number estimated from independent replicates, with its 95 % confidence interval.
 struct Estimate {
-  double value = 0.0;
-  double low = 0.0;
-  double high = 0.0;
+  double value = 0.0;  ///< mean of the replicates
+  double low = 0.0;    ///< lower end of the interval
+  double high = 0.0;   ///< upper end of the interval
 };
 
 /// Shares of one group of inputs in the variance of one output.
@@ -27,22 +27,25 @@ struct SobolIndices {
 
 /// Variance of one output and its shares.
 struct SobolOutput {
-  double mean = 0.0;
-  double variance = 0.0;
+  double mean = 0.0;                ///< mean over all points [unit of the output]
+  double variance = 0.0;            ///< variance over all points [unit squared]; 0 for a constant
   std::vector<SobolIndices> group;  ///< shape (n groups); empty if the variance is 0
   Estimate first_sum;               ///< sum of the first-order shares [-]; 1 without interactions
 };
 
+/// Points of a study of shares.
 struct SobolOptions {
-  int points = 4096;    ///< base points in all replicates
-  int replicates = 16;  ///< independent scramblings; they divide `points`
-  std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
+  int points = 4096;       ///< base points in all replicates
+  int replicates = 16;     ///< independent scramblings; they divide `points`
+  std::uint64_t seed = 1;  ///< the same seed gives the same scramblings
+  int threads = 0;         ///< 0: as many as the machine runs; the result does not depend on it
   SharedRows* shared = nullptr;  ///< null, or the part of the points computed or read here
 };
 
+/// Shares of all groups in the variance of all outputs.
 struct SobolStudy {
-  std::vector<SobolOutput> output;
+  std::vector<SobolOutput> output;  ///< shape (n outputs)
+  /// points at which outputs are asked for: n groups + 2 for each base point
   std::size_t evaluations = 0;
   std::size_t left_out = 0;  ///< base points at which the function had no value somewhere
 };

@@ -14,12 +14,14 @@ namespace strainwave {
 /// scramblings of the same points give independent unbiased estimates.
 class SobolPoints {
  public:
+  /// Largest number of dimensions.
   static constexpr std::size_t kMaxDimensions = 1000;
 
   /// @param dimensions  of the cube; 1 to kMaxDimensions
   /// @param points      a power of two keeps the points balanced
   SobolPoints(std::size_t dimensions, std::size_t points);
 
+  /// Number of points.
   [[nodiscard]] std::size_t points() const { return points_; }
   /// Coordinate of a point in (0, 1).
   /// @param scrambling  the same number gives the same scrambling

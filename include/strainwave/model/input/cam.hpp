@@ -52,6 +52,7 @@ struct CamPoint {
   }
 };
 
+/// Profile of a cam, with the numbers that it needs.
 struct Cam {
   CamProfile profile = CamProfile::cosine;
   /// gamma of two_arcs: half the angle of the arc at a lobe [rad]; 5 to 85 deg

@@ -29,6 +29,7 @@ struct TwoDiscs {
 /// Points of the cam from a lobe to the middle between the lobes.
 using CamPoints = std::vector<CamPoint>;
 
+/// Shape of a cam, with the numbers of its own.
 using CamShape = std::variant<FlattenedCosine, TwoArcs, TwoDiscs, CamPoints>;
 
 /// The cam in the bore, and the band on which it presses.
@@ -36,8 +37,8 @@ using CamShape = std::variant<FlattenedCosine, TwoArcs, TwoDiscs, CamPoints>;
 /// w_0 is half the difference of the semi-axes of a flattened cosine and of two arcs; their mean
 /// height follows from the perimeter.  The heights of two discs and of points are those given.
 struct CamFit {
-  double radial_displacement{};  ///< w_0 [m]; > 0
-  CamShape shape = FlattenedCosine{};
+  double radial_displacement{};        ///< w_0 [m]; > 0
+  CamShape shape = FlattenedCosine{};  ///< profile of the cam
   /// perimeter of the cam without clearance minus that of the round bore [m]; > 0 stretches the
   /// rim; of a flattened cosine and of two arcs
   double perimeter_excess = 0;
@@ -64,6 +65,7 @@ class CamCurve {
   /// Length of a band round the cam minus the perimeter of the bore [m]; the band spans what the
   /// cam leaves open.
   [[nodiscard]] double band_excess() const;
+  /// Radius of the bore [m].
   [[nodiscard]] double bore() const { return bore_; }
 
  private:
@@ -79,9 +81,9 @@ class CamCurve {
 /// Height of the bore over the cam at a point of the bore, and its derivatives by the point's
 /// displacement, which are the direction of the cam's pressure.
 struct CamGap {
-  double value;  ///< [m]
-  double by_r;
-  double by_theta;
+  double value;     ///< the height [m]; < 0: the point is inside the cam
+  double by_r;      ///< by the displacement outward [-]
+  double by_theta;  ///< by the displacement round the axis [-]
 
   /// @param angle         at which the point was [rad]
   /// @param u_r, u_theta  displacement of the point [m]

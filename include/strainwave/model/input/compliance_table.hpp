@@ -25,14 +25,14 @@ template <class Real>
 struct BasicCrackParameter {
   std::string_view name;  ///< "half_length"
   std::string_view unit;  ///< SI
-  Real value{};
+  Real value{};           ///< in that unit
 };
 
 /// A parameter with its value when the table was made.
 struct TableParameter {
-  std::string name;
-  std::string unit;
-  double value = 0.0;
+  std::string name;    ///< as BasicCrackParameter::name
+  std::string unit;    ///< SI
+  double value = 0.0;  ///< in that unit
 };
 
 /// A parameter over which a table runs.
@@ -52,14 +52,15 @@ struct TableAxis {
 
 /// Values over the grid of a table.
 struct TableValues {
+  /// How the values are interpolated.
   enum class Scale {
     logarithmic,  ///< all values are positive, so their logarithms are interpolated
     linear,       ///< the values themselves are interpolated
     /// the values are rounding compared with the other sense of torque and count as 0
     nothing,
   };
-  std::vector<double> values;  ///< the last axis runs fastest
-  Scale scale = Scale::linear;
+  std::vector<double> values;   ///< the last axis runs fastest
+  Scale scale = Scale::linear;  ///< chosen by `completed`
   /// Interpolation error by (FE-43) [-]: of the logarithm, or as a share of the largest value.
   double interpolation_error = 0.0;
 };
@@ -97,7 +98,7 @@ inline constexpr double kFixedTolerance = 1e-6;
 /// An interpolated value with its error.
 template <class Real>
 struct TabulatedValue {
-  Real value{};
+  Real value{};                 ///< in the unit of the column
   double relative_error = 0.0;  ///< error of the interpolation alone [-]
 };
 
@@ -131,9 +132,9 @@ template <class Real>
 /// Compliance that a crack adds according to its table.
 template <class Real>
 struct TabulatedCompliance {
-  TabulatedValue<Real> positive;  ///< [rad/(N*m)]
-  TabulatedValue<Real> negative;  ///< [rad/(N*m)]
-  TabulatedValue<Real> axial;     ///< [m/N]; 0 if the table has no axial column
+  TabulatedValue<Real> positive;  ///< added under torque > 0 [rad/(N*m)]
+  TabulatedValue<Real> negative;  ///< added under torque < 0 [rad/(N*m)]
+  TabulatedValue<Real> axial;  ///< added under axial force [m/N]; 0 if the table has no such column
 };
 
 /// Reads a table at the numbers of a crack.

@@ -36,8 +36,8 @@ enum class CrackShape {
 
 /// Size and place of a crack, for drawings and tables, in one form for all kinds.
 struct CrackPlace {
-  CrackedPart part{};
-  CrackShape shape{};
+  CrackedPart part{};  ///< part that contains the crack
+  CrackShape shape{};  ///< in a cut through the axis
   double depth = 0.0;  ///< depth a; 0 for a through crack [m]
   /// half length along the surface; for a groove, half its width [m]
   double half_length = 0.0;
@@ -67,6 +67,7 @@ struct EnumNames<StressDriver> {
                                                             "ring_bending", "given"};
 };
 
+/// Field of the depth a of a crack from a surface [m].
 inline constexpr Field kCrackDepthField{.name = "depth",
                                         .unit = "m",
                                         .doc = "crack depth a",
@@ -85,6 +86,7 @@ struct RaceSurfaceCrack {
   std::optional<double> stress;          ///< hoop stress at the given torque [Pa]; driver `given`
   double position = 0.0;                 ///< angle from the major axis; coupled drive only [rad]
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::inner_ring,
             .shape = CrackShape::semi_ellipse,
@@ -105,6 +107,7 @@ struct RaceSurfaceCrack {
     describe_driver<RaceSurfaceCrack>(field);
   }
 
+  /// Describes the source of the stress and the position; RaceEdgeCrack shares these fields.
   template <class Crack, class Visitor>
   static void describe_driver(Visitor&& field) {
     field(Field{.name = "stress_driver",
@@ -143,11 +146,13 @@ struct RaceEdgeCrack {
   static constexpr std::string_view kMeaning =
       "crack of one depth over the whole width of the inner ring";
   double depth = 0.0;  ///< a, into the ring [m]; > 0, < ring thickness
+  /// Source of the stress on the crack.
   StressDriver stress_driver = StressDriver::orthogonal_shear;
   std::optional<double> contact_factor;  ///< as in RaceSurfaceCrack
   std::optional<double> stress;          ///< as in RaceSurfaceCrack
   double position = 0.0;                 ///< angle from the major axis; coupled drive only [rad]
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::inner_ring,
             .shape = CrackShape::over_width,
@@ -184,6 +189,7 @@ template <>
 struct EnumNames<WallSection> {
   static constexpr std::array<std::string_view, 2> names = {"barrel", "rim"};
 };
+/// The part of the drive that a section of the wall is.
 constexpr CrackedPart part_of(WallSection section) {
   return section == WallSection::rim ? CrackedPart::rim : CrackedPart::barrel;
 }
@@ -214,6 +220,7 @@ struct WallThroughCrack {
   /// file of a table of K over a turn (GR-30)
   std::optional<std::string> turn_table = {};
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_of(section),
             .shape = CrackShape::through,
@@ -240,6 +247,7 @@ struct WallThroughCrack {
     field(kTurnTableField, &WallThroughCrack::turn_table);
   }
 
+  /// Describes angle, section and place in the wall; WallSurfaceCrack shares these fields.
   template <class Crack, class Visitor>
   static void describe_place(Visitor&& field) {
     field(
@@ -283,15 +291,16 @@ struct WallThroughCrack {
 struct WallSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
   static constexpr std::string_view kMeaning = "semi-elliptical crack in the surface of the wall";
-  double depth = 0.0;                   ///< a, into the wall [m]; > 0, < wall thickness
-  double half_length = 0.0;             ///< half length c along the surface [m]; >= depth
-  double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
-  WallSection section = WallSection::barrel;
+  double depth = 0.0;                          ///< a, into the wall [m]; > 0, < wall thickness
+  double half_length = 0.0;                    ///< half length c along the surface [m]; >= depth
+  double angle = std::numbers::pi / 4;         ///< as in WallThroughCrack
+  WallSection section = WallSection::barrel;   ///< as in WallThroughCrack
   std::optional<double> distance = {};         ///< as in WallThroughCrack
   std::optional<double> position = {};         ///< as in WallThroughCrack
   std::optional<Mouth> mouth = {};             ///< absent: not known, taken as outer
   std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_of(section),
             .shape = CrackShape::semi_ellipse,
@@ -339,6 +348,7 @@ struct AnnularCrack {
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
   std::optional<std::string> compliance_table = {};      ///< as in WallThroughCrack
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::output_shaft, .shape = CrackShape::all_round, .depth = depth};
   }
@@ -365,6 +375,7 @@ struct ShaftSurfaceCrack {
   /// c, half of the length along the arc of the surface [m]; >= depth, < half of the circumference
   double half_length = 0.0;
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::output_shaft,
             .shape = CrackShape::semi_ellipse,
@@ -386,6 +397,7 @@ struct ShaftSurfaceCrack {
 /// An axial crack over the whole width of a ring, from a surface under bending (TC-22).
 template <CrackedPart part_, bool from_inside_>
 struct RingCrack {
+  /// Only the coupled drive models this crack, see ContactCrack.
   static constexpr bool kActsInCoupledDrive = true;
   double depth = 0.0;     ///< a, into the ring [m]; > 0, < its thickness
   double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
@@ -395,6 +407,7 @@ struct RingCrack {
   [[nodiscard]] static Real softened_length(const Real& thickness) {
     return 2 * thickness;
   }
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_,
             .shape = CrackShape::over_width,
@@ -436,6 +449,7 @@ struct RimAxialCrack : RingCrack<CrackedPart::rim, false> {
 /// Axial crack of the wave generator bearing's outer ring; acts in the coupled drive only.
 struct OuterRaceCrack : RingCrack<CrackedPart::outer_ring, true> {
   static constexpr std::string_view kKind = "outer_race";
+  /// What this kind is, in words.
   static constexpr std::string_view kMeaning = "axial crack of the outer ring; coupled drive only";
 };
 
@@ -450,11 +464,14 @@ struct CircularSplineRingCrack : RingCrack<CrackedPart::circular_spline, true> {
 /// coupled drive only.
 struct ToothCrack {
   static constexpr std::string_view kKind = "tooth";
+  /// What this kind is, in words.
   static constexpr std::string_view kMeaning = "a cracked or a missing tooth; coupled drive only";
+  /// Only the coupled drive models this crack, see ContactCrack.
   static constexpr bool kActsInCoupledDrive = true;
   double stiffness_loss = 0.0;  ///< delta, lost share of the pair's stiffness [-]; in (0, 1]
   double position = 0.0;        ///< angle as in RingCrack; it selects the nearest tooth [rad]
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::tooth,
             .shape = CrackShape::whole,
@@ -487,6 +504,7 @@ struct DiaphragmArcCrack {
   double half_length = 0.0;      ///< a, along the arc [m]; > 0
   std::optional<double> radius;  ///< radius of the arc [m]; absent: the diaphragm's inner radius
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::diaphragm,
             .shape = CrackShape::through,
@@ -519,6 +537,7 @@ struct DiaphragmGroove {
   double width = 0.0;   ///< radial [m]; > 0
   double radius = 0.0;  ///< radius of its middle [m]; > 0
 
+  /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::diaphragm,
             .shape = CrackShape::groove,
@@ -549,11 +568,16 @@ struct DiaphragmGroove {
   }
 };
 
+/// A crack of the wave generator's bearing.
 using WaveGeneratorCrack = std::variant<RaceSurfaceCrack, RaceEdgeCrack, OuterRaceCrack>;
+/// A crack of the flexspline, apart from those of its teeth.
 using FlexsplineCrack = std::variant<WallThroughCrack, WallSurfaceCrack, DiaphragmArcCrack,
                                      DiaphragmGroove, RimAxialCrack>;
+/// A crack of the output shaft.
 using OutputShaftCrack = std::variant<AnnularCrack, ShaftSurfaceCrack>;
+/// A crack of a tooth of the flexspline.
 using ToothMeshCrack = std::variant<ToothCrack>;
+/// A crack of the circular spline.
 using CircularSplineCrack = std::variant<CircularSplineRingCrack>;
 
 }  // namespace strainwave

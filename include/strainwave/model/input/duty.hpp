@@ -161,8 +161,8 @@ struct DutyRow {
 
 /// The rows of a history, and whose speed they give.
 struct DutyRecord {
-  std::vector<DutyRow> rows;
-  bool of_input = false;  ///< the speeds are those of the wave generator
+  std::vector<DutyRow> rows;  ///< at rising times
+  bool of_input = false;      ///< the speeds are those of the wave generator
 };
 
 /// Vibration that raises the torque, by a drive whose natural frequency falls with its stiffness.

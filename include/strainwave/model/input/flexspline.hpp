@@ -12,6 +12,7 @@
 
 namespace strainwave {
 
+/// How a flexspline ends toward the output.
 enum class FlexsplineShape {
   cup,       ///< diaphragm inward, to a boss
   hat,       ///< silk hat: diaphragm outward, to a clamped flange that is the output
@@ -35,6 +36,7 @@ struct EnumNames<CrackFree> {
 /// The usual thickness of walls and rings [m].
 inline constexpr Range kUsualThickness{.lower = 5e-5, .upper = 0.2};
 
+/// Field of the material of one section of a flexspline.
 inline constexpr Field kSectionMaterial{
     .name = "material",
     .unit = "",

@@ -101,8 +101,8 @@ struct ArticleOverrides {
   std::optional<double> flaw_parameter;             ///< Q [-]
   std::optional<double> mean_radius;                ///< r_m [m]
   std::optional<double> equivalent_shaft_diameter;  ///< d_s [m]
-  std::optional<double> M_p;                        ///< [-]
-  std::optional<double> M_M;                        ///< [-]
+  std::optional<double> M_p;                        ///< geometry factor of K_I [-]
+  std::optional<double> M_M;                        ///< geometry factor of K_III [-]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -270,10 +270,10 @@ void for_each_cracked_member(Gear& gear, const F& f) {
 
 /// Path of a crack, such as "flexspline.crack[0]"; its text is built where it is needed.
 struct CrackPath {
-  std::string_view member;
-  std::size_t index = 0;
+  std::string_view member;  ///< part of the drive that carries the crack: "flexspline"
+  std::size_t index = 0;    ///< among the cracks of that part
 
-  // Implicit, so that a walk may take the text.
+  /// The text of the path.  Implicit, so that a walk may take the text.
   operator std::string() const {  // NOLINT(google-explicit-constructor)
     return std::string(member) + ".crack[" + std::to_string(index) + "]";
   }
@@ -308,9 +308,11 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 
 /// The material that a member names.  A laminate whose plies all have the same isotropic elastic
 /// constants is a solid wall, so it counts as the material of its first ply.
+/// @param field        field that holds the name, for messages
 /// @throws InputError  if no material has that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           std::string_view field);
+/// The same with a path, whose text is built only for a message.
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           const FieldPath& field);
 /// The name in `material` of what material_of finds: `name`, or the first ply of a solid wall.
@@ -340,10 +342,11 @@ void set_number(GearSet& gear, std::string_view path, double value);
 
 /// A number of the gear by its path.
 struct NumberAt {
-  std::string path;
-  Field field;
-  double value = 0.0;
+  std::string path;    ///< such as "output_shaft.crack[0].depth"
+  Field field;         ///< unit, meaning and range of the number
+  double value = 0.0;  ///< [unit of the field]
 };
+/// The number at a path.
 /// @throws InputError  on the same conditions as set_number
 [[nodiscard]] NumberAt number_at(const GearSet& gear, std::string_view path);
 

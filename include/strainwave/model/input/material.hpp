@@ -51,8 +51,11 @@ struct Material {
   /// Whether the input file has a table of this material, even if the table only completes a record
   /// of the library.
   [[nodiscard]] bool in_file() const { return origin.empty() || based_on; }
+  /// Whether the material consists of plies.
   [[nodiscard]] bool is_laminate() const { return !ply.empty(); }
+  /// Whether the material is a layer with fibres.
   [[nodiscard]] bool is_layer() const { return transverse_modulus.has_value(); }
+  /// Whether the material is neither a laminate nor a layer.
   [[nodiscard]] bool is_isotropic() const { return !is_laminate() && !is_layer(); }
 
   template <class Visitor>
@@ -170,8 +173,10 @@ struct BasicElasticConstants {
   /// E' of plane strain, E/(1 - nu^2) [Pa]; theory manual eq. (FR-18).
   [[nodiscard]] Real plane_strain_modulus() const { return E / (1 - nu * nu); }  // (FR-18)
 };
+/// BasicElasticConstants in plain numbers.
 using ElasticConstants = BasicElasticConstants<double>;
 
+/// Refuses a material that is not isotropic.
 /// @throws InputError  if the material is a layer or a laminate
 void require_isotropic(const Material& material);
 

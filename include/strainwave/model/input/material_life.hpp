@@ -12,6 +12,7 @@
 
 namespace strainwave {
 
+/// Field of the least and the greatest temperature for which constants are stated [K].
 inline constexpr Field kTemperatures{
     .name = "temperature",
     .unit = "K",
@@ -83,7 +84,7 @@ struct FatigueStrength {
   double limit = 0.0;                 ///< sigma_-1, amplitude at R = -1, smooth specimen [Pa]; > 0
   std::optional<double> cycles = {};  ///< N of the knee [-]; > 0; absent: the source states none
   std::optional<double> slope = {};   ///< k of the line above the knee [-]; >= 1
-  std::optional<double> roughness = {};    ///< R_z of the surface [m]; >= 0; absent: polished
+  std::optional<double> roughness = {};    ///< R_z of the surface [m]; > 0; absent: polished
   std::optional<double> size_factor = {};  ///< endurance of the part over that of a specimen [-]
   /// the temperatures for which the line is stated [K]; absent: not stated
   std::optional<std::array<double, 2>> temperature = {};

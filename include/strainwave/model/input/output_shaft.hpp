@@ -17,6 +17,7 @@ struct OutputShaft {
   double length = 0.0;          ///< L_s [m]; > 0
   std::vector<OutputShaftCrack> crack;
 
+  /// Whether the shaft has no bore.
   [[nodiscard]] bool solid() const { return inner_diameter == 0.0; }
 
   template <class Visitor>

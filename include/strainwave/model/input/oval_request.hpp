@@ -11,8 +11,10 @@
 
 namespace strainwave {
 
+/// What the stress of the oval is asked for.
 struct OvalRequest {
   std::vector<double> torques = {};  ///< T at the output [N*m]; empty: that of the file
+  /// Whether large rotations are computed.
   LargeRotations large_rotations = LargeRotations::automatic;
 };
 
@@ -27,6 +29,7 @@ struct NonlinearOption {
           &NonlinearOption::nonlinear);
   }
 
+  /// The choice of the option; automatic if it is left out.
   [[nodiscard]] LargeRotations large_rotations() const {
     return nonlinear.value_or(LargeRotations::automatic);
   }
@@ -45,6 +48,7 @@ struct OvalRequestOptions : NonlinearOption {
     NonlinearOption::describe(field);
   }
 
+  /// The request that the options state.
   [[nodiscard]] OvalRequest request() const {
     return {.torques = torque, .large_rotations = large_rotations()};
   }

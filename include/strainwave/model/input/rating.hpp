@@ -127,9 +127,10 @@ struct InputRange {
   std::string path;   ///< path of the number, such as "flexspline.diaphragm.thickness"
   std::string lower;  ///< quantity text, in the unit of the number
   std::string upper;  ///< as lower; > lower
-  Knowledge knowledge = Knowledge::typical;
-  std::string source;
+  Knowledge knowledge = Knowledge::typical;  ///< where the limits come from
+  std::string source;                        ///< origin of the limits, one line; may be empty
 
+  /// Keys of the fields that hold paths.
   static constexpr std::array<std::string_view, 1> kPathKeys = {"path"};
   /// Paths of the numbers that the entry names, in the order of `kPathKeys`.
   [[nodiscard]] std::array<std::string_view, 1> paths() const { return {path}; }

@@ -56,8 +56,9 @@ struct InputScatter {
   std::optional<double> relative_standard_deviation = {};  ///< s [-]; in (0, 1]; not of a table
   ScatterDistribution distribution = ScatterDistribution::lognormal;
   std::vector<ScatterQuantile> quantile = {};  ///< of a table
-  std::string source;
+  std::string source;                          ///< origin of the scatter, one line; may be empty
 
+  /// Keys of the fields that hold paths.
   static constexpr std::array<std::string_view, 1> kPathKeys = {"path"};
   /// Paths of the numbers that the entry names, in the order of `kPathKeys`.
   [[nodiscard]] std::array<std::string_view, 1> paths() const { return {path}; }
@@ -104,8 +105,9 @@ struct InputCorrelation {
   std::string path;               ///< of a number that scatters
   std::string with;               ///< of another one
   double rank_correlation = 0.0;  ///< Spearman's rho [-]; in (-1, 1)
-  std::string source;
+  std::string source;             ///< origin of the correlation, one line; may be empty
 
+  /// Keys of the fields that hold paths.
   static constexpr std::array<std::string_view, 2> kPathKeys = {"path", "with"};
   /// Paths of the numbers that the entry names, in the order of `kPathKeys`.
   [[nodiscard]] std::array<std::string_view, 2> paths() const { return {path, with}; }

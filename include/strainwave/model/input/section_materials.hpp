@@ -33,6 +33,7 @@ template <class Section>
 /// The name of the material of the part that contains a crack of the flexspline; that of the
 /// flexspline if the part is not given.
 [[nodiscard]] const std::string& material_name(const Flexspline& flexspline, CrackedPart part);
+/// The same for a crack of the wall.
 [[nodiscard]] inline const std::string& material_name(const Flexspline& flexspline,
                                                       WallSection section) {
   return material_name(flexspline, part_of(section));

@@ -15,6 +15,7 @@
 
 namespace strainwave {
 
+/// What K over a turn is asked for.
 struct TurnRequest {
   /// Path of the crack; absent: the only one that the model knows
   std::optional<std::string> crack = {};
@@ -58,6 +59,8 @@ struct TurnRequestOptions {
           &O::angles);
   }
 
+  /// The request that the options state.
+  /// @param crack  as TurnRequest::crack
   [[nodiscard]] TurnRequest request(std::optional<std::string> crack) const;
 };
 
@@ -66,18 +69,18 @@ enum class RimCracks { none, surface };
 
 /// A crack of the flexspline's wall.
 struct CrackOfWall {
-  std::string path;  ///< "flexspline.crack[0]"
-  std::variant<WallThroughCrack, WallSurfaceCrack> crack;
+  std::string path;                                        ///< "flexspline.crack[0]"
+  std::variant<WallThroughCrack, WallSurfaceCrack> crack;  ///< with the numbers of the file
 
-  [[nodiscard]] double angle() const;  ///< beta from +z toward -theta [rad]
-  [[nodiscard]] WallSection section() const;
+  [[nodiscard]] double angle() const;         ///< beta from +z toward -theta [rad]
+  [[nodiscard]] WallSection section() const;  ///< barrel or rim
   /// A surface crack whose file does not say from which surface it starts.
   [[nodiscard]] bool mouth_unknown() const;
 };
 
 /// A request with all that the file and the defaults give.
 struct TurnPlan {
-  CrackOfWall crack;
+  CrackOfWall crack;            ///< the crack that was chosen
   std::vector<double> torques;  ///< ascending [N*m]
   std::vector<TurnSize> sizes;  ///< ascending
   int angles{};                 ///< over one wave [-]

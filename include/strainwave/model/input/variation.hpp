@@ -10,6 +10,7 @@
 
 namespace strainwave {
 
+/// How the values of a sweep follow on each other.
 enum class Spacing {
   linear,       ///< equal differences
   logarithmic,  ///< equal ratios; both ends have one sign
@@ -25,7 +26,7 @@ struct Variation {
   double from = 0.0;  ///< first value [unit of the field]
   double to = 0.0;    ///< last value [unit of the field]; may be smaller than `from`
   int n_points = 0;   ///< >= 2
-  Spacing spacing = Spacing::linear;
+  Spacing spacing = Spacing::linear;  ///< equal differences or equal ratios
 
   /// Value i of 0 .. n_points - 1; the first value is exactly `from`, the last exactly `to`.
   [[nodiscard]] double value(int i) const;

@@ -13,9 +13,9 @@ namespace strainwave {
 
 /// The text "KEY=VALUE" split at the last `=`; the value is absent without `=`.
 struct Assignment {
-  std::string_view key;
-  std::string_view value;
-  bool has_value = false;
+  std::string_view key;    ///< text before the `=`, or the whole text
+  std::string_view value;  ///< text behind the `=`
+  bool has_value = false;  ///< whether there is a `=`
 };
 
 /// Splits "KEY=VALUE" and removes blanks round key and value.
@@ -24,6 +24,7 @@ struct Assignment {
 /// The text without blanks at its ends.
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
 
+/// The option that messages name, unless the caller states another one.
 inline constexpr std::string_view kVaryOption = "--vary";
 
 /// The number of the gear that the option names.
@@ -34,9 +35,10 @@ inline constexpr std::string_view kVaryOption = "--vary";
 /// The beginning of an error message: "--vary PATH".
 [[nodiscard]] std::string vary_option(std::string_view path, std::string_view option = kVaryOption);
 
+/// Both ends of a sweep.
 struct Interval {
-  double from = 0.0;
-  double to = 0.0;
+  double from = 0.0;  ///< first value [SI unit of the number]
+  double to = 0.0;    ///< last value [SI unit of the number]; not equal to `from`
 };
 
 /// Reads "FROM..TO" in the unit of a number.

@@ -114,6 +114,7 @@ struct StrengthState {
     return Quantity{*utilisation, "1", relative_uncertainty};
   }
 
+  /// Whether the crack fractures or collapses in this state.
   [[nodiscard]] bool breaks() const {
     return verdict == StrengthVerdict::fractures || verdict == StrengthVerdict::collapses;
   }
@@ -201,6 +202,7 @@ struct CrackStrength {
           &C::equations);
   }
 
+  /// The governing state; null if there is no state.
   [[nodiscard]] const StrengthState* worst() const {
     return states.empty() ? nullptr : &states[governing];
   }

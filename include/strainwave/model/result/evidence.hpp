@@ -106,12 +106,12 @@ struct EnumNames<RequirementOutcome> {
 
 /// Evidence of a result.
 struct ResultEvidence {
-  std::string unusable_because;  ///< empty if the answer may be used
-  bool refused = false;          ///< unusable because the request in the input cannot be met
-  Verdict verdict;
-  std::vector<Note> notes;
+  std::string unusable_because;        ///< empty if the answer may be used
+  bool refused = false;                ///< unusable because the request in the input cannot be met
+  Verdict verdict;                     ///< follows from the notes, see verdict_of
+  std::vector<Note> notes;             ///< on the validity of the answer
   std::vector<std::string> equations;  ///< tags of the theory manual
-  std::vector<AccuracyBasis> accuracies;
+  std::vector<AccuracyBasis> accuracies;  ///< uncertainties that entered the result
   /// outcome of a command that judges requirements
   std::optional<RequirementOutcome> requirement;
 };

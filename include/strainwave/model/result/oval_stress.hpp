@@ -31,6 +31,7 @@ struct StressExtremes {
   double least{};       ///< [Pa]
   double at_least{};    ///< [rad]
 
+  /// Largest minus least stress [Pa].
   [[nodiscard]] double range() const { return largest - least; }
   /// Takes a value at an angle.
   void take(double value, double angle, bool first) {
@@ -128,7 +129,9 @@ struct OvalState {
   double rotation_stress{};  ///< largest change of a stress by large rotations [Pa]
   std::vector<LoadedOval> torques;
 
+  /// The station with the largest von Mises stress under any torque.
   [[nodiscard]] const OvalStation& governing() const { return governing_station(torques); }
+  /// Von Mises stress there, the largest over a turn [Pa].
   [[nodiscard]] double largest() const { return governing().equivalent.largest; }
 
   template <class Visitor>

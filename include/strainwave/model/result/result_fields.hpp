@@ -18,8 +18,11 @@ using QuantityReader = std::function<void(const std::string& path, const Quantit
 /// "flexspline.crack[0].added_compliance.positive.at_output".
 class OutputWalk : public ValueVisitor {
  public:
+  /// @param read  is called for each output
   explicit OutputWalk(QuantityReader read) : read_(std::move(read)) {}
 
+  /// See ValueVisitor.  A number outside a column goes to the reader with its path.
+  /// @{
   void begin_record() override;
   void end_record() override;
   bool field(const Field& field) override;
@@ -33,6 +36,7 @@ class OutputWalk : public ValueVisitor {
   void flag(bool value) override;
   void text(std::string_view value) override;
   void nothing() override;
+  /// @}
 
  private:
   struct Level {

@@ -132,11 +132,11 @@ struct AddedCompliance {
 
 /// One crack and its evidence.
 struct CrackReport {
-  std::string path = {};  ///< "output_shaft.crack[0]"
-  std::string kind = {};
-  OpensUnder opens_under = OpensUnder::neither;
-  AddedCompliance positive = {};
-  AddedCompliance negative = {};
+  std::string path = {};                         ///< "output_shaft.crack[0]"
+  std::string kind = {};                         ///< kind of the crack in the file: "annular"
+  OpensUnder opens_under = OpensUnder::neither;  ///< sense of torque that opens the faces
+  AddedCompliance positive = {};                 ///< what the crack adds under torque about +z
+  AddedCompliance negative = {};                 ///< what the crack adds under torque about -z
   /// Stress intensities at the deepest point of the front, or at the tip if the front has no
   /// deepest point.
   std::optional<StressIntensities> deepest = {};
@@ -178,8 +178,8 @@ struct FrontIntensities {
 
 /// All outputs of one crack: its report by the stiffness model, its strength, or both.
 struct CrackOutputs {
-  const CrackReport* report = nullptr;
-  const CrackStrength* strength = nullptr;
+  const CrackReport* report = nullptr;      ///< null: the stiffness model has no report
+  const CrackStrength* strength = nullptr;  ///< null: no strength was computed
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -215,7 +215,7 @@ struct CrackOutputs {
 /// Relative uncertainties of the compliances of the sum by the errors of its members alone (ST-16)
 /// [-].
 struct MemberUncertainty {
-  double intact = 0.0;
+  double intact = 0.0;    ///< sound drive
   double positive = 0.0;  ///< cracked, torque about +z
   double negative = 0.0;  ///< cracked, torque about -z
 };
@@ -228,11 +228,11 @@ struct StiffnessResult {
   IntactDrive intact;                ///< sum of the members
   CrackedDrive positive;             ///< sum of the members, torque about +z
   CrackedDrive negative;             ///< sum of the members, torque about -z
-  std::vector<CrackReport> cracks;
+  std::vector<CrackReport> cracks;   ///< cracks of the stiffness model
   /// Strength of all cracks, if a material gives toughness or yield strength; corrected method
   /// only.
   std::vector<CrackStrength> strength;
-  std::vector<Note> notes;
+  std::vector<Note> notes;                ///< on the validity of the answer
   std::vector<AccuracyBasis> accuracies;  ///< origin of the uncertainties
   /// Present if the sum leaves out contacts, so that the uncertainties of its outputs contain their
   /// effect (ST-18) besides that of the members.
@@ -241,6 +241,7 @@ struct StiffnessResult {
   /// Reason why the answer must not be used, one sentence; empty if usable.
   std::string unusable_because;
 
+  /// Whether the answer may be used.
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
   /// The cracks in the order of their reports, then the cracks that have only a strength.
   [[nodiscard]] std::vector<CrackOutputs> crack_outputs() const;

@@ -58,12 +58,14 @@ inline constexpr Field kPoissonsRatioOfBar{.name = "poissons_ratio",
 
 /// Round section, solid or hollow.
 ///
-/// Implements theory manual eq. The nominal stress (SB-1).
+/// Implements theory manual eq. (SB-1), the nominal stress.
 struct RoundSection {
   double outer_radius = 0.0;  ///< r_o [m]; > 0
   double inner_radius = 0.0;  ///< r_i [m]; >= 0, < outer_radius
 
+  /// Thickness of the wall, r_o - r_i [m].
   [[nodiscard]] double wall() const { return outer_radius - inner_radius; }
+  /// Area A of the section [m^2].
   [[nodiscard]] double area() const {
     return std::numbers::pi * (outer_radius + inner_radius) * wall();
   }

@@ -35,6 +35,7 @@ struct BasicOneSidedFactors {
   Real sliding{};  ///< K_II under the torque, positive for y > 0
   Real tearing{};  ///< K_III under the torque
 };
+/// BasicOneSidedFactors without derivatives.
 using OneSidedFactors = BasicOneSidedFactors<double>;
 
 /// The factors of (SB-7) at one aspect ratio.

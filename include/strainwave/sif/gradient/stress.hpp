@@ -11,6 +11,8 @@
 
 namespace strainwave::sif {
 
+/// The fields of most cracks of this family.
+/// @{
 inline constexpr Field kGradientDepth{
     .name = "depth", .unit = "m", .doc = "a", .range = kPositive, .example = "1 mm"};
 inline constexpr Field kGradientHalfLength{.name = "half_length",
@@ -25,6 +27,7 @@ inline constexpr Field kGradientWidth{.name = "width",
                                       .doc = "B, length of the front",
                                       .range = kPositive,
                                       .example = "20 mm"};
+/// @}
 
 /// Bending stress of a section of thickness t, equal to 1 at the surface from which x counts [-].
 [[nodiscard]] inline double bending_profile(double x, double t) { return 1 - 2 * x / t; }
@@ -56,6 +59,8 @@ class ResidualProfile {
     B_ = 3 * moment;  // (SW-6)
   }
 
+  /// r at a depth [-].
+  /// @param x  below the surface [m]; from 0 to t
   [[nodiscard]] double operator()(double x) const {
     const double g = (1 + hump_ * x / delta_) * std::exp(-x / delta_);
     return (g - A_ - B_ * bending_profile(x, t_)) / (1 - A_ - B_);  // (SW-6)
@@ -121,10 +126,13 @@ struct SubsurfaceStress {
 /// holds the differences that vanish far from the contact, from u = m^2 - Z^2 with u^2 - (1 - X^2 -
 /// Z^2) u = Z^2.  All are [-].
 struct McEwen {
+  /// m and n over b; n has the sign of X [-].
+  /// @{
   double m, n;
-  double m_less_Z;  ///< >= 0
-  double n_less_X;
-  double share;  ///< (m^2 - Z^2)/(m^2 + n^2); 0 at the edge of the contact
+  /// @}
+  double m_less_Z;  ///< m - Z [-]; >= 0
+  double n_less_X;  ///< n - X [-]
+  double share;     ///< (m^2 - Z^2)/(m^2 + n^2); 0 at the edge of the contact
 };
 /// McEwen's m and n at a place (x, z) below a contact of half width b [m].
 [[nodiscard]] inline McEwen mcewen(double x, double z, double b) {

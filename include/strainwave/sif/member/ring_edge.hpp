@@ -38,12 +38,12 @@ template <class Real>
 struct BasicEdgeCrack {
   static constexpr std::size_t kLoads = 1;
 
-  Real depth{};        ///< a [m]; > 0, < thickness
-  Real thickness{};    ///< t [m]
-  Real width{};        ///< B, length of the front [m]
-  Real unit_stress{};  ///< stress per unit of load [1/m^2]
-  StripLoading loading = StripLoading::tension;
-  bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
+  Real depth{};                                  ///< a [m]; > 0, < thickness
+  Real thickness{};                              ///< t [m]
+  Real width{};                                  ///< B, length of the front [m]
+  Real unit_stress{};                            ///< stress per unit of load [1/m^2]
+  StripLoading loading = StripLoading::tension;  ///< variation of the stress over the thickness
+  bool open = true;                              ///< false: the faces touch, K_I = 0 (FR-17)
 
   /// The same crack with its faces pressed together (FR-17).
   [[nodiscard]] BasicEdgeCrack pressed() const {

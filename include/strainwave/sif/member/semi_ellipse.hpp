@@ -30,13 +30,14 @@ class SurfaceCrack {
  public:
   static constexpr std::size_t kLoads = N;
 
+  /// Sizes of crack and plate, and their stresses.
   struct Parameters {
     Real depth{};         ///< a [m]; > 0, < thickness
     Real aspect_ratio{};  ///< rho = a/c [-]; in (0, 1]
     Real thickness{};     ///< thickness t of the plate [m]
     /// b, half of the plate's width [m]; > 0.  A plate without it is wide.
     std::optional<Real> half_width = {};
-    Real poissons_ratio{0.3};
+    Real poissons_ratio{0.3};  ///< nu [-]; in (-1, 0.5)
     std::array<Real, N>
         normal_stress{};  ///< normal stress on the crack plane, per unit of load [1/m^2 ...]
     std::array<Real, N> shear_stress{};  ///< shear stress along the surface, per unit of load
@@ -46,6 +47,7 @@ class SurfaceCrack {
     bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
   };
 
+  /// Computes what depends on aspect ratio and Poisson's ratio alone.
   explicit SurfaceCrack(const Parameters& parameters)
       : p_(parameters),
         tension_(parameters.aspect_ratio),
@@ -66,6 +68,7 @@ class SurfaceCrack {
     parameters.aspect_ratio = aspect_ratio;
     return SurfaceCrack(parameters);
   }
+  /// rho = a/c [-].
   [[nodiscard]] Real aspect_ratio() const { return p_.aspect_ratio; }
   [[nodiscard]] Real size() const { return p_.depth; }
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
@@ -82,9 +85,9 @@ class SurfaceCrack {
 
   /// Means along the front from which the root mean square of K follows at any size.
   struct FrontSquares {
-    typename BasicNewmanRaju<Real>::FrontMeans opening;
-    typename BasicKassirSih<Real>::FrontMeans shear;
-    bool converged = true;
+    typename BasicNewmanRaju<Real>::FrontMeans opening;  ///< of K_I; zero if the faces touch
+    typename BasicKassirSih<Real>::FrontMeans shear;     ///< of K_II, K_III; zero if not sheared
+    bool converged = true;                               ///< all integrals met their tolerance
   };
   /// @return  empty for bending, whose K varies along the front differently at each size
   [[nodiscard]] std::optional<FrontSquares> front_squares(const QuadratureOptions& options) const {

@@ -33,9 +33,9 @@ template <class Real>
 struct BasicAnnularCrackSolid {
   static constexpr std::size_t kLoads = 2;
 
-  Real depth{};     ///< a [m]; > 0, < diameter/2
-  Real diameter{};  ///< d [m]
-  AnnularPolynomials polynomials = AnnularPolynomials::improved;
+  Real depth{};                                                   ///< a [m]; > 0, < diameter/2
+  Real diameter{};                                                ///< d [m]
+  AnnularPolynomials polynomials = AnnularPolynomials::improved;  ///< p_1 and p_3
   bool open = true;  ///< false: the axial force presses the faces together, K_I = 0 (FR-17)
 
   /// The same crack with its faces pressed together (FR-17).
@@ -68,6 +68,7 @@ class BasicAnnularCrackHollow {
   static constexpr double kMaxDepthRatio = 0.8;           ///< a/t of the table
   static constexpr double kMaxTensionRadiusRatio = 0.95;  ///< r_i/r_o of the table in tension
 
+  /// Sizes of crack and shaft.
   struct Parameters {
     Real depth{};         ///< a [m]; > 0, <= 0.8 of the wall
     Real outer_radius{};  ///< r_o [m]
@@ -75,6 +76,7 @@ class BasicAnnularCrackHollow {
     bool open = true;     ///< false: the axial force presses the faces together, K_I = 0 (FR-17)
   };
 
+  /// Interpolates the tables at the radius ratio of the shaft.
   explicit BasicAnnularCrackHollow(const Parameters& parameters);
 
   /// The same crack with its faces pressed together (FR-17).

@@ -46,6 +46,7 @@ class BasicShaftSurfaceSolid {
   static constexpr std::size_t kLoads = 2;
   static constexpr double kMaxDepthRatio = BasicOneSidedTable<Real>::kMaxDepthRatio;  ///< a/d
 
+  /// Sizes of crack and shaft.
   struct Parameters {
     Real depth{};        ///< a [m]; > 0, <= half of the diameter
     Real half_length{};  ///< c along the arc of the surface [m]
@@ -53,6 +54,7 @@ class BasicShaftSurfaceSolid {
     bool open = true;    ///< false: the axial force presses the faces together, K_I = 0 (FR-17)
   };
 
+  /// Interpolates the table at the aspect ratio of the crack.
   explicit BasicShaftSurfaceSolid(const Parameters& parameters)
       : p_(parameters),
         aspect_(front_aspect_ratio(p_.depth, p_.half_length, Real(p_.diameter / 2))),
@@ -129,15 +131,17 @@ class BasicShaftSurfaceHollow {
   static constexpr double kLeastBore = 0.5;         ///< r_i/r_o
   static constexpr double kLargestBore = 0.9;       ///< r_i/r_o
 
+  /// Sizes of crack and shaft.
   struct Parameters {
-    Real depth{};         ///< a [m]; > 0, < wall
-    Real half_length{};   ///< c along the arc of the surface [m]; >= depth
-    Real outer_radius{};  ///< r_o [m]
-    Real inner_radius{};  ///< r_i [m]; > 0, < outer_radius
-    Real poissons_ratio{0.3};
+    Real depth{};              ///< a [m]; > 0, < wall
+    Real half_length{};        ///< c along the arc of the surface [m]; >= depth
+    Real outer_radius{};       ///< r_o [m]
+    Real inner_radius{};       ///< r_i [m]; > 0, < outer_radius
+    Real poissons_ratio{0.3};  ///< nu [-]; in (-1, 0.5)
     bool open = true;  ///< false: the axial force presses the faces together, K_I = 0 (FR-17)
   };
 
+  /// Computes what depends on aspect ratio and Poisson's ratio alone.
   explicit BasicShaftSurfaceHollow(const Parameters& parameters)
       : p_(parameters),
         aspect_(p_.depth / p_.half_length),

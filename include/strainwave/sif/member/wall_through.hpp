@@ -96,6 +96,7 @@ using ThroughCrackInTube = BasicThroughCrackInTube<double>;
 template <class Real>
 class BasicThroughCrackFamily {
  public:
+  /// Computes what does not depend on the size of the crack.
   explicit BasicThroughCrackFamily(const BasicThroughCrackInTube<Real>& crack);
 
   /// K of the sheet through the wall [Pa*m^0.5 per unit of load]; (FR-7), (FR-9).

@@ -20,6 +20,7 @@ namespace strainwave::sif {
   return {.name = name, .unit = "m", .doc = doc, .range = kPositive, .example = example};
 }
 
+/// Poisson's ratio among the fields of a solution.
 inline constexpr Field kPoissonsRatioField{.name = "poissons_ratio",
                                            .unit = "1",
                                            .doc = "nu",
@@ -30,6 +31,7 @@ inline constexpr Field kPoissonsRatioField{.name = "poissons_ratio",
 inline constexpr LoadInfo kTransverseShear{
     "shear", "Pa", "mean shear stress of a transverse force without moment at the crack"};
 
+/// The point of a front of one point.
 inline constexpr std::array<FrontPoint, 1> kTip{FrontPoint{"tip", 0.0}};
 
 /// Ratio tan(x)/x, with the value 1 at x = 0 [-].

@@ -79,6 +79,7 @@ struct TubeEdgeAxial {
     limit(mean_radius >= 5 * thickness, "r >= 5 t");
     limit(length >= 5 * thickness, "length >= 5 t, plane strain");
   }
+  /// The wall of the tube.
   [[nodiscard]] TubeWall wall() const {
     return {.mean_radius = mean_radius, .thickness = thickness};
   }

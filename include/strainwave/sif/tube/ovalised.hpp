@@ -29,10 +29,12 @@ struct OvalisedSurfaceCase {
                "hoop stress at the cracked face, with the opposite sign at the other face"},
       LoadInfo{"hoop_stress", "Pa", "hoop stress, uniform over the wall"}};
 
+  /// Hoop stress over the wall per unit of load, at any depth of the crack [-]; (SU-9).
   static WallStress stress(std::size_t load, const TubeWall&, double) {
     if (load == 0) return {.tension = 0.0, .bending = 1.0};  // (SU-9)
     return {.tension = 1.0, .bending = 0.0};
   }
+  /// 1: each load is the nominal stress itself [-].
   static double gross(std::size_t, const TubeWall&) { return 1.0; }
 };
 

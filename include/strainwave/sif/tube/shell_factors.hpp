@@ -22,8 +22,10 @@ template <class Real>
 struct BasicWallIntensity {
   Real mean{};    ///< mean over the wall: membrane part
   Real linear{};  ///< excess at the outer face; its energy is that of shell bending
+  /// At one place, s from -1 (inner face) to +1 (outer face) [-].
   [[nodiscard]] Real at(double s) const { return mean + s * linear; }
 };
+/// BasicWallIntensity without derivatives.
 using WallIntensity = BasicWallIntensity<double>;
 
 /// Stress intensities of a crack in a shallow cylindrical shell under a remote unit stress.
@@ -34,6 +36,7 @@ struct BasicShellFactors {
   BasicWallIntensity<Real> opening_by_shear;   ///< K_I from the shear stress; flat plate: 0
   BasicWallIntensity<Real> sliding_by_shear;   ///< K_II from the shear stress; flat plate: mean 1
 };
+/// BasicShellFactors without derivatives.
 using ShellFactors = BasicShellFactors<double>;
 
 /// Largest lambda of the table.

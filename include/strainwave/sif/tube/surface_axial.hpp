@@ -32,6 +32,9 @@ struct AxialSurfaceCase {
                                    : "pressure inside the tube"},
       LoadInfo{"hoop_stress", "Pa", "hoop stress, uniform over the wall"}};
 
+  /// Hoop stress over the depth a of the crack, per unit of load [-]; (SU-7).  That of the pressure
+  /// on an inner crack contains the pressure on its faces.
+  /// @param a  [m]; > 0
   static WallStress stress(std::size_t load, const TubeWall& wall, double a) {
     if (load == 1) return {.tension = 1.0, .bending = 0.0};
     WallStress hoop =

@@ -17,7 +17,9 @@ enum class Face { inner, outer };
 struct TubeWall {
   double mean_radius = 0.0;  ///< r [m]
   double thickness = 0.0;    ///< t [m]
+  /// Radius r_i of the inner face [m].
   [[nodiscard]] double inner() const { return mean_radius - thickness / 2; }
+  /// Radius r_o of the outer face [m].
   [[nodiscard]] double outer() const { return mean_radius + thickness / 2; }
   /// Radius at a depth below a face.
   [[nodiscard]] double radius(Face face, double depth) const {
@@ -27,8 +29,8 @@ struct TubeWall {
 
 /// Stress over the wall, tension + bending (1 - 2 x/t), with x from the cracked face.
 struct WallStress {
-  double tension = 0.0;
-  double bending = 0.0;  ///< stress at the cracked face
+  double tension = 0.0;  ///< its mean over the wall [Pa, or that per unit of load]
+  double bending = 0.0;  ///< bending part at the cracked face, likewise
 
   /// The linear stress through the values at the face and at a depth; (SU-6).
   static WallStress line(double at_face, double at_depth, double depth, double thickness) {
@@ -99,6 +101,7 @@ struct TubeSurfaceCrack {
     limit(mean_radius >= 4 * thickness, "r >= 4 t");
     limit(half_length * half_length <= mean_radius * thickness, "c <= sqrt(r t)");
   }
+  /// The wall of the tube.
   [[nodiscard]] TubeWall wall() const {
     return {.mean_radius = mean_radius, .thickness = thickness};
   }
