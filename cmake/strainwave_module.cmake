@@ -131,6 +131,13 @@ function(strainwave_shared_library module)
   target_link_libraries(strainwave_shared PRIVATE $<BUILD_INTERFACE:strainwave_${module}>)
   target_link_options(strainwave_shared PRIVATE "-Wl,--version-script=${exports}"
     $<$<BOOL:${STRAINWAVE_SELF_CONTAINED}>:-static-libstdc++;-static-libgcc;-Wl,--gc-sections;-Wl,--as-needed>)
+  if(STRAINWAVE_SELF_CONTAINED)
+    include(CheckLinkerFlag)
+    check_linker_flag(CXX -fuse-ld=gold strainwave_gold)
+    if(strainwave_gold)  # joins functions of equal code
+      target_link_options(strainwave_shared PRIVATE -fuse-ld=gold -Wl,--icf=safe)
+    endif()
+  endif()
   set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_shared)
   file(RELATIVE_PATH includes "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/${CMAKE_INSTALL_INCLUDEDIR}")
   configure_file(cmake/strainwave.pc.in "${PROJECT_BINARY_DIR}/strainwave.pc" @ONLY)

@@ -71,6 +71,18 @@ def sentence(text):
     return spelled + " " if spelled.endswith('"') else spelled
 
 
+def in_python(text, options):
+    """A description that names options as the command line spells them, with the names of Python's arguments."""
+    def argument(match):
+        about = options.get(match.group(1).replace("-", "_"))
+        if about is None:
+            return match.group(0)
+        chosen = match.group(3) in about.get("enum", ())
+        return f"`{identifier(match.group(1))}" + (f'="{match.group(3)}"`' if chosen else "`" + (match.group(2) or ""))
+
+    return re.sub(r"--([a-z][\w-]*)( ([\w-]+))?", argument, text)
+
+
 def wrapped(text, indent, first=""):
     return "\n".join(textwrap.wrap(text, 100 - len(indent) if not first else 100,
                                    initial_indent=first or indent, subsequent_indent=indent,
@@ -304,10 +316,11 @@ def function(command, method):
     result = camel(command["name"]) + "Result"
     module = identifier(command["name"].replace(" ", "_"))
     spelt = []
+    spelled_by_name = {name.replace("-", "_"): about for name, about in options["properties"].items()}
     for option, about in sorted(options["properties"].items(), key=lambda one: one[0] not in required):
         kind = option_type(about)
         spelt.append((identifier(option), option, kind if option in required else f"Optional[{kind}]",
-                       "" if option in required else " = None", about["description"]))
+                       "" if option in required else " = None", in_python(about["description"], spelled_by_name)))
     first = [f"{spelled}: {kind}" for spelled, option, kind, _, _ in spelt if option in required]
     rest = [f"{spelled}: {kind}{fallback}"
             for spelled, option, kind, fallback, _ in spelt if option not in required]

@@ -39,8 +39,8 @@ def duty(*, rainflow: Optional[Named] = None, column: Optional[Named] = None,
 
     Args:
         rainflow: count the cycles of a history instead: CSV of any length, or - for standard input
-        column: with --rainflow, the column to count; the only one if left out
-        residue: with --rainflow, what counts of the ranges that stay open at the end; half_cycles
+        column: with `rainflow`, the column to count; the only one if left out
+        residue: with `rainflow`, what counts of the ranges that stay open at the end; half_cycles
             if left out
         classes: sum up ranges and means in at most this many classes each; exact values if left out
         texts: texts that options name, by their names; an option may also be a pathlib.Path, whose
@@ -65,7 +65,7 @@ def fit(data: Named, *, stress_range: Optional[Named] = None, plate_width: Optio
     Args:
         data: CSV with sizes such as "crack_length [mm]" in the first column and the cycles of one
             specimen in each other column; or with the columns specimen, crack_length, cycles and,
-            without --stress-range, delta_K
+            without `stress_range`, delta_K
         stress_range: range of the stress on a plate with a crack in its middle, a number with its
             unit; sizes are then half lengths
         plate_width: width of the plate, a number with its unit; left out for a wide plate
@@ -373,12 +373,12 @@ class DriveCommands:
 
         Args:
             compare: compare the drive with the cracks of the file with the sound drive
-            angles: number of positions of the wave generator for --compare; 0 for every tooth
+            angles: number of positions of the wave generator for `compare`; 0 for every tooth
             draws: number of drives drawn from the file's ranges; 0 for none
             cage_phase: angle of the first ball from the major axis, a number with its unit
             tolerances: number of drives whose parts are drawn from their tolerances; none if left
                 out
-            seed: seed of the draws of --tolerances
+            seed: seed of the draws of `tolerances`
             texts: texts that options name, by their names; an option may also be a pathlib.Path,
                 whose file is read
             progress: True for a line of progress, or a function that receives the completed
@@ -398,8 +398,8 @@ class DriveCommands:
         Args:
             rainflow: count the cycles of a history instead: CSV of any length, or - for standard
                 input
-            column: with --rainflow, the column to count; the only one if left out
-            residue: with --rainflow, what counts of the ranges that stay open at the end;
+            column: with `rainflow`, the column to count; the only one if left out
+            residue: with `rainflow`, what counts of the ranges that stay open at the end;
                 half_cycles if left out
             classes: sum up ranges and means in at most this many classes each; exact values if left
                 out
@@ -445,11 +445,11 @@ class DriveCommands:
             mixed_mode: rule that makes one stress intensity of three modes
             interaction: how a large cycle slows the cycles after it
             zone_factor: beta of the plastic zone (K/yield strength)^2/(beta pi): 1 the whole zone
-                in plane stress, 2 its radius, 3 and 6 in plane strain; needed with --interaction
-            wheeler_exponent: exponent of --interaction wheeler, which needs it
+                in plane stress, 2 its radius, 3 and 6 in plane strain; needed with `interaction`
+            wheeler_exponent: exponent of `interaction="wheeler"`, which needs it
             constraint: alpha of Newman's opening, 1 in plane stress to 3 in plane strain, for
-                --interaction closure; cracks with a law of NASGRO take that of their law
-            stress_level: largest stress over the flow stress of Newman's opening, with --constraint
+                `interaction="closure"`; cracks with a law of NASGRO take that of their law
+            stress_level: largest stress over the flow stress of Newman's opening, with `constraint`
             points: largest number of rows of a series
             texts: texts that options name, by their names; an option may also be a pathlib.Path,
                 whose file is read
@@ -868,21 +868,21 @@ class DriveCommands:
             factors: factors to fit, separated by commas
             predict_ratios: also predict K1, K2, K3 at these ratios of the size, such as 50,80,100,
                 or all for the other ratios of the tables, with the error
-            blank: with --predict-ratios, walls of the drives of other ratios: made for the wave of
+            blank: with `predict_ratios`, walls of the drives of other ratios: made for the wave of
                 each ratio, or of ratio 100 for all ratios of a size
             friction: fit drivetrain.friction to a maker's four values, those below or, with
-                --catalogue, of the row of this size and ratio; in place of factors
-            no_load_torque: with --friction, torque that turns the input at --at-speed without load,
+                `catalogue`, of the row of this size and ratio; in place of factors
+            no_load_torque: with `friction`, torque that turns the input at `at_speed` without load,
                 a number with its unit
-            starting_torque: with --friction, torque that starts the input without load, a number
+            starting_torque: with `friction`, torque that starts the input without load, a number
                 with its unit
-            back_driving_torque: with --friction, torque on the output that starts the free input, a
+            back_driving_torque: with `friction`, torque on the output that starts the free input, a
                 number with its unit
-            efficiency: with --friction, efficiency at --at-torque and --at-speed, such as 0.77 or
+            efficiency: with `friction`, efficiency at `at_torque` and `at_speed`, such as 0.77 or
                 77 %
-            at_speed: with --friction, speed of the input for no-load torque and efficiency, a
+            at_speed: with `friction`, speed of the input for no-load torque and efficiency, a
                 number with its unit; 2000 rpm if left out
-            at_torque: with --friction, torque on the output for the efficiency, a number with its
+            at_torque: with `friction`, torque on the output for the efficiency, a number with its
                 unit; rating.rated_torque if left out
             texts: texts that options name, by their names; an option may also be a pathlib.Path,
                 whose file is read

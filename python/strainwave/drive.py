@@ -306,12 +306,15 @@ class Cracks(Sequence["Crack"]):
             fields: the fields of the crack
 
         Raises:
-            InputError: if the member can have no crack, or the drive would break a rule; the drive
-                stays as it was
+            InputError: if the drive has no such member, the member can have no crack, or the drive
+                would break a rule; the drive stays as it was
         """
         if member not in self._counts():
-            raise InputError(f"{member} can have no crack; name one of the members of this drive "
-                             f"that can: {', '.join(self._counts())}", path=member)
+            can = f"one of the members of this drive that can have cracks: {', '.join(self._counts())}"
+            if member in _library.drive_fields(self._drive._handle):
+                raise InputError(f"{member} can have no crack; name {can}", path=member)
+            raise InputError(f"this drive has no [{member}]; give its fields first, by "
+                             f'edit({{"{member}.FIELD": value, ...}}), or name {can}', path=member)
         self._drive.edit({f"{member}.crack[+]": fields})
         return Crack(self._drive, f"{member}.crack[{self._counts()[member] - 1}]")
 

@@ -110,7 +110,7 @@ class Plots(unittest.TestCase):
         self.assertGreaterEqual(len(drawn), 14, drawn)
 
     def test_input_a_text_that_is_no_picture(self):
-        with self.assertRaisesRegex(ValueError, "is no SVG, it begins with 'what,name'"):
+        with self.assertRaisesRegex(ValueError, "is no SVG, it begins with 'what,name"):
             sw.Svg("what,name\n")
 
     def test_input_no_chart_and_no_matplotlib(self):

@@ -39,6 +39,12 @@ struct DrawnLife {
   DrawnPart part;
 };
 
+template <class Archive>
+void archive(Archive& to, DrawnLife& life) {
+  to(life.refused, life.unfinished, life.out_of_range, life.arrested, life.part.failure,
+     life.part.times, life.part.sizes);
+}
+
 /// The paths of the cracks that grow, and the part of a trace.
 DrawnPart part_of(const LifeTrace& trace) {
   DrawnPart part{.times = trace.times, .sizes = trace.sizes};
@@ -66,12 +72,12 @@ class Study {
   }
 
   [[nodiscard]] std::vector<DrawnLife> draws(const Progress& progress) const {
-    std::vector<DrawnLife> all(static_cast<std::size_t>(options_.draws));
-    for_each_index(all.size(), {.block = 4, .threads = options_.threads}, progress, [&] {
-      return [this, &all, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
-                 std::size_t index) { all[index] = draw(*drive, index); };
-    });
-    return all;
+    const Parallel parallel{.block = 4, .threads = options_.threads};
+    return shared_rows<DrawnLife>(
+        static_cast<std::size_t>(options_.draws), parallel, progress, options_.shared, [&] {
+          return [this, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
+                     std::size_t index, DrawnLife& life) { life = draw(*drive, index); };
+        });
   }
 
  private:

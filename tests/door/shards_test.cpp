@@ -53,6 +53,9 @@ std::vector<Study> studies() {
       {"torsion", "cracked_size25", {{"compare", "true"}, {"angles", "4"}, {"draws", "0"}}},
       {"torsion", "catalogue_size25", {{"tolerances", "3"}, {"draws", "0"}}},
       {"validate", "", {{"draws", "2"}}},
+      {"inspect",
+       "inspected_shaft",
+       {{"draws", "40"}, {"a50", "1 mm"}, {"a90", "2 mm"}, {"every", "100 h"}}},
   };
 }
 

@@ -3,6 +3,7 @@
 """What the C++ headers document, read by Doxygen.
 
     tools/site/cpp_reference.py [MODULE ...]    what is public and not documented; all modules if none is named
+    tools/site/cpp_reference.py --self-test     break each rule once
 
 The site takes `declarations` for its pages.
 
@@ -18,6 +19,7 @@ import functools
 import html
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -54,52 +56,40 @@ SOLUTION = {
 }
 
 
-def closing(text, start):
-    """The place after the bracket that closes the one at `start`; texts in quotes do not count."""
-    depth, place = 0, start
+LITERAL = re.compile(r'R"\(.*?\)"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*', re.S)
+
+
+def marks(text, start):
+    """(place, mark) of each bracket and comma from a place on, outside of literals and comments."""
+    place = start
     while place < len(text):
-        character = text[place]
-        if text.startswith('R"(', place):
-            place = text.index(')"', place) + 1
-        elif character == '"':
-            place += 1
-            while text[place] != '"':
-                place += 2 if text[place] == "\\" else 1
-        elif character == "'" and re.match(r"'(\\.|[^\\])'", text[place:place + 4]):
-            place += len(re.match(r"'(\\.|[^\\])'", text[place:place + 4]).group(0)) - 1
-        elif text.startswith("//", place):
-            place = text.index("\n", place)
-        elif character in "({[":
-            depth += 1
-        elif character in ")}]":
-            depth -= 1
-            if depth == 0:
-                return place + 1
+        literal = LITERAL.match(text, place)
+        if literal:
+            place = literal.end()
+            continue
+        if text[place] in "(){}[],":
+            yield place, text[place]
         place += 1
+
+
+def closing(text, start):
+    """The place after the bracket that closes the one at `start`."""
+    depth = 0
+    for place, mark in marks(text, start):
+        depth += (mark in "({[") - (mark in ")}]")
+        if depth == 0:
+            return place + 1
     raise ValueError("no closing bracket")
 
 
 def arguments(text):
     """The parts of a text in brackets, cut at its commas."""
-    parts, start, place = [], 1, 1
-    while place < len(text) - 1:
-        character = text[place]
-        if text.startswith('R"(', place):
-            place = text.index(')"', place) + 2
-            continue
-        if character == '"':
-            place += 1
-            while text[place] != '"':
-                place += 2 if text[place] == "\\" else 1
-        elif text.startswith("//", place):
-            place = text.index("\n", place)
-        elif character in "({[":
-            place = closing(text, place) - 1
-        elif character == ",":
+    parts, start, depth = [], 1, 0
+    for place, mark in marks(text, 0):
+        depth += (mark in "({[") - (mark in ")}]")
+        if mark == "," and depth == 1 or depth == 0:
             parts.append(text[start:place].strip())
             start = place + 1
-        place += 1
-    parts.append(text[start:place].strip())
     return parts
 
 
@@ -167,7 +157,8 @@ FIELD = re.compile(r"^[^\S\n]+(?!return\b|using\b|friend\b|else\b|throw\b|case\b
                    r"| ?\{[^;\n]*\})?;(?P<unit> *///< \[[^\]\n]*\])?[^\S\n]*$", re.M)
 # A field whose value begins in the next line, or whose value has several lines.
 LONG_FIELD = re.compile(r"^[^\S\n]+(?:static )?(?:inline )?constexpr [\w:<>,&\t ]+? (\w+) ?[={][^\n;]*$", re.M)
-FUNCTION = re.compile(r"^[^\S\n]+(?:template <[^\n]*>\n[^\S\n]+)?(?:friend |static |constexpr |\[\[nodiscard\]\] ?|\n[^\S\n]+)*"
+FUNCTION = re.compile(r"^[^\S\n]+(?:template <[^\n]*>\n[^\S\n]+)?"
+                      r"(?:friend |static |constexpr |\[\[nodiscard\]\] ?|\n[^\S\n]+)*"
                       r"[\w:<>,*& ]+?[ &*](\w+|operator==)\(", re.M)
 NAMES = re.compile(r"^template <>\nstruct EnumNames<([\w:]+)>", re.M)
 ENUMERATION = re.compile(r"enum class (\w+)[^;{]*\{")
@@ -177,8 +168,8 @@ def commented(text, start, end, only_above=False):
     """Whether a declaration has a comment: above, or behind."""
     above = text[:start].rstrip(" ").removesuffix("\n").rpartition("\n")[2].strip()
     behind = "" if only_above else text[end:text.find("\n", end)]
-    return "///<" in text[start:end] or "///<" in behind or above.startswith("///") and not above.startswith(("///<", "/// @}")) \
-        or above.endswith("*/")
+    return "///<" in text[start:end] or "///<" in behind or above.endswith("*/") \
+        or above.startswith("///") and not above.startswith(("///<", "/// @}"))
 
 
 def documented(text):
@@ -229,21 +220,23 @@ def documented(text):
     return text
 
 
-def public_headers():
-    """The public headers, by their paths as a program includes them."""
-    for header in sorted((INCLUDE / "strainwave").rglob("*.h*")):
-        name = header.relative_to(INCLUDE).as_posix()
+def public_headers(include):
+    """The public headers of a folder, by their paths as a program includes them."""
+    for header in sorted((include / "strainwave").rglob("*.h*")):
+        name = header.relative_to(include).as_posix()
         if name.split("/")[1] not in INTERNAL and not name.startswith("strainwave/core/toml_"):
             yield name
 
 
-def read(folder):
+def read(folder, include=INCLUDE):
     """Writes the XML of Doxygen to a folder; returns its warnings."""
-    copies = folder / "include"
-    for name in public_headers():
+    if not shutil.which("doxygen"):
+        sys.exit("cpp_reference: doxygen is not installed; run tools/install_dependencies check")
+    copies = folder / "copies"
+    for name in public_headers(include):
         copy = copies / name
         copy.parent.mkdir(parents=True, exist_ok=True)
-        text = (INCLUDE / name).read_text(encoding="utf-8")
+        text = (include / name).read_text(encoding="utf-8")
         copy.write_text(documented(text) if name.endswith(".hpp") else text, encoding="utf-8")
     settings = {"INPUT": copies, "STRIP_FROM_PATH": copies, "RECURSIVE": "YES", "FILE_PATTERNS": "*.h *.hpp",
                 "OUTPUT_DIRECTORY": folder, "GENERATE_XML": "YES", "XML_PROGRAMLISTING": "NO", "GENERATE_HTML": "NO",
@@ -297,7 +290,7 @@ def described_as(node):
     if tag == "parameteritem":
         return f"<li>{inside.replace('<p>', '').replace('</p>', '')}</li>"
     if tag == "parameterlist":
-        word = "" if node.get("kind") == "param" else {"exception": "Throws: ", "templateparam": "Template: "}.get(node.get("kind"), "")
+        word = {"exception": "Throws: ", "templateparam": "Template: "}.get(node.get("kind"), "")
         return f"</p>{f'<p>{word}</p>' if word else ''}<ul class='parameters'>{inside}</ul><p>"
     if tag == "simplesect":
         word = {"return": "Returns: ", "note": "Note: ", "see": "See: "}.get(node.get("kind"), "")
@@ -331,7 +324,7 @@ def spelled(member):
     value = f" {value}" if value and len(value) < 60 else ""
     words = plain_text(member.find("type"))
     if kind == "typedef" and plain_text(member.find("definition")).startswith("using"):
-        return before + plain_text(member.find("definition")).replace("= typedef ", "= ").replace("using strainwave::", "using ")
+        return before + re.sub(r"(using )strainwave::|(= )typedef ", r"\1\2", plain_text(member.find("definition")))
     return f"{before}{words + ' ' if words else ''}{name}{plain_text(member.find('argsstring'))}{value}"
 
 
@@ -372,12 +365,69 @@ def declarations(folder):
     return sorted(found, key=lambda one: (one.header, one.line))
 
 
+TRIAL = """#pragma once
+/// @file
+/// A header.
+namespace strainwave {
+/// What a thing may be.
+enum class Form { round, flat };
+template <>
+struct EnumNames<Form> {
+  static constexpr std::array<std::string_view, 2> names = {"round", "flat"};
+};
+/// A thing.
+struct Thing {
+  double length = 0.0;
+  double width = 0.0;  ///< [m]
+  double depth = 0.0;  ///< from the top [m]
+  int count = 0;  ///< [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"length", "m", "from end to end, (a) and \\"b\\""}, &Thing::length);
+    field(Field{.name = "width", .unit = "m", .doc = "across, "
+                "at the middle"}, &Thing::width);
+    field({"depth", "m", "not used"}, &Thing::depth);
+  }
+};
+namespace detail {
+struct Hidden {};
+}
+}
+"""
+DOCUMENTED = ("from end to end, (a) and &quot;b&quot; [m]", "across, at the middle [m]", "from the top [m]", "[-]",
+              "Written <code>round</code>.", "Written <code>flat</code>.")
+
+
+def self_test():
+    """The comments that are added to a header, and members that nothing documents."""
+    unseen = []
+    for line, wanted in (("", 0), ("  double bare = 0.0;", 1), ("  double of(double x) const;", 1),
+                         ("  double bare = 0.0;  ///< of no use", 0)):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            header = folder / "include" / "strainwave" / "trial" / "trial.hpp"
+            header.parent.mkdir(parents=True)
+            header.write_text(TRIAL.replace("  int count", line + "\n  int count"), encoding="utf-8")
+            warnings = read(folder, folder / "include")
+            meanings = [re.sub("</?p>", "", one.meaning).strip() for one in declarations(folder)]
+        if len(warnings) != wanted:
+            unseen.append(f"{line.strip() or 'nothing'}: {warnings}")
+        unseen += [f"{text}: is missing" for text in DOCUMENTED if html.unescape(text) not in map(html.unescape, meanings)]
+        if any("Hidden" in one for one in meanings):
+            unseen.append("the namespace detail is shown")
+    print("\n".join(unseen) if unseen else "cpp_reference: each rule was broken and noticed")
+    return len(unseen)
+
+
 def main():
+    if sys.argv[1:] == ["--self-test"]:
+        sys.exit(1 if self_test() else 0)
     with tempfile.TemporaryDirectory() as folder:
         warnings = read(pathlib.Path(folder))
     wanted = sys.argv[1:]
-    shown = [line for line in warnings if not wanted or re.match(rf"include/strainwave/({'|'.join(wanted)})[/.]", line)
-             or not line.startswith("include/")]
+    shown = [line for line in warnings if not wanted or not line.startswith("include/")
+             or re.match(rf"include/strainwave/({'|'.join(wanted)})[/.]", line)]
     print("\n".join(shown) if shown else "cpp_reference: no fault")
     sys.exit(1 if shown else 0)
 

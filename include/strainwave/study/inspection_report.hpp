@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/shared_rows.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/inspection/inspected_risk.hpp"
 #include "strainwave/model/input/gear_set.hpp"
@@ -47,6 +48,7 @@ struct InspectionOptions {
   int draws = 500;                         ///< drawn drives; 20 to 1 000 000
   std::uint64_t seed = 1;                  ///< the same seed gives the same draws
   int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
+  SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
 };
 
 /// How the drawn drives end.

@@ -107,6 +107,7 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   options.draws = o.draws;
   options.seed = o.seed;
   options.threads = o.threads;
+  options.shared = request.shared;
   return inspection_report(request.drive.gear, options, request.progress);
 }
 
@@ -127,6 +128,7 @@ Command inspect_command() {
           "times of least risk.",
       .example = "strainwave inspect examples/inspected_shaft.toml --until '350 h' --a50 '1 mm' "
                  "--a90 '2 mm' --every '100 h'",
+      .shares = "draws",
       .takes = Takes::drive,
       .function = inspect,
       .documents = {{Format::text, inspection_text},

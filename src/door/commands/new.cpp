@@ -57,17 +57,18 @@ std::string output_shaft_of(const GearSet& gear) {
   GearSet with;
   // A steel shaft of usual proportions, in whole millimetres.
   with.output_shaft = OutputShaft{.material = gear.flexspline->material,
-                                  .outer_diameter = std::round(450 * d) * 1e-3,
-                                  .length = std::round(600 * d) * 1e-3,
+                                  .outer_diameter = std::round(450 * d) / 1000,
+                                  .length = std::round(600 * d) / 1000,
                                   .crack = {}};
   constexpr std::string_view kHead = "[output_shaft]\n";
   const std::string text = gear_text(with);
   std::istringstream lines(text.substr(text.find(kHead)));
   std::string commented =
       "\n"
-      "# The maker's stiffness ends at the output flange, and so does this drive. To include your "
-      "shaft,\n"
-      "# remove the # of these lines and give the dimensions of the shaft.\n";
+      "# The maker's stiffness ends at the output flange. With an [output_shaft], the drive "
+      "includes "
+      "your\n"
+      "# shaft behind it: remove the # of these lines and give the dimensions of the shaft.\n";
   for (std::string line; std::getline(lines, line) && !line.empty();)
     commented += "# " + line + '\n';
   return commented;
