@@ -181,7 +181,7 @@ class Changing(unittest.TestCase):
         self.assertEqual([one.path for one in drive.cracks], [one.path for one in size25().cracks])
         drive.cracks.clear()
         self.assertEqual(len(drive.cracks), 0)
-        with self.assertRaisesRegex(sw.InputError, r"this drive has no \[gear\]; give the fields"):
+        with self.assertRaisesRegex(sw.InputError, r"this drive has no \[gear\]; give its fields first"):
             drive.cracks.append("gear", kind="annular", depth="1 mm")
         with self.assertRaisesRegex(sw.InputError, "load can have no crack; name one of the members"):
             drive.cracks.append("load", kind="annular", depth="1 mm")
