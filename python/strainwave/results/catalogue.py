@@ -120,6 +120,58 @@ class Ratings(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class Limits(Part):
+    """Ratcheting and buckling torques."""
+
+    series: AnyArray
+    """maker's series"""
+    size: FloatArray
+    """maker's size, in tenths of an inch"""
+    ratio: FloatArray
+    """reduction ratio"""
+    ratcheting: FloatArray
+    """torque at which teeth jump [N*m]"""
+    buckling: FloatArray
+    """torque at which the flexspline buckles, for all ratios of a size [N*m]"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "series": ("series", _to.entries),
+        "size": ("size", _to.floats),
+        "ratio": ("ratio", _to.floats),
+        "ratcheting": ("ratcheting", _to.floats),
+        "buckling": ("buckling", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "size": "1",
+        "ratio": "1",
+        "ratcheting": "N*m",
+        "buckling": "N*m",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Lives(Part):
+    """Lives of the wave generator bearings of all series."""
+
+    series: AnyArray
+    """maker's series"""
+    L10: FloatArray
+    """life that 90 % of the bearings reach [s]"""
+    L50: FloatArray
+    """life that half of the bearings reach [s]"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "series": ("series", _to.entries),
+        "L10": ("L10", _to.floats),
+        "L50": ("L50", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "L10": "s",
+        "L50": "s",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class CatalogueResult(Result):
     """What `catalogue` answers."""
 
@@ -127,6 +179,10 @@ class CatalogueResult(Result):
     """torsional stiffness, input locked, also of other series"""
     ratings: Ratings
     """torques, speeds and inertia"""
+    limits: Limits
+    """ratcheting and buckling torques"""
+    lives: Lives
+    """lives of the wave generator bearings of all series"""
     sources: dict[str, Any]
     """publications from which the rows were taken"""
 
@@ -135,5 +191,7 @@ class CatalogueResult(Result):
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "stiffness": ("stiffness", Stiffness._of),
         "ratings": ("ratings", Ratings._of),
+        "limits": ("limits", Limits._of),
+        "lives": ("lives", Lives._of),
         "sources": ("sources", _to.plain),
     }
