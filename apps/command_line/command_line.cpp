@@ -124,7 +124,7 @@ const Command* command_of(const Program& program, std::span<const std::string> w
 /// The commands that have an option, such as "sweep, solve".  Empty if no command has the option,
 /// or if many commands have it.
 std::string commands_with(const Program& program, std::string_view option) {
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMost = 6;
   std::vector<std::string_view> names;
   for (const Command& command : program.table)
     if (std::ranges::any_of(arguments_of(command),
