@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many evaluations of one drive."""
 
+import contextlib
+import io
 import unittest
 
 import numpy as np
@@ -97,6 +99,7 @@ class Batch(unittest.TestCase):
                 ({torque: [1.0]}, OUTPUTS, {"method": "best"}),
                 ({torque: [1.0]}, OUTPUTS, {"threads": 257}),
                 ({torque: [1.0]}, OUTPUTS, {"threads": -1}),
+                ({torque: [1.0]}, OUTPUTS, {"threads": 1 << 31}),
                 ({torque: [1.0]}, OUTPUTS, {"threads": 1 << 40}),
                 ({torque: ["1 N*m"]}, OUTPUTS, {}), ({torque: [True]}, OUTPUTS, {}),
                 ({torque: [1j]}, OUTPUTS, {}), ({torque: [None]}, OUTPUTS, {}),
@@ -131,6 +134,13 @@ class Batch(unittest.TestCase):
             size25().batch({"load.torque": np.linspace(1, 2, 100000)}, OUTPUTS, progress=stop)
         with self.assertRaises(Enough):
             sw.read(EXAMPLES / "catalogue_size25.toml").torsion(compare=True, progress=stop)
+
+    def test_behaviour_the_line_of_progress_ends(self):
+        shown = io.StringIO()
+        with contextlib.redirect_stderr(shown):
+            size25().torsion(compare=True, angles=4, draws=0, progress=True)
+        self.assertRegex(shown.getvalue(), r"^\r\[[#.]+\] +\d+\.\d %")
+        self.assertTrue(shown.getvalue().endswith("] 100.0 %\n"), shown.getvalue()[-60:])
 
 
 if __name__ == "__main__":
