@@ -18,6 +18,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
+#include "strainwave/drive_growth/longest_duty.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
@@ -27,8 +28,7 @@
 namespace strainwave {
 namespace {
 
-constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s]
-constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
+constexpr double kLongestStep = 0.05;  // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
 constexpr std::size_t kCoupledRows = 12;  // rows with the coupled drive
 constexpr double kSevered = 0.01;    // share of the stiffness below which a drive is severed [-]

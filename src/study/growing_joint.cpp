@@ -10,6 +10,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/drive_growth/longest_duty.hpp"
 #include "strainwave/motion/spring.hpp"
 
 namespace strainwave {
@@ -18,7 +19,6 @@ namespace {
 constexpr int kRows = 200;           // of the growth
 constexpr double kNearest = 1e-9;    // distance of two rows, of the motion [-]
 constexpr double kOneHour = 3600.0;  // [s]
-constexpr double kLongestDuty = 1e6 * 365.25 * 24 * kOneHour;  // that `grow` computes [s]
 
 bool ends_life(DriveEnd end) {
   return end == DriveEnd::breaks || end == DriveEnd::assessment || end == DriveEnd::severed ||

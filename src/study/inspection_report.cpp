@@ -19,6 +19,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
+#include "strainwave/drive_growth/longest_duty.hpp"
 
 namespace strainwave {
 namespace {
@@ -110,8 +111,8 @@ void check_options(const InspectionOptions& options) {
   require(options.draws >= 20 && options.draws <= kMostDraws, "draws", options.draws, "1",
           ">= 20 and <= 1e6");
   if (options.until)
-    require(*options.until > 0 && std::isfinite(*options.until), "until", *options.until, "s",
-            "> 0");
+    require(*options.until > 0 && *options.until <= kLongestDuty, "until", *options.until, "s",
+            "> 0 and <= a million years");
   const InspectionTimes& times = options.times;
   for (const double time : times.at)
     require(time > 0 && std::isfinite(time), "at", time, "s", "> 0");

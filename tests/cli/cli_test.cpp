@@ -596,6 +596,8 @@ TEST_F(Program, BehaviourTypicalDriveOfACatalogueSize) {
   const Outcome softer = run("stiffness --format json " + write("shaft.toml", shafted));
   ASSERT_EQ(softer.exit_code, 0) << softer.err;
   EXPECT_GT(Json::parse(softer.out)["result"]["intact"]["compliance"]["output_shaft"]["value"], 0);
+  // Its dimensions are whole millimetres, also where 1e-3 times their number is no short decimal.
+  EXPECT_NE(run("new --size 17 --ratio 80").out.find("# length = \"26 mm\"\n"), std::string::npos);
   for (const char* const arguments :
        {"new --size 32", "new --ratio 50", "new --size 22 --ratio 50", "new --size 32 --ratio 20",
         "catalogue --size 22", "validate --factors support", "new --size 4294967321 --ratio 100"}) {

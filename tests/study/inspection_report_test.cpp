@@ -233,6 +233,8 @@ TEST(InspectionReport, InputIsRefused) {
   EXPECT_NE(message(gear, options).find("risk = 1"), std::string::npos);
   EXPECT_NE(message(gear, options_of(5)).find("draws"), std::string::npos);
   EXPECT_NE(message(gear, options_of(40, -1.0)).find("until"), std::string::npos);
+  // No longer time is computed, so nothing is known of drives that last until then.
+  EXPECT_NE(message(gear, options_of(40, 3.2e13)).find("a million years"), std::string::npos);
   GearSet sure = gear;
   sure.scatter.clear();
   EXPECT_NE(message(sure, options_of(40)).find("scatter"), std::string::npos);

@@ -217,6 +217,14 @@ TEST(Reliability, BehaviourReasons) {
               return 1.0;
             }),
             "the output has no value on either side of a place of the search");
+  // A narrow curved valley leads to the limit: the search counts its steps, and gives up.
+  const DesignPoint valley = find_design_point(
+      [](std::span<const double> z) -> std::optional<double> {
+        return 3 - z[0] + (z[1] - z[0] * z[0]) * (z[1] - z[0] * z[0]);
+      },
+      {0.1, 0.2});
+  EXPECT_EQ(valley.reason, "the search does not converge in 100 steps");
+  EXPECT_EQ(valley.iterations, 100);
   // A step without a slope towards it.
   EXPECT_NE(reason([](std::span<const double> z) -> std::optional<double> {
               return z[0] < 1 ? 1 - 0.01 * z[0] : 2.0;

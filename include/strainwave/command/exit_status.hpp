@@ -12,7 +12,7 @@ enum ExitStatus : int {
   kOk = 0,             ///< there is an answer, and all requirements are met
   kUsage = 2,          ///< the command line is wrong
   kInput = 3,          ///< the input breaks a rule
-  kNotUsable = 4,      ///< there is no answer, or none that may be used
+  kNotUsable = 4,      ///< the answer is missing, or must not be used
   kNotMet = 5,         ///< a requirement is not met
   kCannotTell = 6,     ///< the answer is too uncertain to judge a requirement
   kUnwritable = 7,     ///< the output cannot be written

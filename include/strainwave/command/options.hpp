@@ -134,7 +134,7 @@ struct OptionsType {
   std::vector<Option> options;                         ///< in the order of their description
   std::shared_ptr<void> (*make)();                     ///< makes options with their default values
   std::shared_ptr<void> (*copy)(const void* options);  ///< makes a copy of options
-  /// Sets an option from text; a name that is no option has no effect.
+  /// Sets an option from text; does nothing if no option has this name.
   /// @throws OptionError  if the option does not take this text
   void (*set)(void* options, std::string_view name, std::string_view text);
   void (*visit)(const void* options, ValueVisitor& to);  ///< walks the values of options

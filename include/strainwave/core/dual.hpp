@@ -211,7 +211,7 @@ template <class Value>
 /// - the residual, f of the root held constant, with its derivatives,
 /// - the slope df/dx at the root, which must not be 0.
 ///
-/// In doubles there are no derivatives, and the root is returned as it is.
+/// The overload for double returns the root unchanged.
 /// @{
 [[nodiscard]] inline double root_with_partials(double root, double, double) { return root; }
 template <std::size_t N>

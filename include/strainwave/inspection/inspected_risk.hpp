@@ -76,7 +76,7 @@ struct RiskEstimate {
 /// manual eq. (IR-4).
 ///
 /// The limits are those of Fay and Feuer for a weighted sum of rare events.  The upper one assumes
-/// that a further part may fail before all inspections, so it does not fall below 3.7 over the
+/// that a further part may fail before all inspections, so it does not fall below 3.69 over the
 /// number of parts, or is the limit without inspections where that is lower.
 /// @param inspections  times [s], ascending
 [[nodiscard]] RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
