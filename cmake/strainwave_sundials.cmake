@@ -1,6 +1,7 @@
 # strainwave_sundials(<module> WITHOUT <source>)
 # The sources of a module that need SUNDIALS (docs/adr/0018), or in their place the one that says
-# that it is missing.  Debian has no CMake package of SUNDIALS.
+# that it is missing.  Debian has no CMake package of SUNDIALS.  A self-contained library contains
+# SUNDIALS.
 function(strainwave_sundials module)
   cmake_parse_arguments(ARG "" "WITHOUT" "" ${ARGN})
   set(without "src/${module}/${ARG_WITHOUT}")
@@ -8,7 +9,11 @@ function(strainwave_sundials module)
   if(STRAINWAVE_SUNDIALS)
     set_source_files_properties(${without} PROPERTIES HEADER_FILE_ONLY ON)
     foreach(library IN ITEMS cvode nvecserial sunmatrixdense sunlinsoldense)
-      find_library(SUNDIALS_${library} sundials_${library} REQUIRED)
+      set(name sundials_${library})
+      if(STRAINWAVE_SELF_CONTAINED)
+        set(name libsundials_${library}.a)
+      endif()
+      find_library(SUNDIALS_${library} ${name} REQUIRED)
       target_link_libraries(strainwave_${module} PRIVATE "${SUNDIALS_${library}}")
     endforeach()
   else()

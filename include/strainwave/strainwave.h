@@ -146,8 +146,10 @@ SW_API const char* sw_version(void);
 SW_API sw_error* sw_commands(sw_text* json);
 
 /** Reads a drive from TOML text of at most 1 MiB.
+ *  @param text         TOML, at most 1 MiB
  *  @param name         name of the text in messages
- *  @param attachments  may be NULL */
+ *  @param attachments  may be NULL
+ *  @param drive        the drive; the caller frees it by sw_drive_free */
 SW_API sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attachments,
                          sw_drive** drive);
 /** Reads a drive from a source; otherwise as sw_read. */
@@ -159,6 +161,7 @@ SW_API sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachmen
 SW_API sw_error* sw_drive_fields(const sw_drive* drive, sw_text* json);
 
 /** Sets one field, crack or section in the TOML text of a drive, and keeps everything else.
+ *  @param text    TOML of the drive
  *  @param path    "output_shaft.crack[0].depth"; "[+]" adds an element
  *  @param value   TOML as behind `=`; NULL removes the present value
  *  @param edited  the new text; the caller frees it */
@@ -169,7 +172,9 @@ SW_API sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_te
  *  @param command   "stiffness"
  *  @param options   JSON object, {"method": "corrected"}; empty: no option
  *  @param texts     n_texts texts that options name; may be NULL if n_texts is 0
- *  @param progress  may be NULL */
+ *  @param n_texts   number of texts; 0: none
+ *  @param progress  may be NULL
+ *  @param answer    what the command answered; the caller frees it by sw_answer_free */
 SW_API sw_error* sw_run(const sw_drive* drive, sw_text command, sw_text options,
                         const sw_attachment* texts, size_t n_texts, const sw_progress* progress,
                         sw_answer** answer);
@@ -184,11 +189,14 @@ SW_API sw_error* sw_answer_write(const sw_answer* answer, sw_text name, const sw
 
 /** Evaluates the stiffness of a drive for each row of values.  The numbers do not depend on the
  *  number of threads.
- *  @param numbers  shape (n_rows, n_outputs), row after row [SI unit of the output]; 0 if the code
- *                  of the row says that it has no numbers
- *  @param codes    shape (n_rows), of sw_row_code
- *  @param faults   shape (SW_ROW_CODES): the message of the first row with each code, or an empty
- *                  text; the caller frees each; may be NULL */
+ *  @param drive     the drive whose numbers vary; it keeps its own
+ *  @param task      the rows, the outputs and the number of threads
+ *  @param progress  may be NULL
+ *  @param numbers   shape (n_rows, n_outputs), row after row [SI unit of the output]; 0 if the code
+ *                   of the row says that it has no numbers
+ *  @param codes     shape (n_rows), of sw_row_code
+ *  @param faults    shape (SW_ROW_CODES): the message of the first row with each code, or an empty
+ *                   text; the caller frees each; may be NULL */
 SW_API sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task,
                           const sw_progress* progress, double* numbers, int* codes,
                           sw_text* faults);

@@ -6,7 +6,8 @@ The backend needs only the standard library, CMake and a compiler, so that
 wheel serves every Python from 3.9 on.
 
 The library is built in build/wheel.  The setting `library=PATH` (pip's --config-settings) packs that
-library instead.
+library instead.  The library contains SUNDIALS, and with it the engine for stiff motions, if the
+machine has its headers and its libraries for static linking (Debian's libsundials-dev).
 """
 
 import base64
@@ -31,6 +32,7 @@ LIBRARY = "libstrainwave.so.0"
 # Debian packages whose code the library contains; their licences go into the wheel.
 CONTAINED = ("libfmt-dev", "libtomlplusplus-dev", "nlohmann-json3-dev", "libeigen3-dev",
              "libboost-dev", "libstdc++-12-dev")
+SUNDIALS = "libsundials-dev"
 
 
 def _version():
@@ -48,6 +50,22 @@ def _metadata():
             + (ROOT / "docs" / "guide" / "python.md").read_text(encoding="utf-8"))
 
 
+def _has_sundials():
+    """Whether SUNDIALS can be linked into the library."""
+    triplet = sysconfig.get_config_var("MULTIARCH") or f"{platform.machine()}-linux-gnu"
+    archives = [pathlib.Path(folder, "libsundials_cvode.a")
+                for folder in (f"/usr/lib/{triplet}", "/usr/lib64", "/usr/lib", "/usr/local/lib")]
+    headers = [pathlib.Path(folder, "cvode", "cvode.h")
+               for folder in ("/usr/include", "/usr/local/include")]
+    return any(file.is_file() for file in archives) and any(file.is_file() for file in headers)
+
+
+def _contained(library):
+    """The packages whose code a library contains."""
+    # A message of CVODE; a library that only calls CVODE does not contain it.
+    return CONTAINED + ((SUNDIALS,) if b"cvode_mem = NULL illegal" in library else ())
+
+
 def _built_library(settings):
     """The shared library, built unless the settings name one."""
     named = settings.get("library")
@@ -58,6 +76,7 @@ def _built_library(settings):
     subprocess.run(["cmake", "-S", str(ROOT), "-B", str(build), *maker,
                     "-D", "CMAKE_BUILD_TYPE=Release", "-D", "STRAINWAVE_BUILD_TESTS=OFF",
                     "-D", "STRAINWAVE_SELF_CONTAINED=ON", "-D", "CMAKE_UNITY_BUILD=ON",
+                    "-D", f"STRAINWAVE_SUNDIALS={'ON' if _has_sundials() else 'OFF'}",
                     "-D", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"], check=True)
     subprocess.run(["cmake", "--build", str(build), "--target", "strainwave_shared", "--parallel",
                     str(os.cpu_count() or 1)], check=True)
@@ -90,10 +109,10 @@ def _platform(library):
     return given.replace("linux_", f"manylinux_{newest[0]}_{newest[1]}_")
 
 
-def _licences():
-    """Licence texts by their file names: ours, and those of the code that the library contains."""
+def _licences(contained):
+    """Licence texts by their file names: ours, and those of the packages whose code is contained."""
     texts = {"LICENSE": (ROOT / "LICENSE").read_bytes()}
-    for package in CONTAINED:
+    for package in contained:
         file = pathlib.Path("/usr/share/doc", package, "copyright")
         if file.is_file():
             texts[f"{package}.txt"] = file.read_bytes()
@@ -108,8 +127,9 @@ def _date():
     return int(os.environ.get("SOURCE_DATE_EPOCH", "315532800"))
 
 
-def _wheel(folder, tag, files):
-    """Writes a wheel; returns its file name."""
+def _wheel(folder, library, files):
+    """Writes a wheel for the bytes of a library; returns its file name."""
+    tag = f"py3-none-{_platform(library)}"
     version = _version()
     info = f"strainwave-{version}.dist-info"
     files = dict(files)
@@ -117,7 +137,7 @@ def _wheel(folder, tag, files):
     files[f"{info}/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: strainwave\nRoot-Is-Purelib: false\n"
                               f"Tag: {tag}\n").encode()
     files[f"{info}/top_level.txt"] = b"strainwave\n"
-    for name, text in _licences().items():
+    for name, text in _licences(_contained(library)).items():
         files[f"{info}/licenses/{name}"] = text
     record = []
     for name, content in sorted(files.items()):
@@ -162,7 +182,7 @@ prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     library = _stripped(_built_library(config_settings or {}))
-    return _wheel(wheel_directory, f"py3-none-{_platform(library)}",
+    return _wheel(wheel_directory, library,
                   {**_modules(), f"strainwave/{LIBRARY}": library})
 
 
@@ -170,7 +190,7 @@ def build_editable(wheel_directory, config_settings=None, metadata_directory=Non
     """The package stays in the tree, with the library beside it."""
     library = _stripped(_built_library(config_settings or {}))
     (PACKAGE / LIBRARY).write_bytes(library)
-    return _wheel(wheel_directory, f"py3-none-{_platform(library)}",
+    return _wheel(wheel_directory, library,
                   {"strainwave.pth": f"{PACKAGE.parent}\n".encode()})
 
 

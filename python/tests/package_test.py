@@ -2,8 +2,10 @@
 """The package as a whole: its written files, its types, its wheel."""
 
 import ast
+import contextlib
 import importlib.util
 import inspect
+import io
 import os
 import re
 import shutil
@@ -124,6 +126,21 @@ class Wheel(unittest.TestCase):
         self.assertIn("Requires-Dist: numpy", metadata)
         for extra, needed in (("frames", "pandas"), ("plots", "matplotlib")):
             self.assertIn(f"Provides-Extra: {extra}\nRequires-Dist: {needed}; extra == '{extra}'", metadata)
+
+    def test_behaviour_the_licences_are_those_of_the_code_inside(self):
+        """SUNDIALS is named if its code is in the library, and not if the library only calls it."""
+        inside = b"\0cvode_mem = NULL illegal.\0"
+        with tempfile.TemporaryDirectory() as folder:
+            for code, named in ((inside, True), (b"\0CVodeInit\0libsundials_cvode.so.6\0", False)):
+                library = Path(folder, "library.so")
+                library.write_bytes(_library.library_file().read_bytes() + code)
+                module = backend()
+                module._stripped = Path.read_bytes  # strip would drop what follows the sections
+                with contextlib.redirect_stderr(io.StringIO()) as said:
+                    wheel = module.build_wheel(folder, {"library": str(library)})
+                with zipfile.ZipFile(Path(folder, wheel)) as packed:
+                    licences = " ".join(packed.namelist()) + said.getvalue()
+                self.assertEqual("libsundials-dev" in licences, named)
 
     def test_behaviour_an_editable_package_follows_its_tree(self):
         """In a copy of the package, because the library is put beside its modules."""

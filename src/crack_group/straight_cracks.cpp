@@ -418,6 +418,10 @@ double distance(const StraightCrack& one, const StraightCrack& other) {
 
 std::optional<std::pair<std::size_t, std::size_t>> touching_cracks(
     std::span<const StraightCrack> cracks, const std::optional<double>& period) {
+  if (period) require(*period > 0 && std::isfinite(*period), "period", *period, "m", "> 0");
+  for (const StraightCrack& crack : cracks)
+    require(crack.half_length > 0 && std::isfinite(crack.half_length), "half_length",
+            crack.half_length, "m", "> 0");
   for (std::size_t i = 0; i < cracks.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       const double reach = std::abs(cracks[i].centre - cracks[j].centre) + cracks[i].half_length +
@@ -439,9 +443,6 @@ CrackGroup crack_group(std::span<const StraightCrack> cracks, const SheetStress&
   constexpr int kMostOrder = 400;
   require(options.order >= kLeastOrder && options.order <= kMostOrder, "order", options.order, "1",
           fmt::format(">= {} and <= {}", kLeastOrder, kMostOrder));
-  if (options.period) require(*options.period > 0, "period", *options.period, "m", "> 0");
-  for (const StraightCrack& crack : cracks)
-    require(crack.half_length > 0, "half_length", crack.half_length, "m", "> 0");
   if (const auto touching = touching_cracks(cracks, options.period)) {
     const auto [j, i] = *touching;
     throw InputError("cracks", i == j ? fmt::format("crack {} touches the next one of its row", i)
@@ -450,7 +451,7 @@ CrackGroup crack_group(std::span<const StraightCrack> cracks, const SheetStress&
   Densities densities(cracks, options.order, options.period);
   densities.solve(stress);
   CrackGroup group{.cracks = cracks_of(densities, cracks.size()), .settled = densities.settled()};
-  Densities coarse(cracks, std::max(kLeastOrder, 2 * options.order / 3), options.period);
+  Densities coarse(cracks, 2 * options.order / 3, options.period);
   coarse.solve(stress);
   double largest = 0.0;
   double change = 0.0;

@@ -71,6 +71,7 @@ class Assembly {
   }
 
   /// Takes out one spring without compliance and the inner inertia that follows from the others.
+  /// An inertia of 0 goes first: one that follows from two others would couple their accelerations.
   bool join_rigid() {
     auto& [inertias, springs] = made_.chain;
     for (std::size_t s = 0; s < springs.size(); ++s) {
@@ -78,7 +79,8 @@ class Assembly {
       const std::vector<double> rigid = springs[s].twist_of;
       std::size_t at = inertias.size();
       for (std::size_t n = 0; n < inertias.size(); ++n)
-        if (rigid[n] != 0 && inner(n)) at = n;
+        if (rigid[n] != 0 && inner(n) && (at == inertias.size() || inertias[at].inertia > 0))
+          at = n;
       if (at == inertias.size()) throw InputError("drive", "has no compliance");
       for (std::size_t n = 0; n < inertias.size(); ++n) {
         if (n == at) continue;
@@ -254,7 +256,10 @@ DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
   const DrivetrainChain::Parts mesh{.mesh = 1.0};
   const DrivetrainChain::Parts body{.body = 1.0};
   const DrivetrainChain::Parts shaft{.shaft = 1.0};
-  const std::size_t rim = made.add("rim", springs.mesh > 0 ? own.rim : 0.0);
+  // A mesh without compliance makes the rim of a fixed flexspline follow two parts, so its inertia
+  // is left out (DY-10).
+  const bool follows_two = springs.mesh <= 0 && !circular_spline_fixed;
+  const std::size_t rim = made.add("rim", follows_two ? 0.0 : own.rim);
   const std::size_t output =
       made.add(circular_spline_fixed ? "hub" : "circular spline",
                (circular_spline_fixed ? own.hub : own.circular_spline) + own.shaft / 2);

@@ -203,9 +203,15 @@ class ResponseSolver {
   std::vector<Eigen::VectorXcd> answers_;  ///< to a torque on each asked inertia
 };
 
+void require_range(double from, double to) {
+  require(from > 0 && std::isfinite(from), "from", from, "Hz", "> 0");
+  require(to > from && std::isfinite(to), "to", to, "Hz", "above the first frequency");
+}
+
 /// Frequencies at which extrema are looked for, rising.
 std::vector<double> searched_frequencies(const TorsionalChain& chain, double from, double to,
                                          std::span<const std::size_t> held) {
+  require_range(from, to);
   const double decades = std::log10(to / from);
   std::vector<double> searched = logarithmic_frequencies(
       from, to, static_cast<std::size_t>(std::ceil(decades * kSearchedPerDecade)) + 3);
@@ -220,8 +226,7 @@ std::vector<double> searched_frequencies(const TorsionalChain& chain, double fro
 }  // namespace
 
 std::vector<double> logarithmic_frequencies(double from, double to, std::size_t points) {
-  require(from > 0 && std::isfinite(from), "from", from, "Hz", "> 0");
-  require(to > from && std::isfinite(to), "to", to, "Hz", "above the first frequency");
+  require_range(from, to);
   require(points >= 2, "points", static_cast<double>(points), "1", ">= 2");
   std::vector<double> frequencies(points);
   const double step = std::log(to / from) / static_cast<double>(points - 1);

@@ -11,12 +11,12 @@ namespace strainwave {
 namespace {
 
 void check(const Overload& overload, double crack_size) {
-  require(overload.largest >= 0 && std::isfinite(overload.largest), "overload", overload.largest,
-          "Pa*m^0.5", ">= 0");
-  require(overload.crack_size > 0 && std::isfinite(crack_size), "crack_size", crack_size, "m",
-          "> 0");
-  require(crack_size >= overload.crack_size, "crack_size", crack_size, "m",
-          "at least the size at the overload");
+  require(overload.largest >= 0 && std::isfinite(overload.largest), "overload.largest",
+          overload.largest, "Pa*m^0.5", ">= 0");
+  require(overload.crack_size > 0 && std::isfinite(overload.crack_size), "overload.crack_size",
+          overload.crack_size, "m", "> 0");
+  require(crack_size >= overload.crack_size && std::isfinite(crack_size), "crack_size", crack_size,
+          "m", "at least the size at the overload");
 }
 
 }  // namespace

@@ -395,6 +395,10 @@ double range_of_teeth(const ComputedCurve& curve, double torque) {
 /// @param teeth  null: no tooth deviates
 ComputedCurve curve_of_teeth(const GearSet& gear, const Deviations* teeth,
                              const Progress& progress) {
+  if (!gear.drivetrain)
+    throw InputError("drivetrain",
+                     "must be given for a computed curve; give [drivetrain] with motor_inertia and "
+                     "load_inertia");
   require_inputs_of_curve(gear);
   const double step = flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
   ComputedCurve made;

@@ -139,6 +139,10 @@ SobolStudy sobol_indices(const std::function<NormalFunction()>& make, const Inpu
   require(inputs >= 1 && inputs <= SobolPoints::kMaxDimensions / 2, "inputs",
           static_cast<double>(inputs), "1",
           fmt::format(">= 1 and <= {}", SobolPoints::kMaxDimensions / 2));
+  for (const std::vector<std::size_t>& group : groups)
+    for (const std::size_t input : group)
+      require(input < inputs, "group", static_cast<double>(input), "1",
+              fmt::format("the index of one of the {} inputs", inputs));
   const auto points = static_cast<std::size_t>(options.points);
   const auto replicates = static_cast<std::size_t>(options.replicates);
   const std::size_t size = points / replicates;

@@ -8,6 +8,7 @@
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -339,6 +340,18 @@ TEST(CrackGroup, InputCracksThatCannotBe) {
   EXPECT_EQ(refusal({{{0, 0}, 1, 0}}, {.order = 3}), "order = 3 violates: >= 4 and <= 400");
   EXPECT_EQ(refusal({{{0, 0}, 1, 0}}, {.period = 0.0}), "period = 0 m violates: > 0");
   EXPECT_EQ(refusal({{{0, 0}, 1, 0}}, {.period = 2.1}), "no error");
+  const auto touching = [](const StraightCrack& crack, double period) {
+    return test::broken_rule([&] { return touching_cracks(std::span(&crack, 1), period); });
+  };
+  EXPECT_EQ(touching({{0, 0}, 1, 0}, 0.0), "period = 0 m violates: > 0");
+  EXPECT_EQ(touching({{0, 0}, 0, 0}, 3.0), "half_length = 0 m violates: > 0");
+}
+
+TEST(CrackGroup, BehaviourTheErrorOfTheFewestPointsIsNotZero) {
+  // Two thirds of 4 points are 2, so the estimate compares two orders at each order that is
+  // allowed.
+  const std::vector<StraightCrack> pair = {{{0, 0}, 1, 0}, {{2.3, 0}, 1, 0}};
+  EXPECT_GT(crack_group(pair, {.yy = 1}, {.order = 4}).error, 1e-3);
 }
 
 }  // namespace

@@ -107,6 +107,24 @@ TEST(DrivetrainChain, LimitOfSmallInertiasIsTheChainWithoutThem) {
   EXPECT_LT(before, 1e-4);
 }
 
+TEST(DrivetrainChain, LimitOfAStiffMeshIsARigidOne) {
+  // (DY-10): the rim of a fixed flexspline follows the wave generator and the circular spline, so
+  // none of these may be taken out in its place.  A compliance of 1e-9 of the body moves the first
+  // mode by as much.
+  Drivetrain ends = two_ends();
+  for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
+    ends.fixed = fixed;
+    const double rim = fixed == FixedMember::circular_spline ? 0.05 : 0.0;
+    const GearInertias own{.rim = rim, .hub = 0.02, .circular_spline = 0.3};
+    const double stiff = lowest(
+        drivetrain_chain(ends, 50, {.mesh = 4e-15, .body = 4e-6, .shaft = 6e-6}, own), false);
+    const DrivetrainChain made =
+        drivetrain_chain(ends, 50, {.mesh = 0.0, .body = 4e-6, .shaft = 6e-6}, own);
+    test::expect_relative(lowest(made, false), stiff, 1e-7);
+    EXPECT_EQ(made.chain.inertias.size(), 3U);
+  }
+}
+
 TEST(DrivetrainChain, LimitOfAStiffCouplingIsARigidOne) {
   Drivetrain ends = two_ends();
   ends.wave_generator_inertia = 4e-5;

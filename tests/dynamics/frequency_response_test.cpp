@@ -253,6 +253,12 @@ TEST(FrequencyResponse, InputEachRuleBrokenOnce) {
   EXPECT_NE(range(0, 10, 5).find("from"), std::string::npos);
   EXPECT_NE(range(10, 10, 5).find("to"), std::string::npos);
   EXPECT_NE(range(1, 10, 1).find("points"), std::string::npos);
+  const auto searched = [](double from, double to) {
+    return test::broken_rule(
+        [&] { return response_extrema(shaken_pair(10), kMotorToLoad, from, to); });
+  };
+  EXPECT_NE(searched(std::numeric_limits<double>::quiet_NaN(), 10).find("from"), std::string::npos);
+  EXPECT_NE(searched(10, 1).find("to"), std::string::npos);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -175,9 +176,15 @@ TEST(LoadInteraction, InputEachRuleBrokenOnce) {
   EXPECT_EQ(field([&] {
               (void)wheeler_factor(zone_of_unit_K(), {5e-3, -30}, 6e-3, 1, 1);
             }),
-            "overload");
+            "overload.largest");
+  for (const double size : {0.0, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(field([&] {
+                (void)wheeler_factor(zone_of_unit_K(), {size, 30}, 6e-3, 1, 1);
+              }),
+              "overload.crack_size");
   EXPECT_EQ(field([&] {
-              (void)wheeler_factor(zone_of_unit_K(), {0, 30}, 6e-3, 1, 1);
+              (void)wheeler_factor(zone_of_unit_K(), overload,
+                                   std::numeric_limits<double>::infinity(), 1, 1);
             }),
             "crack_size");
   EXPECT_EQ(field([&] { (void)willenborg_cycle(rule(), overload, 6e-3, {1, 1}); }), "R");

@@ -25,6 +25,7 @@
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/deviations.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
+#include "support/expect.hpp"
 
 namespace strainwave {
 namespace {
@@ -260,6 +261,11 @@ TEST(ComputedCurve, InputRules) {
   gear = short_motion();
   gear.mesh.reset();
   EXPECT_THROW((void)computed_curve(gear), InputError);
+  gear = short_motion();
+  gear.drivetrain.reset();
+  EXPECT_EQ(test::broken_rule([&] { return computed_curve(gear); }),
+            "drivetrain: must be given for a computed curve; give [drivetrain] with motor_inertia "
+            "and load_inertia");
 }
 
 /// A sound drive with few teeth, which takes short.

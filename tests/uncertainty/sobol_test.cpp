@@ -223,6 +223,10 @@ TEST(SobolIndices, InputOptionsOutOfRange) {
   EXPECT_EQ(refusal(16, 1), "replicates = 1 violates: >= 2");
   EXPECT_EQ(refusal(32, 16, 0), "inputs = 0 violates: >= 1 and <= 500");
   EXPECT_EQ(refusal(32, 16, 501), "inputs = 501 violates: >= 1 and <= 500");
+  EXPECT_EQ(test::broken_rule([] {
+              return sobol_indices([] { return ishigami(); }, {{0}, {1, 3}}, 1, {.points = 32});
+            }),
+            "group = 3 violates: the index of one of the 3 inputs");
 }
 
 // Kind: reference.  Two groups of a linear function: the shares are those of the sums of squares,

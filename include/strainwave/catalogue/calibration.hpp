@@ -39,6 +39,7 @@ struct MeasuredPoint {
 /// comments; a point at zero is skipped.  The function reads the dialects of spreadsheets: a byte
 /// order mark, any line end, cells between commas, semicolons or tabs, cells in quotes, a line
 /// "sep=;", and numbers with a point or a comma.
+/// @param text       content of the file, with at least one point
 /// @param file_name  used in messages only
 /// @throws InputError  if the text is not such a curve; the message gives file, line and column
 [[nodiscard]] std::vector<MeasuredPoint> parse_measured_curve(std::string_view text,
@@ -78,7 +79,7 @@ struct CalibratedFactor {
   Factor factor = Factor::support;
   double before = 0.0;       ///< [-]
   double value = 0.0;        ///< [-]
-  double uncertainty = 0.0;  ///< one standard uncertainty, relative to the value [-]
+  double uncertainty = 0.0;  ///< one standard uncertainty of the value [-]
   /// the fit stopped at a limit of the factor: the uncertainty is meaningless
   bool at_limit = false;
   bool plausible = true;    ///< between lower and upper of factor_info
@@ -92,7 +93,7 @@ struct CalibratedFactor {
           [](const CalibratedFactor& f) { return factor_info(f.factor).meaning; });
     field({"before", "1", "value in the file"}, &CalibratedFactor::before);
     field({"value", "1", "calibrated value"}, &CalibratedFactor::value);
-    field({"uncertainty", "1", "one standard uncertainty, relative to the value"},
+    field({"uncertainty", "1", "one standard uncertainty of the value"},
           &CalibratedFactor::uncertainty);
     field({"at_limit", "", "whether the fit stopped at a limit of the factor"},
           &CalibratedFactor::at_limit);
@@ -192,7 +193,11 @@ struct Calibration {
 /// the residuals give a larger uncertainty, that one counts.  The uncertainties of the factors
 /// follow from the Jacobian.
 ///
-/// @param factors  at least one, and at most as many as there are targets
+/// @param gear      must give enough for the torsion curve
+/// @param target    stiffnesses to match [N*m/rad], with their torques [N*m]
+/// @param factors   at least one, and at most as many as there are targets
+/// @param options   of the coupled drive; {}: the values of CoupledOptions
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if a factor or a torque does not suit the drive
 /// @throws SolverError  if the drive as given has no equilibrium
 /// @throws Stopped      if the caller requests a stop
@@ -206,8 +211,11 @@ struct Calibration {
 [[nodiscard]] FrictionTargets friction_targets(const GearSet& gear);
 /// Fits the friction of the input, and measures its four values on the joint by simulation.
 /// Converged if each simulated value is within 0.2 %.
-/// @param joint   of the drive
-/// @param source  origin of the values, one line
+/// @param gear      the drive; it comes back in the result as it is
+/// @param joint     of the drive
+/// @param targets   the four values to match; > 0, the efficiency < 1
+/// @param source    origin of the values, one line
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError  if a number is out of range
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] Calibration calibrate_friction(const GearSet& gear, const Joint& joint,

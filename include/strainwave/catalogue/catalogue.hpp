@@ -189,6 +189,9 @@ struct FrictionRow {
 /// The row of a form, a length and the class of a ratio with the nearest size by the logarithm;
 /// null if the table has none.
 /// @param pitch_diameter  [m]; > 0
+/// @param ratio           i_h [-]; > 0
+/// @param form            shape of the flexspline
+/// @param length          length class of the flexspline
 [[nodiscard]] const StiffnessRow* nearest_stiffness(
     double pitch_diameter, double ratio, FlexsplineForm form = FlexsplineForm::cup,
     FlexsplineLength length = FlexsplineLength::short_length);
@@ -201,6 +204,7 @@ void require_catalogue_size(int size);
 /// Cells of K1 to K3 may be empty, but not all of a row.  The columns series, form (cup or hat) and
 /// length (standard, short or flat) may be left out; a row is then a short cup.  The function reads
 /// the dialects of parse_measured_curve.
+/// @param text       content of the file, with at least one row
 /// @param file_name  used in messages and as `sources` of the rows
 /// @throws InputError  if the text is not such a table; the message gives file, line and column
 [[nodiscard]] std::vector<StiffnessRow> parse_stiffness_rows(std::string_view text,

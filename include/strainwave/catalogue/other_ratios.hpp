@@ -157,9 +157,12 @@ struct OtherRatios {
 /// The errors over the catalogue are those of short cups of kLeastSimilarSize and more; any other
 /// drive has none.
 ///
-/// @param ratios  if the list is empty, all other ratios that the tables state for this size, form
-///                and length
-/// @param blank   that of the typical drives
+/// @param calibration  of a drive of a catalogue size, cup or hat, by stiffness
+/// @param ratios       i_h [-]; if the list is empty, all other ratios that the tables state for
+///                     this size, form and length
+/// @param blank        that of the typical drives
+/// @param options      of the coupled drive; {}: the values of CoupledOptions
+/// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the drive has no size of the catalogue, is neither cup nor hat, if a
 ///                      ratio is out of range, or if the list is empty and no table states a ratio
 /// @throws SolverError  if a drive cannot be computed
@@ -174,7 +177,11 @@ struct OtherRatios {
 /// one ratio and predicts the ratios that other rows of its size state.
 ///
 /// A row that has fewer values than there are factors is left out.
-/// @param from  calibrated ratio [-]
+/// @param from      calibrated ratio [-]
+/// @param factors   one to three
+/// @param blank     that of the typical drives
+/// @param options   of the coupled drive; {}: the values of CoupledOptions
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError  if the ratio is out of range, or unless there are one to three factors
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] TransferErrors transfer_errors(double from, const std::vector<Factor>& factors,

@@ -133,6 +133,8 @@ struct WaveStresses {
 ///
 /// @param pitch_diameter  d [m]; > 0
 /// @param ratio           i_h [-]; 30 to 320, 2 i a whole number of teeth
+/// @param type            form, length and blank; {}: a short cup with the blank of its own ratio
+/// @param values          one of each proportion; {}: the base values
 /// @throws InputError     if the ratio breaks this rule
 [[nodiscard]] GearSet typical_drive(double pitch_diameter, double ratio, const DriveType& type = {},
                                     const ProportionValues& values = {});

@@ -41,6 +41,7 @@ using OptionTexts = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] Provenance provenance_of(const Drive& drive);
 
 /// Reads a drive from TOML text.
+/// @param text         TOML of at most kMaxTextSize
 /// @param name         name of the text in messages
 /// @param attachments  texts that the drive names
 /// @throws InputError  on the same conditions as read_gear_set
@@ -217,6 +218,7 @@ struct DocumentOf {
   /// Makes the files of a folder, or a single text as one file without a name.
   std::function<std::vector<OutputFile>(const Result& result, const Rendering& rendering)> write;
 
+  /// @param what    the document; its `folder` is set if the writer returns files
   /// @param writer  takes the result; or the result and its drive; or the result and the rendering;
   ///                returns a text, or the files of a folder
   template <class Writer>
@@ -403,8 +405,11 @@ class Answer {
 };
 
 /// Runs a command.
+/// @param command   must outlive the answer
 /// @param drive     read by read_drive; null for a command that takes no drive
+/// @param options   made from the options of this command, with all required ones set
 /// @param texts     texts that options name
+/// @param progress  reports the progress, and may request a stop; by default it does neither
 /// @param host      must outlive the answer
 /// @throws InputError   if the drive breaks a rule, or the command cannot treat it
 /// @throws OptionError  if an option, the drive or the journal is missing or cannot be understood
@@ -433,6 +438,8 @@ class Answer {
 [[nodiscard]] const Command& command_named(std::span<const Command> table, std::string_view name);
 
 /// The message on an unknown command: "stifness is not a command; did you mean stiffness?".
+/// @param word       word that was given in place of a command
+/// @param known      names of the known commands
 /// @param before     text before the nearest known word
 /// @param otherwise  advice if no known word is near
 [[nodiscard]] std::string not_a_command(std::string_view word, std::span<const std::string> known,

@@ -189,6 +189,7 @@ class OptionValues {
   /// Sets an option from text, as written on the command line; "true" for a flag.  An option that
   /// may be repeated takes one text per call.
   /// @param name  as in the struct: "all_sets"
+  /// @param text  a value of the kind of the option: "12 mm"; see OptionKind
   /// @throws OptionError  if the option does not exist, or does not take this text
   void set(std::string_view name, std::string_view text);
   /// Sets the options that a JSON object names; a list sets a repeatable option.

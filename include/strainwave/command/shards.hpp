@@ -47,7 +47,11 @@ struct Shard {
 [[nodiscard]] Share parse_share(std::string_view text);
 
 /// The study that a command line asks for.
+/// @param command      command that computes the study
+/// @param drive        null: the command takes no drive
 /// @param attachments  texts that the drive named while it was read
+/// @param options      options as they were set; `threads` is left out
+/// @param texts        texts that options name
 [[nodiscard]] SharedStudy shared_study(const Command& command, const Drive* drive,
                                        Attachments::Texts attachments, const OptionValues& options,
                                        const OptionTexts& texts);
@@ -69,6 +73,7 @@ struct Shard {
 [[nodiscard]] bool begins_as_shard(std::string_view text);
 
 /// Reads the file of a shard.
+/// @param text  content of the file
 /// @param name  of the file in messages
 /// @throws InputError  if the text is not a shard, or is damaged
 [[nodiscard]] Shard parse_shard(std::string_view text, const std::string& name);
@@ -78,9 +83,13 @@ struct Shard {
 [[nodiscard]] std::string difference(const SharedStudy& one, const SharedStudy& other);
 
 /// The answer of a study from all its shards, in any order.
-/// @param shards  names and shards
+/// @param table     commands of this program, with the command of the study; outlives the answer
+/// @param shards    names and shards
+/// @param progress  reports the progress, and may request a stop; by default it does neither
+/// @param host      only ranks, units, columns, `beside` and `open` count; outlives the answer
 /// @throws InputError  if a share is missing or given twice, or two shards are parts of different
-///                     studies, or the shards are of another version or code path than this program
+///                     studies, or the shards are of another version, revision or code path than
+///                     this program
 /// @throws  as `run`
 [[nodiscard]] Answer merged(std::span<const Command> table,
                             const std::vector<std::pair<std::string, Shard>>& shards,

@@ -36,6 +36,7 @@ class AskedUnits {
   /// The unit that the caller asked for an output or a field of this name and unit; absent if the
   /// choice is free.
   /// The text lives as long as this.
+  /// @param name  of the output or field; units asked for without a name count for any name
   /// @param unit  unit of the values, such as "m"; text that is not a unit has no other unit
   [[nodiscard]] std::optional<DisplayUnit> of(std::string_view name, std::string_view unit) const;
 
@@ -59,6 +60,7 @@ class AskedUnits {
 
 /// Converts the number of a value from one unit to another, with the shortest digits that read back
 /// exactly.
+/// @param value  number in the unit `from`
 /// @param from, to units in the form that `parse_unit` reads; both of the same dimension
 [[nodiscard]] std::string number_in(double value, std::string_view from, std::string_view to);
 

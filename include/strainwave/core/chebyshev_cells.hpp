@@ -47,6 +47,7 @@ class ChebyshevCells {
 
   /// Evaluates nothing yet: a box is filled on the first question in it.
   /// @param function  may be called from several threads at once
+  /// @param options   boxes and accuracy; `widths` has one width for each variable, 1 to 3
   ChebyshevCells(Function function, Options options);
   ~ChebyshevCells();
   ChebyshevCells(const ChebyshevCells&) = delete;

@@ -75,6 +75,7 @@ class ValueVisitor {
   virtual void end_column() = 0;  ///< Ends the column that was begun last.
   /// Receives a number.
   /// @param value  in the unit of the field
+  /// @param field  describes the number: its name, unit and meaning; in a column, the column's
   virtual void number(double value, const Field& field) = 0;
   /// Receives a number that has a unit and an accuracy of its own.
   virtual void quantity(const Quantity& value) = 0;

@@ -15,6 +15,7 @@ namespace strainwave {
 
 /// Reads names of an enumeration that commas separate, such as "support, coning".
 /// @param field  name of the text in messages
+/// @param text   one name or more; blanks around a name do not count
 /// @throws InputError  if a name is unknown, or is there twice; the message lists the known names
 template <class E>
 [[nodiscard]] std::vector<E> parse_enum_list(std::string_view field, std::string_view text) {

@@ -27,7 +27,10 @@ struct Parallel {
 /// number of threads.  Only the calling thread reports progress, before each index.  After
 /// a request to stop, each thread finishes only the index at which it works.  If the machine cannot
 /// start more threads, the running ones do the work.
-/// @param make  () -> evaluator of one thread, a function of the index
+/// @param n         number of indices
+/// @param parallel  block size, which must be >= 1, and number of threads
+/// @param progress  hears the share i/n before each index of the calling thread, and 1 at the end
+/// @param make      () -> evaluator of one thread, a function of the index
 /// @throws  the exception of the lowest block in which an evaluator threw, for any number of
 ///          threads; Stopped on request
 template <class Make>

@@ -29,7 +29,8 @@ class Progress {
 
   Progress() = default;  ///< reports nothing and never stops
   /// Passes the reports of a computation on.
-  /// @param words  empty: lines of text are dropped
+  /// @param report  receives the completed share; empty: no report, and no stop
+  /// @param words   empty: lines of text are dropped
   explicit Progress(Report report, Words words = {})
       : report_(std::move(report)), words_(std::move(words)) {}
 

@@ -42,8 +42,11 @@ struct Integral {
 ///
 /// @tparam Points  number of points of the rule: 15, or 31 for an integrand that 15 points would
 ///                 bisect
-/// @param f  callable Real -> Value, Value a vector space over Real with `magnitude` or `abs`; Real
-///           is double, or the Dual of a limit
+/// @param f        callable Real -> Value, Value a vector space over Real with `magnitude` or
+///                 `abs`; Real is double, or the Dual of a limit
+/// @param a        lower limit; finite
+/// @param b        upper limit; finite; b < a gives the negative integral from b to a
+/// @param options  default: relative tolerance 1e-10 [-], at most 1000 pieces
 template <unsigned Points = 15, class Function, class Lower, class Upper>
 [[nodiscard]] auto integrate(const Function& f, const Lower& a, const Upper& b,
                              const QuadratureOptions& options = {}) {

@@ -64,6 +64,7 @@ struct UnitPrefix {
 
 /// The number of a value in a unit, in the shortest digits that `parse_quantity` reads back.
 /// @param value  in strainwave units
+/// @param unit   unit of the number; of the dimension of the value, which is not checked
 [[nodiscard]] std::string number_in(double value, const Unit& unit);
 
 /// Writes a value so that `parse_quantity` reads back the same double: "0.00224 m".

@@ -12,7 +12,11 @@ namespace strainwave {
 /// Root of a continuous function that changes sign on [lower, upper], accurate to rounding (TOMS
 /// 748).
 ///
-/// @param f_lower  value at `lower`; @param f_upper  value at `upper`
+/// @param f        callable double -> double; continuous
+/// @param lower    lower end of the bracket, in the unit of the argument of `f`
+/// @param upper    upper end, likewise; > lower
+/// @param f_lower  value at `lower`
+/// @param f_upper  value at `upper`
 /// @throws SolverError  if the function has the same sign, or is not a number, at both ends
 template <class Function>
 [[nodiscard]] double bracketed_root(const Function& f, double lower, double upper, double f_lower,
@@ -40,7 +44,11 @@ template <class Function>
 /// Point behind a root of such a function, at which its value is not yet beyond `accuracy`
 /// (Illinois method).  It is the point at which the function was evaluated last.
 ///
-/// @param f_lower   value at `lower`; @param f_upper  value at `upper`, of the other sign
+/// @param f         callable double -> double; continuous
+/// @param lower     lower end of the bracket, in the unit of the argument of `f`
+/// @param upper     upper end, likewise; > lower
+/// @param f_lower   value at `lower`
+/// @param f_upper   value at `upper`, of the other sign and beyond `accuracy`
 /// @param accuracy  of the value; > 0
 template <class Function>
 [[nodiscard]] double behind_root(const Function& f, double lower, double upper, double f_lower,

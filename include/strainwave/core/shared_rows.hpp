@@ -56,6 +56,7 @@ class SharedRows {
   /// Computes a share.
   explicit SharedRows(Share share) : share_(share) {}
   /// Reads shares.
+  /// @param rows   number of rows of the whole study
   /// @param bytes  of all rows, in the order of the rows
   SharedRows(std::size_t rows, std::string bytes)
       : rows_(rows), bytes_(std::move(bytes)), reads_(true) {}
@@ -85,8 +86,11 @@ class SharedRows {
 ///
 /// The row of an index must depend on the index only.  `Row` is a number, or has an `archive`
 /// function (core/records.hpp).
-/// @param shared  null: this process computes all rows
-/// @param make    () -> evaluator of one thread, a function (index, row) that fills the row
+/// @param n         number of rows of the whole study
+/// @param parallel  block size and threads, as for_each_index; no effect where rows are read
+/// @param progress  reports the rows that this process computes; no report where rows are read
+/// @param shared    null: this process computes all rows
+/// @param make      () -> evaluator of one thread, a function (index, row) that fills the row
 /// @throws ShareDone  after the rows of a share were computed and kept
 /// @throws BrokenRecord  if the bytes that are read are not those of n rows
 /// @throws  as for_each_index

@@ -47,8 +47,10 @@ inline constexpr std::size_t kTextWidth = 100;
                                        const DisplayUnit& usual);
 
 /// A value in its display unit: "2 mm", "210 GPa".
-/// @param value  [si]
-/// @param name   name of the output or field, which may determine the unit
+/// @param value   [si]
+/// @param si      SI unit of the value, such as "Pa"; "1" for a pure number
+/// @param digits  number of significant digits; >= 1
+/// @param name    name of the output or field, which may determine the unit; empty: none
 [[nodiscard]] std::string shown_quantity(double value, std::string_view si, int digits = 5,
                                          std::string_view name = {});
 

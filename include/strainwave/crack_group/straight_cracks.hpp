@@ -85,14 +85,20 @@ struct CrackGroup {
 /// Accuracy: six digits for gaps of at least 0.2 a with 60 points; `error` tells.  The sheet is
 /// infinite and flat.
 ///
-/// @param cracks  must not cross or touch each other, nor their neighbours of the row
-/// @throws InputError  if a crack has no length, the order is out of range, or two cracks touch
+/// @param cracks   must not cross or touch each other, nor their neighbours of the row
+/// @param stress   of the sheet without cracks [Pa], in the axes x and y of the centres
+/// @param options  points on each crack, period, and stress of the compliance; {}: 40 points, no
+///                 row, and the compliance of `stress`
+/// @throws InputError  if a crack has no length, the order or the period is out of range, or two
+///                     cracks touch
 [[nodiscard]] CrackGroup crack_group(std::span<const StraightCrack> cracks,
                                      const SheetStress& stress, const GroupOptions& options = {});
 
 /// Two cracks that cross or touch, by their indices, the smaller first; the same index twice if a
 /// crack touches the next one of its row.  Absent if all cracks are apart.
-/// @param period  of the row along x [m]; absent: no row
+/// @param cracks  all cracks, or those of one period of the row; each longer than 0
+/// @param period  of the row along x [m]; > 0; absent: no row
+/// @throws InputError  if a crack has no length or the period is not > 0
 [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> touching_cracks(
     std::span<const StraightCrack> cracks, const std::optional<double>& period = {});
 

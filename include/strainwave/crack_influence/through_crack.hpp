@@ -44,7 +44,8 @@ class ThroughCrackResponse {
   /// zeta of the stations of a front [-], from the inner face of the wall to the outer one.
   [[nodiscard]] std::span<const double> stations() const { return stations_; }
   /// Solves the contact of the faces without friction (IN-2).
-  /// @param start  pressures of a neighbouring state; empty: none
+  /// @param tractions  of the sound wall on the faces of the crack [Pa]
+  /// @param start      pressures of a neighbouring state; empty: none
   /// @throws SolverError  if the contact does not settle
   [[nodiscard]] ThroughCrackState state(const FaceTractions& tractions,
                                         std::span<const double> start = {}) const;

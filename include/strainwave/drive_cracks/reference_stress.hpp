@@ -72,6 +72,7 @@ enum class SectionLoading {
 /// The crack is taken to reduce the thickness by its depth over the whole width, which gives a
 /// lower bound of the limit load.
 ///
+/// @param loading      distribution of the stress over the thickness
 /// @param stress       von Mises equivalent stress of the uncracked section [Pa]; >= 0
 /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
 /// @throws InputError  if alpha is outside [0, 1)

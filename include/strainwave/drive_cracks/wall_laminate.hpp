@@ -47,7 +47,10 @@ template <class Real>
 }
 
 /// Torsion of a tube whose material is a laminate; empty if the material is isotropic.
-/// @param of  material of the tube
+/// @param lift     reads the numbers of the drive
+/// @param gear     has the materials that the plies name
+/// @param of       material of the tube
+/// @param section  gives the outer diameter and the thickness of the wall [m]
 template <class Real>
 [[nodiscard]] std::optional<TubeTorsion<Real>> laminate_torsion(const Lift<Real>& lift,
                                                                 const GearSet& gear,
@@ -60,6 +63,8 @@ template <class Real>
 }
 
 /// Stiffness of a wall whose material is a laminate; empty if the material is isotropic.
+/// @param lift       reads the numbers of the drive
+/// @param gear       has the materials that the plies name
 /// @param of         material of the wall
 /// @param thickness  of the wall [m]
 template <class Real>
@@ -76,6 +81,7 @@ template <class Real>
 ///
 /// The stress intensity factors have the signs of the crack's plane (FR-6), in which a positive
 /// K_II shears the faces against the sense of the laminate's axes.
+/// @param wall   stiffness of the wall, from `wall_laminate` or `laminate_stiffness`
 /// @param angle  of the crack [rad]
 template <class Real>
 [[nodiscard]] BasicCrackModuli<Real> crack_moduli(const LaminateStiffness<Real>& wall,

@@ -34,6 +34,7 @@ class CrackFactors {
  public:
   /// @param crack      must outlive this object
   /// @param at_torque  must outlive this object; a torque takes the crack of the nearest one
+  /// @param size       a [m] and a/c [-] of the crack
   /// @param bent       whether to prepare the factors of a bending moment
   CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_torque, const CrackSize& size,
                bool bent = true);
@@ -50,6 +51,8 @@ class CrackFactors {
     return turn_->at(point, torque);
   }
   /// K at a point [Pa*m^0.5].
+  /// @param point   of the front, 0 to points() - 1
+  /// @param state   load at the moment; of a crack that does not reverse, |T| counts
   /// @param factor  on torque, axial force and bending moment [-]
   [[nodiscard]] Modes at(std::size_t point, const LoadState& state, double factor = 1.0) const;
 

@@ -248,9 +248,12 @@ struct GrowthReport {
 /// the sizes, by Dormand and Prince's pair of orders 5 and 4.  So the last cycles before a fracture
 /// and the first ones of a tiny crack take equal steps.  Ends are found by bisection of the step.
 ///
-/// @param gear  has passed `check`, with a duty; a crack whose K is not known keeps its
-///              size, and a note names it
-/// @param checkpoint   steps of a run before, and the place for further ones; null: none
+/// @param gear        has passed `check`, with a duty; a crack whose K is not known keeps its
+///                    size, and a note names it
+/// @param options     laws, end and accuracy; `tolerance` in (0, 1), `points` >= 2 [-]; {}: the
+///                    laws of the materials, without interaction, up to an end of the growth
+/// @param progress    receives the share done, 0 to 1, and may stop the run; {}: neither
+/// @param checkpoint  steps of a run before, and the place for further ones; null: none
 /// @throws InputError  if the duty or the law of a crack is missing
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options = {},

@@ -38,9 +38,11 @@ struct RateChoice {
 /// factor is the equivalent of the sizes of K in its most pressed state, as a negative number.
 /// Either is the same where K_max becomes 0.
 ///
-/// @param cycle   of the moments
-/// @param one     K at the moments of the cycle
-/// @param other   further moments of the cycle, or none
+/// @param rule            makes one K of three modes
+/// @param cycle           of the moments
+/// @param one             K at the moments of the cycle
+/// @param other           further moments of the cycle, or none
+/// @param poissons_ratio  nu [-]; in (-1, 0.5)
 [[nodiscard]] double least_factor(MixedMode rule, const TipCycle& cycle, std::span<const Modes> one,
                                   std::span<const Modes> other, double poissons_ratio);
 
@@ -74,8 +76,12 @@ enum class Tip { depth, length };
 class GrowingCrack {
  public:
   /// @param gear       has passed `check` and has a duty
-  /// @param crack      of drive_cracks(gear); one that does not act in the coupled drive
-  /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the torque
+  /// @param crack      of drive_cracks(gear), or the crack that coupled_crack makes
+  /// @param history    duty of the drive, as in crack_duty
+  /// @param choice     law of growth and rule of mixed modes
+  /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the
+  /// torque;
+  ///                   a crack under the balls makes its own
   /// @throws InputError  if its material has no law of growth
   GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                const RateChoice& choice, CracksAtTorques at_torque = {});
@@ -97,6 +103,7 @@ class GrowingCrack {
   [[nodiscard]] std::span<const Tip> tips() const;
 
   /// The cycles of one repetition at each tip, in the order of `tips`.
+  /// @param size    a [m] and a/c [-] of the crack
   /// @param factor  on torque, axial force and bending moment of the duty [-]
   [[nodiscard]] std::vector<std::vector<TipLoad>> loads(const CrackSize& size,
                                                         double factor = 1.0) const;

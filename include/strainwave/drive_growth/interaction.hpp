@@ -46,10 +46,12 @@ struct Interaction {
 /// so the overload of the repetition before it still acts.  A peak that comes less than once in a
 /// repetition is followed by as many repetitions as lie between two peaks.
 ///
-/// @param loads       of a tip, in the order of the duty
-/// @param crack_size  a [m]; > 0
-/// @param share       of what is left of the overload's zone by which equal cycles advance in one
-///                    step, and of its whole zone by which equal repetitions are skipped [-]
+/// @param crack        the crack to which the tip belongs
+/// @param loads        of a tip, in the order of the duty
+/// @param crack_size   a [m]; > 0
+/// @param interaction  rule and its constants; beta > 0, gamma >= 0, R_so > 1 [-]
+/// @param share        of what is left of the overload's zone by which equal cycles advance in one
+///                     step, and of its whole zone by which equal repetitions are skipped [-]
 /// @throws InputError  if a constant is out of range, or the yield strength or the opening is not
 ///                     known
 [[nodiscard]] double growth_with_interaction(const GrowingCrack& crack,

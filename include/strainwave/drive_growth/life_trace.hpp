@@ -23,8 +23,9 @@ struct LifeTrace {
 };
 
 /// The path of grow_cracks, without its series, notes and check by half steps.
-/// @param gear  as of grow_cracks
-/// @throws InputError, Stopped  as grow_cracks
+/// @param gear     as of grow_cracks
+/// @param options  as of grow_cracks; `points` has no effect
+/// @throws InputError  as grow_cracks
 [[nodiscard]] LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options = {});
 
 }  // namespace strainwave

@@ -47,7 +47,10 @@ struct CrackDuty {
 /// step.  A momentary peak gives a cycle from the least load of the duty, and its own turning
 /// cycles.
 ///
-/// @param history    of duty_history(gear); the rainflow cycles are those of K along the direction,
+/// @param gear       the drive; its ratio, waves and balls count
+/// @param crack      one with K along its front or a table of K over a turn
+/// @param history    the duty with the torque that the crack bears; the rainflow cycles are those
+/// of K along the direction,
 ///                   in the space of the three modes, in which the constant loads differ most
 /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the torque
 /// @throws InputError  if a crack of a race needs the number of balls and the file gives none, or
@@ -58,6 +61,7 @@ struct CrackDuty {
 
 /// The torques of a duty and its peaks at which a crack is computed that does not depend on them in
 /// proportion, in ascending order [N*m]; evenly spaced ones if there are more than 33.
+/// @param history     duty with its momentary peaks
 /// @param sizes_only  whether the sense of the torque does not matter
 [[nodiscard]] std::vector<double> torques_of(const DutyHistory& history, bool sizes_only);
 

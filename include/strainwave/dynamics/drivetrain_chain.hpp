@@ -57,8 +57,11 @@ struct DrivetrainChain {
 /// Implements theory manual eq. (DY-10).  Inertias are motor, wave generator (behind a coupling),
 /// rim, output of the gear and load.  Springs in series without an inertia between them are one
 /// spring, and a spring without compliance joins its inertias.
-/// @param ratio  i, turns of the wave generator in one turn of the flexspline, without sign [-]; >
-/// 0
+/// @param drivetrain   fixed member, coupling, inertias and dampings
+/// @param ratio        i, turns of the wave generator in one turn of the flexspline, without sign
+///                     [-]; > 0
+/// @param springs      compliances of mesh, body and shaft [rad/(N*m)]; >= 0, not all 0
+/// @param own          inertias of the gear's parts [kg*m^2]; >= 0
 /// @throws InputError  if a number is out of range, or the drive has no compliance
 [[nodiscard]] DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
                                                const DriveSprings& springs,

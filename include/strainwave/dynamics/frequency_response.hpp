@@ -35,6 +35,8 @@ struct ChainPath {
 ///
 /// Implements theory manual eq. (DY-12).  At each frequency one small matrix is factored for all
 /// paths.
+/// @param chain        inertias and springs, with numbers in their range
+/// @param paths        excitation and asked inertia of each response; a loaded inertia is not held
 /// @param frequencies  [Hz]; each > 0
 /// @param held         as in `chain_modes`; an asked inertia that is held has the angle 0
 /// @throws InputError  as `torque_response` and `twist_response`
@@ -55,8 +57,8 @@ struct ResponseExtremum {
   double frequency = 0.0;                       ///< [Hz]
   /// |H| [as the response]; absent: infinite, a resonance without damping
   std::optional<double> amplitude = {};
-  /// zeta by the half-power points (DY-13) [-]; absent if the response does not change by the
-  /// factor sqrt(2) on both sides before the next extremum or the end of the range
+  /// zeta by the half-power points (DY-13) [-]; 0 without damping; absent if the response does not
+  /// change by the factor sqrt(2) on both sides before the next extremum or the end of the range
   std::optional<double> damping_ratio = {};
 };
 
@@ -65,7 +67,10 @@ struct ResponseExtremum {
 /// Implements theory manual eq. (DY-13).  They are looked for at 200 frequencies in each decade and
 /// at the natural frequencies, so a resonance and an antiresonance that lie closer together are
 /// missed.
-/// @param from, to  [Hz]; 0 < from < to
+/// @param chain        inertias and springs, with numbers in their range
+/// @param path         excitation and asked inertia; a loaded inertia is not held
+/// @param from, to     [Hz]; 0 < from < to
+/// @param held         as in `chain_modes`
 /// @throws InputError  as `frequency_responses`, or if the range is out of order
 [[nodiscard]] std::vector<ResponseExtremum> response_extrema(
     const TorsionalChain& chain, const ChainPath& path, double from, double to,

@@ -43,8 +43,9 @@ struct PartTurns {
 };
 
 /// Turns of the parts in one turn of the input, without elastic twist (DY-1) [-].
-/// @param ratio  i, turns of the wave generator in one turn of the flexspline, without sign, while
-///               the circular spline stands [-]; > 0
+/// @param arrangement  fixed and driven part; not the same
+/// @param ratio        i, turns of the wave generator in one turn of the flexspline, without sign,
+///                     while the circular spline stands [-]; > 0
 /// @throws InputError  if the ratio is out of range, or one part is both fixed and the input
 [[nodiscard]] PartTurns part_turns(const Arrangement& arrangement, double ratio);
 
@@ -53,7 +54,8 @@ struct PartTurns {
 
 /// Torque that acts on the flexspline from outside over that on the output, with sign (DY-1) [-].
 /// It is 1 if the flexspline is the output, and -i/(i + 1) if the circular spline is.
-/// @param ratio  as in `part_turns` [-]
+/// @param arrangement  fixed and driven part; not the same
+/// @param ratio        as in `part_turns` [-]; > 0
 /// @throws InputError  as `part_turns`
 [[nodiscard]] double flexspline_torque(const Arrangement& arrangement, double ratio);
 
@@ -65,6 +67,8 @@ struct WaveOrders {
 };
 
 /// Implements theory manual eq. (DY-2).
+/// @param arrangement  fixed and driven part; not the same
+/// @param ratio        as in `part_turns` [-]; > 0
 /// @param wave_number  U, number of lobes [-]; >= 1
 /// @throws InputError  if an argument is out of range
 [[nodiscard]] WaveOrders wave_orders(const Arrangement& arrangement, double ratio, int wave_number);
@@ -88,6 +92,9 @@ struct BallOrders {
 
 /// Implements theory manual eq. (DY-2).  The outer ring turns with the flexspline, and the balls
 /// roll.
+/// @param arrangement  fixed and driven part; not the same
+/// @param ratio        as in `part_turns` [-]; > 0
+/// @param bearing      number of balls and ratio of the diameters
 /// @param wave_number  U, number of lobes [-]; >= 1
 /// @throws InputError  if an argument is out of range
 [[nodiscard]] BallOrders ball_orders(const Arrangement& arrangement, double ratio,

@@ -46,7 +46,8 @@ struct ChainMode {
 };
 
 /// Modes of the chain, by rising frequency (DY-3).
-/// @param held  inertias that do not turn, as indices
+/// @param chain        inertias and springs, with numbers in their range
+/// @param held         inertias that do not turn, as indices, not all; {}: none
 /// @throws InputError  if the chain is empty, a number is out of range, all inertias are held, or a
 ///                     frequency is below 1e-6 of the highest one
 [[nodiscard]] std::vector<ChainMode> chain_modes(const TorsionalChain& chain,
@@ -56,23 +57,28 @@ struct ChainMode {
 using ChainResponse = std::vector<std::complex<double>>;
 
 /// Angles per torque on one inertia at a frequency (DY-6) [rad/(N*m)].
-/// @param loaded     index of the inertia on which the torque acts
-/// @param frequency  [Hz]; > 0
-/// @param held       as in `chain_modes`
+/// @param chain        as in `chain_modes`
+/// @param loaded       index of the inertia on which the torque acts; it is not held
+/// @param frequency    [Hz]; > 0
+/// @param held         as in `chain_modes`
 /// @throws InputError  as `chain_modes`, or if the response is infinite: an undamped resonance
 [[nodiscard]] ChainResponse torque_response(const TorsionalChain& chain, std::size_t loaded,
                                             double frequency,
                                             std::span<const std::size_t> held = {});
 
 /// Angles per error of the twist of one spring, such as a kinematic error (DY-7) [-].
-/// @param spring  index of the spring whose twist is g theta plus the error
+/// @param chain      as in `chain_modes`
+/// @param spring     index of the spring whose twist is g theta plus the error
+/// @param frequency  [Hz]; > 0
+/// @param held       as in `chain_modes`
 [[nodiscard]] ChainResponse twist_response(const TorsionalChain& chain, std::size_t spring,
                                            double frequency,
                                            std::span<const std::size_t> held = {});
 
 /// Speed of a shaft at which an excitation with `order` periods in each of its turns meets a
 /// frequency (DY-8) [rad/s].
-/// @param order  [-]; > 0
+/// @param frequency  [Hz]; >= 0
+/// @param order      [-]; > 0
 [[nodiscard]] double critical_speed(double frequency, double order);
 
 }  // namespace strainwave

@@ -39,9 +39,11 @@ struct ConstantAmplitudeGrowth {
 /// the two sizes by steps of equal ratio and bisection, and wherever the quadrature meets a crack
 /// that does not grow.  An end that lies between all these sizes is not seen.
 ///
+/// @param law          of the growth rate
 /// @param cycle_at     callable: size a [m] -> TipCycle; about `steps` and 100 calls
 /// @param from         first size [m]; > 0
 /// @param to           last size [m]; > from
+/// @param limits       threshold and toughness beside those of the law; {}: none
 /// @param tolerance    of the cycles, relative [-]
 /// @param steps        of the search for an early end [-]; >= 1
 /// @throws InputError  if a size, a limit or a constant of the law is out of range

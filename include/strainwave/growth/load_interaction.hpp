@@ -27,7 +27,12 @@ struct Overload {
 };
 
 /// Wheeler's factor of the growth rate behind an overload (GR-18) [-]; from 0 to 1.
-/// @param exponent  gamma [-]; >= 0.  0: no retardation
+/// @param zone        law of the zones of overload and cycle
+/// @param overload    the one that governs: its K_max >= 0 and its size > 0
+/// @param crack_size  a [m]; at least the size at the overload
+/// @param largest     K_max of the cycle [Pa*m^0.5]; >= 0
+/// @param exponent    gamma [-]; >= 0.  0: no retardation
+/// @throws InputError  if one of these numbers is out of its range
 [[nodiscard]] double wheeler_factor(const PlasticZone& zone, const Overload& overload,
                                     double crack_size, double largest, double exponent);
 

@@ -43,6 +43,7 @@ class ReversalFinder {
   using Found = std::array<Reversal, kBlock>;  ///< room for the reversals of one block
 
   /// Takes the next kBlock values of a piece, or the rest of the piece if it is shorter.
+  /// @param piece  values of the history, in any one unit
   /// @param from   how many values of the piece were taken before
   /// @param found  receives the reversals that these values end
   /// @return       number of these reversals
@@ -86,6 +87,7 @@ class ReversalFinder {
 class RainflowCounter {
  public:
   /// @param values       the next piece, in any one unit
+  /// @param sink         receives each cycle that these values close
   /// @throws InputError  if a value is not finite; the message counts the values from 1
   template <class Sink>
   void add(std::span<const double> values, Sink&& sink) {

@@ -172,6 +172,7 @@ class PreparedNasgro {
   /// Delta K_th, full range [Pa*m^0.5].
   ///
   /// Below R = -2, where the opening has no further data, K_max at the threshold stays.
+  /// @param ratio       R [-]; < 1
   /// @param crack_size  a [m]; > 0
   [[nodiscard]] double threshold(double ratio, double crack_size) const {
     return threshold_of(ratio, law_.closure.opening(ratio, A0_), crack_size);

@@ -9,7 +9,8 @@ namespace strainwave {
 ///
 /// The result differs from std::pow by rounding only, 4e-16 relative; std::pow takes five times as
 /// long.
-/// @param base  >= 0
+/// @param base      [-]; >= 0
+/// @param exponent  [-]; any number
 [[nodiscard]] inline double power(double base, double exponent) {
   if (exponent == 0.25) return std::sqrt(std::sqrt(base));
   if (exponent == 0.5) return std::sqrt(base);

@@ -58,8 +58,10 @@ struct GrowthLimits {
 /// K is not above the threshold of the law or that of the limits, or if K_max <= 0.  Its rate is
 /// then exactly 0.
 ///
-/// @param crack_size   a [m]; > 0
 /// @param law          its constants are in range (require_constants)
+/// @param cycle        K_max of any sign [Pa*m^0.5]; R < 1 where K_max > 0
+/// @param crack_size   a [m]; > 0
+/// @param limits       threshold and toughness beside those of the law; {}: none
 /// @throws InputError  if R >= 1 although K_max > 0, if a <= 0, if a limit is out of range, or if a
 ///                     number is not finite
 [[nodiscard]] GrowthRate growth_rate(const PreparedLaw& law, const TipCycle& cycle,
@@ -73,6 +75,7 @@ void require_constants(const RateLaw& law);
 
 /// The law for a crack through the thickness: a law that states its toughness over the thickness
 /// takes that toughness (GR-11); any other law stays.
+/// @param law             with the toughness over the thickness or without it
 /// @param thickness       t [m]; > 0
 /// @param yield_strength  [Pa]; > 0; absent: not known
 /// @throws InputError     if the law needs the yield strength and it is absent

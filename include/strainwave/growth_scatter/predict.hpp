@@ -18,8 +18,9 @@ namespace strainwave {
 /// differ by their records only.
 class GrowthDraws {
  public:
-  /// @param draws  at least 2
+  /// @param draws  number of draws; the caller gives at least 2
   /// @param steps  most steps of a specimen
+  /// @param seed   the same seed gives the same numbers
   GrowthDraws(std::size_t draws, std::size_t steps, std::uint64_t seed);
 
   /// Number of draws.
@@ -47,14 +48,16 @@ class GrowthDraws {
 /// part.  A filter takes the steps of the record up to `known` into account; the rest is drawn.
 /// Implements theory manual eqs. (GS-6), (GS-10).  The parameters of the scatter are taken as
 /// exact.
+/// @param fit       median rate and scatter
 /// @param specimen  gives the steps; its cycles are used up to `known` only
 /// @param known     size up to which the record is known [m]; absent: nothing is
-/// @param from      size from which cycles are counted [m]; not smaller than `known`
+/// @param from      size from which cycles are counted [m]; the caller gives at least `known`
 /// @param sizes     sizes whose cycles are drawn [m]
 /// @param draws     for at least as many steps as the specimen has
 /// @return          drawn cycles of each size, then of each draw [-]; empty for a size that lies
 ///                  before `from` or outside of the record
-/// @throws InputError  if `from` is not inside of the record, or it has more steps than `draws`
+/// @throws InputError  if `from` is not inside of the record, the record is known to its end, or it
+///                     has more steps than `draws`
 [[nodiscard]] std::vector<std::vector<double>> draw_growth(const GrowthFit& fit,
                                                            const GrowthSpecimen& specimen,
                                                            std::optional<double> known, double from,

@@ -114,7 +114,8 @@ class GrowthData {
   /// Logarithm of the likelihood, by a filter along each record.
   ///
   /// Implements theory manual eqs. (GS-5) to (GS-7); takes time in proportion to the steps.
-  /// @param mean  its knots and pivot are used; its rates are not
+  /// @param mean        its knots and pivot are used; its rates are not
+  /// @param parameters  of either sign; wander or white is not 0
   /// @throws SolverError  if the parameters allow no scatter, so that no record is possible
   [[nodiscard]] GrowthLikelihood likelihood(const MeanGrowth& mean,
                                             const ScatterParameters& parameters) const;

@@ -34,7 +34,8 @@ struct PlateTest {
 /// [Pa*sqrt(m)].
 ///
 /// Implements theory manual eq. (GS-1).
-/// @param a  half length [m]; > 0, < W/2
+/// @param test  range of the stress and width of the plate
+/// @param a     half length [m]; > 0, < W/2
 [[nodiscard]] double plate_range(const PlateTest& test, double a);
 
 /// Checks a record and gives each step the range at its middle.
@@ -44,6 +45,9 @@ struct PlateTest {
                                          std::vector<double> cycles, const PlateTest& test);
 
 /// As above, with measured ranges: each step takes the geometric mean of its ends.
+/// @param name    of the specimen, for messages and results
+/// @param sizes   a [m]; > 0; at least two, each larger than the one before
+/// @param cycles  N [-]; as many, each larger than the one before
 /// @param ranges  Delta K at each size [Pa*sqrt(m)]; > 0
 [[nodiscard]] GrowthSpecimen specimen_of(std::string name, std::vector<double> sizes,
                                          std::vector<double> cycles,

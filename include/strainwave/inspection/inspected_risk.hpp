@@ -30,6 +30,7 @@ struct EnumNames<DetectionForm> {
 /// Probability that one inspection finds a crack.
 class DetectionCurve {
  public:
+  /// @param form    of the curve over the size
   /// @param half    size that is found in half of the inspections, a50 [m]; > 0
   /// @param ninety  size that is found in nine of ten, a90 [m]; > half
   /// @throws InputError  if a size is not positive, or detection would fall with the size
@@ -56,7 +57,9 @@ struct DrawnPart {
   /// Size of a crack at a time [m]; its logarithm is linear between two times.
   [[nodiscard]] double size_at(std::size_t crack, double time) const;
   /// Probability that one inspection at a time finds at least one crack (IR-2).
-  /// @param seen  whether an inspection can see each crack, shape (cracks)
+  /// @param time   of the inspection [s]
+  /// @param curve  of detection
+  /// @param seen   whether an inspection can see each crack, shape (cracks)
   [[nodiscard]] double found_at(double time, const DetectionCurve& curve,
                                 const std::vector<bool>& seen) const;
 };
@@ -78,7 +81,11 @@ struct RiskEstimate {
 /// The limits are those of Fay and Feuer for a weighted sum of rare events.  The upper one assumes
 /// that a further part may fail before all inspections, so it does not fall below 3.69 over the
 /// number of parts, or is the limit without inspections where that is lower.
+/// @param parts        at least one
+/// @param until        end of the time at risk [s]
 /// @param inspections  times [s], ascending
+/// @param curve        of detection
+/// @param seen         as in DrawnPart::found_at
 [[nodiscard]] RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                                           std::span<const double> inspections,
                                           const DetectionCurve& curve,
@@ -96,7 +103,12 @@ struct InspectionPlan {
 
 /// The fewest inspections at equal intervals whose risk is at most `wanted`; theory manual eq.
 /// (IR-5).
-/// @param most  largest number of inspections
+/// @param parts   at least one
+/// @param until   end of the time at risk [s]; > 0
+/// @param wanted  largest allowed risk [-]
+/// @param most    largest number of inspections
+/// @param curve   of detection
+/// @param seen    as in DrawnPart::found_at
 [[nodiscard]] InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until,
                                         double wanted, std::size_t most,
                                         const DetectionCurve& curve, const std::vector<bool>& seen);

@@ -44,7 +44,8 @@ class Attachments {
   /// Texts that are given in advance.
   explicit Attachments(Texts texts);
   /// Texts that are looked up on request.
-  /// @param open  empty: all texts come from `lookup` and are at most kMaxTextSize long
+  /// @param lookup  returns the text of a name; empty: `text` finds none
+  /// @param open    empty: all texts come from `lookup` and are at most kMaxTextSize long
   explicit Attachments(Lookup lookup, Open open = {})
       : lookup_(std::move(lookup)), open_(std::move(open)) {}
 
@@ -77,7 +78,8 @@ class Attachments {
 
 /// Reads the first bytes of a stream, at most kMaxTextSize + 1.  One byte more than the limit shows
 /// the caller that the text is too long.
-/// @param name  name of the stream in messages
+/// @param stream  stream to read, from its present place
+/// @param name    name of the stream in messages
 /// @throws InputError  if the stream cannot be read
 [[nodiscard]] std::string read_text(std::istream& stream, std::string_view name);
 

@@ -83,6 +83,7 @@ struct TableFile {
 /// An unfinished table over one axis is read as a table with a shorter range.  Over several axes,
 /// the grid must be complete.
 ///
+/// @param text  content of the file
 /// @param name  name of the table as the drive gives it
 /// @throws InputError  if the text is not a table of this format; if a point is missing, occurs
 ///                     twice or is not usable; if an axis has fewer than kMinTableNodes nodes

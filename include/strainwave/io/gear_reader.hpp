@@ -26,6 +26,7 @@ namespace strainwave {
                                     const Attachments& attachments = {});
 
 /// Adds the place in the text of a drive to a fault that a computation finds in the drive.
+/// @param fault      fault of the drive, with the path of a field if it concerns one
 /// @param text       text that read_gear_set has read
 /// @param file_name  for messages
 /// @return           the unchanged fault if it already has a place, names no field of a drive, or

@@ -32,7 +32,8 @@ struct HistoryColumn {
 class HistoryFile {
  public:
   /// Reads the names of the columns.
-  /// @param name  name of the file in messages
+  /// @param pieces  content of the file: CSV text in UTF-8
+  /// @param name    name of the file in messages
   /// @throws InputError  if the file is empty, holds other bytes than text, or cannot be read
   HistoryFile(TextPieces pieces, std::string name);
   ~HistoryFile();
@@ -70,8 +71,10 @@ class HistoryFile {
   [[nodiscard]] const std::vector<std::vector<double>>& read(std::span<const std::size_t> wanted,
                                                              std::size_t most = 4096);
   /// Refuses a value of the last block.
-  /// @param row      number of the row in the block
-  /// @param column   number of the column
+  /// @param row      number of the row in the block, from 0
+  /// @param column   number of the column, from 0
+  /// @param value    the value that is refused, in the unit of the file
+  /// @param rule     rule that the value violates: "> 0"
   [[noreturn]] void refuse(std::size_t row, std::size_t column, double value,
                            std::string_view rule) const;
   /// Rows that were read so far.

@@ -30,6 +30,7 @@ inline constexpr std::size_t kMaxTurnRows = 500'000;
 [[nodiscard]] TurnTable read_turn_table(HistoryFile& file);
 
 /// Writes a table of K over a turn, as read_turn_table reads it.
+/// @param table    K over a turn; its conditions and `unusable_because` become remarks
 /// @param remarks  sentences at its head, one a line
 [[nodiscard]] std::string turn_table_text(const TurnTable& table,
                                           const std::vector<std::string>& remarks);

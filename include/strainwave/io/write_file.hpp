@@ -21,6 +21,7 @@ class WaitingFile {
  public:
   /// Writes the text to the temporary file; no other file changes.
   /// @param path  path of the file to create, or to replace with its permissions kept
+  /// @param text  whole content of the file
   /// @throws Error  if the text cannot be written; the temporary file is then removed
   WaitingFile(const std::filesystem::path& path, std::string_view text);
   ~WaitingFile();
@@ -43,7 +44,9 @@ class WaitingFile {
 void require_open_end(const std::filesystem::path& path);
 
 /// Writes a text to an open descriptor.
-/// @param name  for messages
+/// @param descriptor  open for writing; stays open
+/// @param name        for messages
+/// @param text        text to write
 /// @throws Error    if the text cannot be written completely
 /// @throws Stopped  if a signal comes while the function waits
 void write_to(int descriptor, std::string_view name, std::string_view text);

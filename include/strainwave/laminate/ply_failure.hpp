@@ -56,6 +56,7 @@ struct PlyFace {
 /// Computes the stress of both faces of each ply; theory manual eq. (LA-11).
 /// @param plies      from the inner face of the wall to the outer one
 /// @param thickness  of the wall [m]
+/// @param loads      torque, axial force and curvature of the tube, and its mean radius
 /// @return           two faces for each ply, the inner one first
 [[nodiscard]] std::vector<PlyFace> ply_stresses(std::span<const LaminatePly<double>> plies,
                                                 double thickness, const TubeLoads& loads);

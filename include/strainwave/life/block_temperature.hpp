@@ -21,6 +21,7 @@ struct UnstatedTemperature {
 /// Nothing else depends on the temperature of a block: the constants hold at their own temperature,
 /// and no rule is known that carries them to another one.
 ///
+/// @param duty       its blocks count; a block without a temperature is passed over
 /// @param constants  in words, with their origin: "the constants of fatigue of steel"
 /// @param stated     temperatures for which the constants are stated [K]; absent: not stated
 [[nodiscard]] std::optional<UnstatedTemperature> unstated_temperature(

@@ -73,7 +73,8 @@ struct CriticalPlane {
 ///
 /// Implements theory manual eqs. (LI-35), (LI-36).  For pure shear the utilisation is exact, for
 /// one normal stress it is 6 % too high.
-/// @param waves  at least one, each with at least one state
+/// @param waves     at least one, each with at least one state
+/// @param strength  what the point endures: limits [Pa], > 0, and sensitivities [-], 0 <= M < 1
 /// @throws InputError  if a number is out of range
 [[nodiscard]] CriticalPlane critical_plane(std::span<const WaveStates> waves,
                                            const PlaneStrength& strength);
@@ -81,8 +82,10 @@ struct CriticalPlane {
 /// Damage of a repetition of a duty, on the plane with the most damage (LI-37) [-].
 /// @param waves        the stresses at each torque
 /// @param cycles       of the waves and between them
+/// @param strength     as in critical_plane; `normal` is the amplitude at the knee of the line
 /// @param knee_cycles  cycles at the endurance limit [-]; > 0
 /// @param slope        k of the line above it [-]; >= 1
+/// @param rule         the line below the knee
 /// @throws InputError  if a number is out of range
 [[nodiscard]] double plane_damage(std::span<const WaveStates> waves,
                                   std::span<const WaveCycles> cycles, const PlaneStrength& strength,
@@ -95,6 +98,7 @@ struct HandbookStress {
   double shear_mean = 0.0;         ///< mean shear stress [Pa]; >= 0
 };
 /// Safety of bending and torsion by the handbooks of these drives (LI-38) [-].
+/// @param stress          at the point [Pa]; each >= 0
 /// @param strength        of the part, so that K_sigma and K_tau are contained
 /// @param specimen_shear  tau_-1 of a smooth specimen [Pa]; > 0
 /// @return  absent if there is no stress

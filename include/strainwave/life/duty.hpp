@@ -8,7 +8,9 @@
 namespace strainwave {
 
 /// Speed of the output of a block or a peak, with sign [rad/s].
+/// @param of           the block or the peak, with exactly one of its two speeds [rad/s]
 /// @param ratio        i_h [-]; > 0
+/// @param fixed        the member that does not turn
 /// @throws InputError  if not exactly one of its two speeds is given, or it is not finite
 /// @{
 [[nodiscard]] double output_speed(const DutyBlock& of, double ratio, FixedMember fixed);
@@ -33,7 +35,9 @@ struct DutyAverage {
 };
 
 /// Implements theory manual eq. (LI-1).
+/// @param steps        in any order; at least one moves
 /// @param ratio        i_h [-]; > 0
+/// @param fixed        the member that does not turn
 /// @throws InputError  if a duration is negative, a number is not finite, or nothing moves
 [[nodiscard]] DutyAverage duty_average(std::span<const DutyStep> steps, double ratio,
                                        FixedMember fixed = FixedMember::circular_spline);

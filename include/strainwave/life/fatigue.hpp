@@ -37,7 +37,9 @@ struct WoehlerLine {
 };
 
 /// Damage of one cycle, 1/N (LI-8) [-].
+/// @param line         its knee and its slope above the knee
 /// @param amplitude    at R = -1 [Pa]; >= 0
+/// @param rule         the line below the knee
 /// @throws InputError  if a number is out of range
 [[nodiscard]] double damage_per_cycle(const WoehlerLine& line, double amplitude, MinerRule rule);
 

@@ -14,6 +14,7 @@ struct SlidingStep {
 
 /// Depth of wear of a pair of flanks by Archard, spread evenly over the engaged flank (LI-44) [m].
 /// @param coefficient  k_w, depth per pressure and way [1/Pa]; > 0
+/// @param way          parts of the way, whose depths add up; shape (n parts)
 /// @throws InputError  if a number is out of range
 [[nodiscard]] double wear_depth(double coefficient, std::span<const SlidingStep> way);
 

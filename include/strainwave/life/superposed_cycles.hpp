@@ -50,12 +50,15 @@ struct StepCycle {
 ///
 /// Cycles come in the order in which they close.  Equal oscillations within a step are one entry.
 ///
-/// @param steps  in their order
+/// @param steps    in their order
+/// @param residue  what counts of the ranges that stay open at the end
 /// @throws InputError  if a number is not finite, or the cycles of a step are negative
 [[nodiscard]] std::vector<StepCycle> superposed_cycles(std::span<const OscillatingStep> steps,
                                                        Residue residue);
 /// The same, without a list of all cycles.
-/// @param sink  receives the cycles
+/// @param steps    in their order
+/// @param residue  what counts of the ranges that stay open at the end
+/// @param sink     receives the cycles
 void superposed_cycles(std::span<const OscillatingStep> steps, Residue residue,
                        const std::function<void(const StepCycle&)>& sink);
 

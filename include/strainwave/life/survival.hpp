@@ -26,6 +26,7 @@ struct WeibullLife {
 /// Life of the wave generator's bearing by the maker's rule (LI-3) [s].
 /// @param rated_life    L_n at rated torque and 2000 rpm; L10 or L50 [s]; > 0
 /// @param rated_torque  T_N [N*m]; > 0
+/// @param duty          T_av [N*m] and n_in,av [rad/s] of the duty, both > 0
 /// @throws InputError   if a number is out of range
 [[nodiscard]] double bearing_life(double rated_life, double rated_torque, const DutyAverage& duty);
 

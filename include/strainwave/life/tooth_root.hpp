@@ -12,6 +12,7 @@ struct RootSection {
 };
 
 /// Nominal bending stress of the root, 6 F h/(b s_F^2), times Y_S (LI-41) [Pa].
+/// @param root   section of the tooth, each dimension > 0 [m]
 /// @param force  across the tooth, at the lever [N]
 /// @throws InputError  if a dimension is out of range
 [[nodiscard]] double root_bending_stress(const RootSection& root, double force);

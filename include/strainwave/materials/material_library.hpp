@@ -43,6 +43,7 @@ struct MaterialLibrary {
 
 /// Reads and checks a file of materials.
 ///
+/// @param text         content of the file: TOML of the format kMaterialFormat
 /// @param file_name    name of the file in messages
 /// @throws InputError  if the file breaks a rule; the message names file, line, column, field,
 ///                     value and rule

@@ -74,8 +74,11 @@ struct OpenCompliance {
   double by_output = 0.0;  ///< dLambda/dtheta_L [1/(N*m)]
   double by_time = 0.0;    ///< dLambda/dt at constant angles, behind the time [rad/(N*m*s)]
 };
-/// @param torque_sign  sign of the elastic torque: +1 or -1
-/// @param time         of the cracks that grow [s]
+/// @param cracks        all cracks; with numbers in their range (require_constants)
+/// @param torque_sign   sign of the elastic torque: +1 or -1
+/// @param input_angle   theta_m [rad]
+/// @param output_angle  theta_L [rad]
+/// @param time          of the cracks that grow [s]
 [[nodiscard]] OpenCompliance open_compliance(const std::vector<BreathingCrack>& cracks,
                                              double torque_sign, double input_angle,
                                              double output_angle, double time = 0.0);

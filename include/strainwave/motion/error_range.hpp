@@ -22,6 +22,7 @@ struct AngleRange {
 ///
 /// If all orders are whole numbers, one turn of the input has the whole range.  Extrema are found
 /// to rounding: 64 points in each period of the highest order bracket them.
+/// @param error  with numbers in their range (require_constants)
 /// @param turns  of the input [-]; > 0 and such that the error has at most a million periods
 /// @throws InputError  if a number is out of range
 [[nodiscard]] AngleRange error_range(const KinematicError& error, double turns);

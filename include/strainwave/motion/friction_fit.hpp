@@ -102,8 +102,9 @@ struct FrictionFit {
 
 /// The four values of a friction by the formulas (MO-41) to (MO-43), in the order of
 /// FrictionQuantity.  The back-driving torque is infinite if the drive locks itself.
-/// @param ratio    turns of the input per turn of the output [-]; its magnitude counts
-/// @param targets  for the speed and the torque of the efficiency
+/// @param friction  with numbers in their range (require_constants)
+/// @param ratio     turns of the input per turn of the output [-]; not 0; its magnitude counts
+/// @param targets   for the speed and the torque of the efficiency
 [[nodiscard]] std::vector<double> four_values(const LuGre& friction, double ratio,
                                               const FrictionTargets& targets);
 

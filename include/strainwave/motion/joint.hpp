@@ -149,7 +149,9 @@ struct ServoTorque {
 /// The asked torque less what the supply voltage allows at this speed (MO-57) [N*m]; <= 0 within
 /// it; that of the last sample if the controller takes samples.
 [[nodiscard]] double voltage_excess(const ServoDrive& drive, double time, const JointState& state);
-/// @param time  [s]; @param state  of the joint
+/// @param drive  controller with its motor, wanted speed and holding torque
+/// @param time   [s]
+/// @param state  of the joint
 [[nodiscard]] ServoTorque servo_torque(const ServoDrive& drive, double time,
                                        const JointState& state);
 /// The state behind a sample of the controller: its integral and its torque are new.
@@ -171,19 +173,24 @@ struct ServoTorque {
 /// What the contacts remember of a state: of the path on which its own memory was taken and from
 /// there on, or, without a memory, that there is no friction yet.
 /// @param joint   with loops
+/// @param state   with a memory of the loops or without one
 /// @param torque  T_el of the state [N*m]
 [[nodiscard]] LoopMemory loops_after(const Joint& joint, const JointState& state, double torque);
 /// Kinetic, elastic and gravity energy of a joint [J]; (MO-12).
-/// @param time  of the cracks that grow [s]
+/// @param joint  with numbers in their range (require_constants)
+/// @param state  of the joint
+/// @param time   of the cracks that grow [s]
 [[nodiscard]] double stored_energy(const Joint& joint, const JointState& state, double time = 0.0);
 
 /// Times at which the slope of a given profile jumps, and the end of a motion, rising [s].
+/// @param joint     with the profiles of its input, output and growing cracks
 /// @param duration  of the motion [s]; > 0
 [[nodiscard]] std::vector<double> corner_times(const Joint& joint, double duration);
 
 /// Why a motion ends at an elastic torque, because the table of the joint does not contain it;
 /// empty if the table contains it or if there is none.
-/// @param torque  [N*m]
+/// @param joint   with a table or without one
+/// @param torque  T_el [N*m]
 [[nodiscard]] std::string beyond_table(const Joint& joint, double torque);
 
 /// Periods of the fastest excitation of a joint in a turn of its input [-].

@@ -98,7 +98,9 @@ struct SlipState {
 /// Elements that bear no torque at a twist [rad].
 [[nodiscard]] SlipState relaxed(const std::vector<SlipElement>& elements, double twist);
 /// The state after a monotonic change of the twist, exact (MO-44).
-/// @param twist  where the change ends [rad]
+/// @param elements  with numbers in their range
+/// @param state     where the change begins; one torque for each element
+/// @param twist     where the change ends [rad]
 [[nodiscard]] SlipState slip_after(const std::vector<SlipElement>& elements, const SlipState& state,
                                    double twist);
 /// The torque of all elements after a monotonic change of the twist (MO-44) [N*m].
@@ -109,6 +111,9 @@ struct SlipState {
                                  double twist);
 /// Power that the elements lose after a monotonic change of the twist, if they slip at its
 /// beginning already (MO-45) [W].  A change must therefore end where an element begins to slip.
+/// @param elements    with numbers in their range
+/// @param state       where the change begins; one torque for each element
+/// @param twist       where the change ends [rad]
 /// @param twist_rate  of the twist, to the side of the change [rad/s]
 [[nodiscard]] double slip_loss(const std::vector<SlipElement>& elements, const SlipState& state,
                                double twist, double twist_rate);
@@ -141,7 +146,8 @@ struct LuGre {
   /// Whether the friction depends on the load.
   [[nodiscard]] bool by_load() const { return load_coulomb > 0 || load_breakaway.value_or(0) > 0; }
   /// g, the torque of the bristles at constant speed (MO-40) [N*m].
-  /// @param load  L, torque on the load over the ratio [N*m]; >= 0
+  /// @param speed  w [rad/s]; either sign
+  /// @param load   L, torque on the load over the ratio [N*m]; >= 0
   [[nodiscard]] double sliding(double speed, double load = 0.0) const;
   /// The friction at one state.
   struct At {
@@ -222,7 +228,8 @@ struct LuGre {
 void require_constants(const BoucWen& model);
 /// The same for each of the elements.
 void require_constants(const std::vector<SlipElement>& elements);
-/// @param at  path of the friction in messages
+/// @param model  the friction
+/// @param at     its path in messages
 void require_constants(const LuGre& model, const FieldPath& at = FieldPath("friction"));
 
 }  // namespace strainwave

@@ -21,7 +21,8 @@ struct Profile {
 
 /// Throws InputError, which names the number, unless the profile has as many finite values as
 /// rising times.
-/// @param name  of the profile
+/// @param profile  to be checked
+/// @param name     of the profile in messages
 void require_constants(const Profile& profile, const std::string& name);
 
 }  // namespace strainwave

@@ -107,6 +107,7 @@ struct Servo {
 /// Throws InputError, which names the constant, unless each constant is in its range.  A controller
 /// that takes samples must sample faster than its own times, and faster than it can brake the
 /// input within one sample.
+/// @param servo          controller and motor
 /// @param input_inertia  J_m [kg*m^2]; > 0
 /// @param at             path of the controller in messages
 void require_constants(const Servo& servo, double input_inertia,

@@ -65,6 +65,7 @@ struct CubicSpring {
 using Spring = std::variant<LinearSpring, CatalogueSpring, CubicSpring>;
 
 /// Torque at a twist of the spring and a compliance together (MO-1).
+/// @param spring      with constants in their range (require_constants)
 /// @param twist       phi [rad]
 /// @param compliance  Lambda of the open cracks in series [rad/(N*m)]; >= 0
 [[nodiscard]] SpringState in_series(const Spring& spring, double twist, double compliance);

@@ -90,7 +90,10 @@ class TwistLoops {
   [[nodiscard]] double margin(const LoopMemory& memory, const Path& path, double torque) const;
 
   /// The memory after a path.
-  /// @param torque  T at the end [N*m]; @param input_angle  theta_m there [rad]
+  /// @param memory       where the path begins
+  /// @param path         from there on
+  /// @param torque       T at the end [N*m]
+  /// @param input_angle  theta_m there [rad]
   [[nodiscard]] LoopMemory after(const LoopMemory& memory, const Path& path, double torque,
                                  double input_angle) const;
   /// How a state goes on.
@@ -101,6 +104,8 @@ class TwistLoops {
   };
   /// By how much an element at a bound would move outward faster than this bound; the least of all
   /// that stay there, but at most 1 [rad/s]; 1 if there is none.
+  /// @param memory  of this state
+  /// @param rates   of this state
   /// @param torque  T [N*m]
   [[nodiscard]] double hold_margin(const LoopMemory& memory, const Rates& rates,
                                    double torque) const;
@@ -112,7 +117,9 @@ class TwistLoops {
   };
   /// Decides which elements within a distance of their bound stay there, and moves the others out
   /// of this distance.
-  /// @param within  [rad]; > 0
+  /// @param memory  taken at this state; receives the elements as decided
+  /// @param rates   with which this state goes on
+  /// @param within  this distance [rad]; > 0
   /// @param step    in which elements may have left their bound already; absent: none did
   /// @return whether an element changed
   [[nodiscard]] bool hold(LoopMemory& memory, const Rates& rates, double within,

@@ -86,19 +86,24 @@ struct OvalShell {
   std::vector<ShellPlace> places;
 
   /// Stress at a place, eq. (CU-4).
+  /// @param place      of this shell, from `places`, `part` or `at`
   /// @param zeta       from -1 at the inner face to 1 at the outer face
   /// @param from_lobe  angle from a lobe toward +theta [rad]
   /// @param torque     T [N*m], in the sense of +theta on the rim
   [[nodiscard]] WallStress stress(const ShellPlace& place, double zeta, double from_lobe,
                                   double torque) const;
   /// Stress at a place of the barrel.
-  /// @param z  [m], from 0 to the length of the barrel
+  /// @param z          [m], from 0 to the length of the barrel
+  /// @param zeta       from -1 at the inner face to 1 at the outer face
+  /// @param from_lobe  angle from a lobe toward +theta [rad]
+  /// @param torque     T [N*m], in the sense of +theta on the rim
   /// @throws InputError  for a place outside of the barrel
   [[nodiscard]] WallStress stress(double z, double zeta, double from_lobe, double torque) const;
   /// The places of a part.
   [[nodiscard]] std::span<const ShellPlace> part(WallPart part) const;
   /// A place of a part, interpolated.
-  /// @param at  z, or the radius if the part is the diaphragm [m]
+  /// @param part  barrel; also rim or diaphragm if the shell has the whole meridian
+  /// @param at    z, or the radius if the part is the diaphragm [m]; within `ShellCup::ends`
   /// @throws InputError  for a place outside of the part
   [[nodiscard]] ShellPlace at(WallPart part, double at) const;
   /// A place of the barrel.

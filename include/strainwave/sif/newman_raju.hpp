@@ -41,6 +41,7 @@ class BasicNewmanRaju {
   [[nodiscard]] FrontMeans front_means(const QuadratureOptions& options) const;
   /// Square root of the mean of the squares of `factor` along the front [-].
   /// @param depth_ratio  alpha = a/t [-]
+  /// @param means        from front_means of this object [-]
   [[nodiscard]] Real root_mean_square(const Real& depth_ratio, const FrontMeans& means) const;
 
   /// H, the ratio of K in bending to K in tension for the same surface stress [-]; (SP-3).

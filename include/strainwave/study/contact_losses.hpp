@@ -58,7 +58,8 @@ struct DriveContacts {
 /// Implements theory manual eqs. (MO-52) to (MO-54), from (TC-16), (TC-33) and (TC-34).
 ///
 /// The drive is sound: its cracks change the loops by less than the model knows them.
-/// @param gear  with a drivetrain that asks for `contact_friction`
+/// @param gear      with a drivetrain that asks for `contact_friction`
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the file lacks an input of the coupled drive
 /// @throws SolverError  if the coupled drive does not bear the largest torque of the loops
 /// @throws Stopped      if the caller requests a stop

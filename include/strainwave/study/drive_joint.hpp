@@ -43,8 +43,10 @@ struct DriveJoint {
 /// wave generator moves with the motor, and the gear's own inertias with the load.
 /// @throws InputError   if the drive has no drivetrain
 /// @throws SolverError  if a compliance is not usable
-/// @param spring  in place of `drivetrain.spring`
-/// @param curve   makes the computed curve
+/// @param gear      with a drivetrain; is checked
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
+/// @param spring    in place of `drivetrain.spring`; absent: that of the drivetrain
+/// @param curve     makes the computed curve
 [[nodiscard]] DriveJoint drive_joint(const GearSet& gear, const Progress& progress = {},
                                      std::optional<RestoringTorque> spring = {},
                                      const CurveSource& curve = computed_curve);

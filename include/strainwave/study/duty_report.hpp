@@ -212,7 +212,8 @@ struct HistoryCountOptions {
                                        const Progress& progress = {});
 
 /// What each place of a drive bears in one repetition of its duty.
-/// @param classes  of the torque cycles; absent: exact rows
+/// @param gear     the drive, with a duty
+/// @param classes  of the cycles of the torque and of the places; absent: exact rows
 /// @throws InputError  on the same conditions as duty_history
 [[nodiscard]] DutyReport duty_report(const GearSet& gear, std::optional<int> classes = {});
 

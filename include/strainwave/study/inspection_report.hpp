@@ -227,7 +227,9 @@ struct InspectionReport {
 ///
 /// Implements theory manual eqs. (IR-1) to (IR-8).  Draws depend on seed, number and input alone,
 /// and are summed in their order, so the bits are the same for any number of threads.
-/// @param gear  has passed `check`, with cracks, a duty and [[scatter]]
+/// @param gear      has passed `check`, with cracks, a duty and [[scatter]]
+/// @param options   end of service, inspections and draws; `draws` 20 to 1 000 000
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError  if something of this is missing, or an option is out of range
 [[nodiscard]] InspectionReport inspection_report(const GearSet& gear,
                                                  const InspectionOptions& options,

@@ -333,7 +333,9 @@ struct ModesReport {
 /// With the torsion curve the report has each mode over torques of both senses too, up to the
 /// repeated peak of the maker, else up to the rated torque, and at least up to the torque itself.
 /// The modes of the sound drive are followed from torque to torque by their shapes (DY-11).
-/// @param torque  T at the output [N*m]; absent: that of the load
+/// @param gear      the drive, with a drivetrain
+/// @param torque    T at the output [N*m]; absent: that of the load
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the drive has no drivetrain, or no compliance
 /// @throws SolverError  if the coupled drive has no equilibrium at the torque
 [[nodiscard]] ModesReport modes_report(const GearSet& gear, std::optional<double> torque = {},
@@ -343,7 +345,10 @@ struct ModesReport {
 ///
 /// The springs are taken at the torque of the report.  The mode is followed from row to row by its
 /// shape (DY-11).
-/// @param points  largest number of rows [-]; >= 2
+/// @param report    of modes_report for the same drive; takes the rows, notes and equations
+/// @param gear      the drive, with a drivetrain and a duty
+/// @param points    largest number of rows [-]; >= 2
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the duty or the law of growth of a crack is missing
 /// @throws SolverError  if a drive with grown cracks has no equilibrium at the torque
 void add_modes_over_growth(ModesReport& report, const GearSet& gear, int points = 25,

@@ -14,6 +14,8 @@ namespace strainwave {
                                                    std::string_view path);
 
 /// Throws an InputError that an output does not exist; the message names near outputs.
+/// @param result  its outputs are the known ones
+/// @param path    the name that none of them has
 /// @param option  option that names the output, for the message
 [[noreturn]] void refuse_output(const StiffnessResult& result, std::string_view path,
                                 std::string_view option);

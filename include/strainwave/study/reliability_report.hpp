@@ -195,6 +195,7 @@ struct ReliabilitySettings {
                                                const Progress& progress = {});
 
 /// Reads requirements on the outputs of a drive.
+/// @param gear   the drive; evaluated for its outputs and their units
 /// @param texts  as in `require_outputs`
 /// @throws InputError  if there is none, a text cannot be read, or does not name an output
 [[nodiscard]] std::vector<Requirement> requirements_on(const GearSet& gear,

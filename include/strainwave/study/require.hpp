@@ -93,6 +93,7 @@ struct RequirementReport {
 
 /// Reads a requirement, "OUTPUT OP VALUE".
 /// @param result  has the output
+/// @param text    as in `require_outputs`
 /// @param option  that gives the text, for messages
 /// @throws InputError  if the text cannot be read, or does not name an output of the result
 [[nodiscard]] Requirement parse_requirement(const StiffnessResult& result, std::string_view text,
@@ -109,6 +110,7 @@ struct RequirementReport {
 /// compares.  The combined answer is `not met` if one requirement is not met, and `met` if all are
 /// met.
 ///
+/// @param result    has the outputs
 /// @param texts     "OUTPUT OP VALUE" where OP is one of >=, >, <=, < and VALUE has a unit:
 ///                  "curve.positive.K2 >= 4e4 N*m/rad"
 /// @param coverage  k, number of standard uncertainties taken into account [-]; > 0

@@ -148,7 +148,10 @@ struct SensitivityReport {
 /// alone, and results are summed in the order of the draws, so the bits are the same for any number
 /// of threads.
 ///
+/// @param gear         the drive, with [[scatter]]; is checked
 /// @param sensitivity  sensitivity of the same gear; must be usable
+/// @param options      draws and threads; `samples` 2 to kMaxSamples; {}: 100 000 draws
+/// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the file gives no scatter, or an option is out of range
 /// @throws SolverError  if fewer than two draws could be evaluated
 [[nodiscard]] Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,

@@ -373,7 +373,11 @@ struct SimulationRecord {
 /// Implements theory manual eqs. (MO-1) to (MO-14), (MO-20) to (MO-22) and (MO-50).  The drive
 /// starts in the equilibrium of its external torque and gravity, with the input at rest.  Both
 /// motions go side by side.
-/// @param record  takes the rows, whose number then has no limit; null: the result has them
+/// @param gear      with a drivetrain and manoeuvres
+/// @param settings  steps, engine and growth; tolerance > 0 and at most 1e-5 [rad]; {}: explicit
+///                  steps, and a thousand rows over the motion
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
+/// @param record    takes the rows, whose number then has no limit; null: the result has them
 /// @throws InputError   if the drive has no drivetrain or no manoeuvre, or no duty for cracks that
 /// grow, or a setting is out of range, or a checkpoint cannot be one of this drive, or the stiff
 /// engine is not built or cannot move the drive or is asked for a record

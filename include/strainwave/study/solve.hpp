@@ -55,6 +55,7 @@ struct Target {
 /// N*m/rad".
 ///
 /// @param gear, method  determine the available outputs
+/// @param text          "OUTPUT=VALUE"; the unit of VALUE may be left out only if it is 1
 /// @throws InputError   if the output does not exist (the message names near outputs); if the text
 ///                      has another form; on the same conditions as evaluate(gear, method)
 [[nodiscard]] Target parse_target(const GearSet& gear, Method method, std::string_view text);

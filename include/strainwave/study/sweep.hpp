@@ -126,7 +126,10 @@ void check_variations(std::span<const Variation> variations);
 /// A point that the method refuses stays in the table, with the reason in place of outputs.  A
 /// point whose result must not be used has outputs and a reason.
 ///
+/// @param gear         the drive whose numbers vary
+/// @param method       theory by which each point is evaluated
 /// @param variations   one or two variations of different numbers
+/// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared       null, or the part of the points that this process computes or reads
 /// @throws InputError  on the same conditions as check_variations; with the first fault if every
 ///                     point is refused

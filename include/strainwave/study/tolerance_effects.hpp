@@ -103,7 +103,9 @@ struct ToleranceEffects {
 /// torque.
 ///
 /// Implements theory manual eq. (TC-36).
-/// @param drive  without deviations of its parts
+/// @param drive     without deviations of its parts
+/// @param options   draws and threads; `draws` > 0; {}: 100 draws
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the tolerances break a rule
 /// @throws SolverError  if no drawn drive has an equilibrium
 /// @throws Stopped      if the caller requests a stop

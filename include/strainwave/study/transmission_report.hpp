@@ -164,7 +164,10 @@ struct TransmissionReport {
 /// flexspline, and again at each tooth of the circular spline; both errors are added, and
 /// the sum is compared with the complete drive at random positions.  What passes within one tooth
 /// is left out, and so are the balls and the eccentricity of the cam, which keep their places.
-/// @param gear  must give enough for the torsion curve
+/// @param gear      must give enough for the torsion curve
+/// @param options   torque, finite and not 0 [N*m], and deviations; `draws` >= 0; {}: that of the
+///                  load, and 20 draws from the tolerances
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if a number is out of range, or the deviations do not fit the drive
 /// @throws SolverError  if the drive has no equilibrium
 /// @throws Stopped      if the caller requests a stop

@@ -24,7 +24,8 @@ class AssembledDrive {
   /// Assembles the sound drive, then adds its cracks on the same cam.
   ///
   /// A drive that cannot be assembled gives an object too; `fails_because` then states the reason.
-  /// @param gear  drive with bearing, sections and mesh
+  /// @param gear     drive with bearing, sections and mesh
+  /// @param options  resolution, tolerances and assumptions of the solution; {}: their defaults
   /// @throws InputError  if a rule is broken or this model lacks an input
   explicit AssembledDrive(const GearSet& gear, const CoupledOptions& options = {});
 

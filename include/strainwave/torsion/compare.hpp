@@ -113,6 +113,7 @@ struct CurveComparison {
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
 
 /// The drive with some of its cracks (drop_lost_paths).
+/// @param gear  the drive with all of its cracks; not changed
 /// @param keep  called with the name of the member and the crack; whether the crack stays
 template <class Keep>
 [[nodiscard]] GearSet with_cracks_where(const GearSet& gear, const Keep& keep) {
@@ -159,8 +160,10 @@ struct TurnChanges {
 };
 
 /// Changes of the maker's stiffnesses by the cracks, over a turn of the wave generator (TC-26).
-/// @param angles  as in `compare_curves`
-/// @param shared  null, or the part of the positions that this process computes or reads
+/// @param drive     the drive with its cracks; the turn begins at their positions
+/// @param angles    as in `compare_curves`
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
+/// @param shared    null, or the part of the positions that this process computes or reads
 /// @throws InputError, SolverError, Stopped  as `compare_curves`
 [[nodiscard]] TurnChanges changes_over_turn(const AssembledDrive& drive, int angles = 0,
                                             const Progress& progress = {},
@@ -203,7 +206,9 @@ struct LinesOverCage {
 
 /// Implements theory manual eqs. (TC-5), (TC-12): the balls stand at other places on the same cam.
 ///
-/// @param phases  evenly spaced phases over the angle between two balls [-]; >= 1
+/// @param drive     gives the first phase; its cracks and deviations keep their places
+/// @param phases    evenly spaced phases over the angle between two balls [-]; >= 1
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if `phases` is below 1
 /// @throws SolverError  if a curve is not usable
 /// @throws Stopped      if the caller requests a stop
@@ -212,10 +217,12 @@ struct LinesOverCage {
 
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).
 ///
-/// @param angles  positions of the wave generator over a turn [-], adjusted to whole teeth; 0 for
-///                every tooth, the only choice that is certain to find the worst position.  One
-///                position is used if no crack moves
-/// @param shared  null, or the part of the positions that this process computes or reads
+/// @param drive     the drive with its cracks; the turn begins at their positions
+/// @param angles    positions of the wave generator over a turn [-], adjusted to whole teeth; 0 for
+///                  every tooth, the only choice that is certain to find the worst position.  One
+///                  position is used if no crack moves
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
+/// @param shared    null, or the part of the positions that this process computes or reads
 /// @throws InputError   if `angles` is negative
 /// @throws SolverError  if a curve is not usable
 /// @throws Stopped      if the caller requests a stop

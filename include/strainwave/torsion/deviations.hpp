@@ -74,12 +74,16 @@ struct DeviationLimits {
 /// Draws the parts of one drive and pairs them: normal deviates, and a uniform direction of the
 /// eccentricity.  The numbers depend on seed and draw alone, and are the same on every machine.
 /// @param gear  has a bearing with balls and a mesh
+/// @param seed  of the random numbers [-]; any number
+/// @param draw  number of the drive among those of the seed [-]; any number
 /// @throws InputError  as `deviation_limits`
 [[nodiscard]] Deviations draw_deviations(const GearSet& gear, std::uint64_t seed,
                                          std::uint64_t draw);
 
 /// Least further gap of all flanks with which no flank is closer to the flank that it faces than in
-/// the drive without deviations, at any place and in any position of the wave generator [m].
+/// the drive without deviations, at any place and in any position of the wave generator over its
+/// first turn against the circular spline [m].  On later turns each tooth meets other spaces, so
+/// flanks can come closer by a small part of this gap.
 ///
 /// Implements theory manual eq. (TC-36).
 /// @param deviations  of all teeth of both parts; its own `pairing_gap` is ignored
@@ -89,6 +93,7 @@ struct DeviationLimits {
 /// The parts of a drive of which some teeth were measured: teeth that were not measured do not
 /// deviate, and all flanks get the further gap of (TC-36).
 /// @param measured  its `pairing_gap` is ignored
+/// @param gear      has a bearing with balls and a mesh
 /// @throws InputError  as `check_deviations`
 [[nodiscard]] Deviations paired(Deviations measured, const GearSet& gear);
 
@@ -97,16 +102,20 @@ struct DeviationLimits {
 [[nodiscard]] Deviations moved_on(const Deviations& deviations, int teeth);
 
 /// Closing of a flank by the deviations, normal to it [m].
-/// @param tooth  number j of the place, 0 to z - 1
-/// @param side   +1 for the drive flank, -1 for the coast flank
-/// @param teeth  z of the flexspline
+/// @param deviations   of the teeth, and the gap of the pairing; a part without a list does not
+///                     deviate
+/// @param tooth        number j of the place, 0 to z - 1
+/// @param side         +1 for the drive flank, -1 for the coast flank
+/// @param teeth        z of the flexspline
 /// @param flank_angle  alpha, or the angle beta of the flank (TC-6) [rad]
 [[nodiscard]] double flank_closing(const Deviations& deviations, int tooth, int side, int teeth,
                                    double flank_angle);
 
 /// Closing of a ball by the deviations [m].
-/// @param ball      number of the ball
-/// @param position  psi, its angle from the major axis [rad]
+/// @param deviations  of the balls, and the eccentricity of the cam; balls without a list do not
+///                    deviate
+/// @param ball        number of the ball
+/// @param position    psi, its angle from the major axis [rad]
 [[nodiscard]] double ball_closing(const Deviations& deviations, int ball, double position);
 
 /// @throws InputError  if numbers of teeth or balls do not fit the drive, or are not finite

@@ -14,6 +14,7 @@ namespace strainwave {
 /// barrels shorter than 0.15 d, and up to 22 % too high for diaphragms thicker than 0.02 d.
 ///
 /// @param flexspline    with rim, barrel and diaphragm
+/// @param steel         elastic constants of the flexspline: E and G [Pa], > 0; nu [-]
 /// @param radius        R of the middle line of rim and barrel [m]; > 0
 /// @param waves         n [-]; >= 2
 /// @param displacement  w_0 [m]; >= 0

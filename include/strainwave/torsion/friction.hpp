@@ -32,7 +32,9 @@ struct SlidingCurve {
 /// Valid to first order in the coefficients of friction: 2 % of the width at 0.1, and up to 30 % if
 /// flanks press on each other without torque with a multiple of their load (TC-16).  At zero
 /// torque, if no flank is pressed there, the outer ring takes the mean of its widths at +-0.001 T1.
-/// @param torques  [N*m], one after the other
+/// @param drive     the assembled drive, with its cracks and deviations
+/// @param torques   [N*m], one after the other
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if a torque is not finite, or flanks would lock themselves
 /// @throws SolverError  if the curve is not usable
 /// @throws Stopped      if the caller requests a stop

@@ -82,6 +82,7 @@ class Hysteresis {
   /// A drive at zero torque without previous load.
   [[nodiscard]] HysteresisMemory at_rest() const;
   /// Goes on to a torque, monotonically, and returns the twist [rad].
+  /// @param memory  state of the path, from `at_rest` of this object; moved on to the torque
   /// @param torque  [N*m], within +- largest_torque
   double advance(HysteresisMemory& memory, double torque) const;
   /// Goes on to a twist, monotonically, and returns the torque [N*m]: the inverse of `advance`.
@@ -89,7 +90,8 @@ class Hysteresis {
   /// When the twist turns back, the torque jumps by twice `Rating::friction_torque`, and by what
   /// the first element holds.  Without a change of the twist the torque stays, although friction
   /// would allow a range.
-  /// @param twist  [rad], within the twists at +- largest_torque
+  /// @param memory  state of the path, from `at_rest` of this object; moved on to the twist
+  /// @param twist   [rad], within the twists at +- largest_torque
   /// @throws InputError  if no torque within the envelopes has this twist
   double advance_to_twist(HysteresisMemory& memory, double twist) const;
 
@@ -135,7 +137,10 @@ struct HysteresisLoop {
 };
 
 /// Hysteresis loop with the amplitude of the given torque [N*m]; eq. (TC-17).
-/// @param points_per_branch  number of torques on each branch [-]; >= 4
+/// @param hysteresis         envelopes of the drive, solved up to the amplitude or beyond
+/// @param amplitude          T [N*m]; > 0, within the largest torque of the envelopes
+/// @param points_per_branch  number of torques on each branch [-]; >= 4; an even number gives one
+/// more
 [[nodiscard]] HysteresisLoop hysteresis_loop(const Hysteresis& hysteresis, double amplitude,
                                              int points_per_branch = 101);
 

@@ -33,6 +33,7 @@ using ClampedPlate = BasicClampedPlate<double>;
 /// Implements theory manual eq. (TC-3): Kirchhoff's plate; the energy of plate and corner is k_u
 /// u^2/2.
 ///
+/// @param plate        clamped at one edge; the tube stands on the other
 /// @param harmonic     n [-]; >= 2
 /// @throws InputError  if a dimension or n is out of range
 [[nodiscard]] double plate_edge_stiffness(const ClampedPlate& plate, int harmonic);
@@ -44,6 +45,7 @@ using ClampedPlate = BasicClampedPlate<double>;
 ///
 /// The solution is that of (TC-3).
 ///
+/// @param plate        clamped at one edge; the tube stands on the other
 /// @param harmonic     n [-]; >= 2
 /// @throws InputError  if a dimension or n is out of range
 [[nodiscard]] double clamped_edge_curvature(const ClampedPlate& plate, int harmonic);

@@ -24,8 +24,10 @@ struct RingEnergy {
 /// The members in series with the ring, and their cracks, are not contained.  The rotation has its
 /// origin in the wave, not in the assembled state, so it can be compared between positions of the
 /// wave generator.
-/// @param torques  T [N*m], finite; each is solved starting from the state before it, the first
-///                 from the assembly
+/// @param drive     the assembled drive, with its cracks and deviations
+/// @param torques   T [N*m], finite; each is solved starting from the state before it, the first
+///                  from the assembly
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if a torque is not finite
 /// @throws SolverError  if the curve is not usable; the message states the reason
 /// @throws Stopped      if the caller requests a stop

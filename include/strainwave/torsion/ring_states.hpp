@@ -47,6 +47,8 @@ struct RingState {
 /// equations leave out the groove, the fit, the stress of the contacts, and the concentration at
 /// tooth roots. The stress of a thick circular spline is up to 15 % larger at its inner surface.
 ///
+/// @param drive      the assembled drive, with its cracks and deviations
+/// @param ring       a ring that bends (`bends`)
 /// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
 /// @throws InputError   if the ring is a circular spline that the file does not give or that does

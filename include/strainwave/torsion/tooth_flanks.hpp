@@ -107,6 +107,7 @@ class BasicToothGap {
   /// A contact in the scalar of the gap.
   using Contact = BasicFlankContact<Real>;
 
+  /// @param teeth       shape of the teeth, and the rim on which they stand
   /// @param cone        growth of the wave along the face, chi w_0 times the tilt (TC-2) [-]; >= 0
   /// @param face_width  b [m]; > 0
   BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone, const Real& face_width);

@@ -167,9 +167,10 @@ struct TorsionCurve {
 /// 40 % for ratios of 50 and more.  At ratio 30 the model is too stiff by a factor of up to 2.0
 /// (theory manual, chapter CV).
 ///
-/// @param torques  torque T at the output [N*m], finite; each is solved starting from the state
-///                 before it,
-///                 the first from the assembly
+/// @param drive     the assembled drive, with its cracks and deviations
+/// @param torques   torque T at the output [N*m], finite; each is solved starting from the state
+///                  before it, the first from the assembly
+/// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError  if a torque is not finite
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] TorsionCurve torsion_curve(const AssembledDrive& drive,
@@ -192,7 +193,9 @@ struct TorsionCurve {
 
 /// The twist at one torque [rad]; absent, with one note `curve.no_wind_up`, if the drive does not
 /// reach it.
+/// @param drive   the assembled drive, with its cracks and deviations
 /// @param torque  torque T at the output [N*m], finite
+/// @param notes   gets the note, unless it has one with this code
 [[nodiscard]] std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
                                                   std::vector<Note>& notes);
 
@@ -229,6 +232,7 @@ struct RimState {
 /// Implements theory manual eq. (TC-24).  Ring theory leaves out stress concentrations at tooth
 /// roots and fillets.
 ///
+/// @param drive      the assembled drive, with its cracks and deviations
 /// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
 /// @throws SolverError  if there is no equilibrium

@@ -45,7 +45,8 @@ struct CurvedLimit {
 };
 
 /// Implements theory manual eq. (UQ-5): the limit is replaced by a paraboloid at the design point.
-/// @param at  converged
+/// @param margin  as in `find_design_point`
+/// @param at      its design point; converged
 [[nodiscard]] CurvedLimit curved_limit(const LimitState& margin, const DesignPoint& at);
 
 }  // namespace strainwave

@@ -39,8 +39,10 @@ struct SamplingOptions {
 /// Implements theory manual eq. (UQ-6).  The limits are those of Clopper and Pearson, which contain
 /// the probability at least as often as they say, also without a failure among the draws.
 ///
-/// @param make    makes the margin of one thread
-/// @param inputs  number of standard normal inputs
+/// @param make      makes the margin of one thread
+/// @param inputs    number of standard normal inputs
+/// @param options   number of draws, seed and threads; {}: 200 000 draws on all threads
+/// @param progress  receives the share that is done, and may request a stop; {}: none
 [[nodiscard]] SampledProbability plain_sampling(const std::function<LimitState()>& make,
                                                 std::size_t inputs,
                                                 const SamplingOptions& options = {},
@@ -51,7 +53,10 @@ struct SamplingOptions {
 /// Implements theory manual eq. (UQ-7).  It is exact on average if all failures can be drawn, and
 /// efficient if they lie about the design point.
 ///
-/// @param centre  z*, the design point
+/// @param make      makes the margin of one thread
+/// @param centre    z*, the design point; its size is the number of inputs
+/// @param options   as in `plain_sampling`
+/// @param progress  as in `plain_sampling`
 [[nodiscard]] SampledProbability importance_sampling(const std::function<LimitState()>& make,
                                                      const std::vector<double>& centre,
                                                      const SamplingOptions& options = {},

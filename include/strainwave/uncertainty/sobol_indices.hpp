@@ -61,10 +61,15 @@ using InputGroups = std::vector<std::vector<std::size_t>>;
 /// Implements theory manual eqs. (UQ-2), (UQ-3): the estimators of Saltelli and Jansen over
 /// scrambled Sobol points.  The interval is that of Student's distribution over the replicates.
 ///
-/// @param make     makes the function of one thread
-/// @param groups   of 1 to SobolPoints::kMaxDimensions/2 inputs; usually one group for each input.
-///                 Inputs that the function makes dependent must be in one group.
-/// @param outputs  number of outputs
+/// @param make      makes the function of one thread
+/// @param groups    of 1 to SobolPoints::kMaxDimensions/2 inputs; usually one group for each input.
+///                  Inputs that the function makes dependent must be in one group.
+/// @param outputs   number of outputs
+/// @param options   points, replicates, seed and threads; {}: 4096 points in 16 replicates
+/// @param progress  receives the share that is done, and may request a stop; {}: none
+/// @throws InputError   if there are fewer than 2 replicates, the points are no multiple of the
+///                      replicates or fewer than twice as many, the inputs are none or too many, or
+///                      an index of a group is not below their number
 /// @throws SolverError  if a replicate has fewer than two points with values
 /// @throws Stopped      if `progress` requests a stop
 [[nodiscard]] SobolStudy sobol_indices(const std::function<NormalFunction()>& make,

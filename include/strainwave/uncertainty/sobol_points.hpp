@@ -24,6 +24,8 @@ class SobolPoints {
   /// Number of points.
   [[nodiscard]] std::size_t points() const { return points_; }
   /// Coordinate of a point in (0, 1).
+  /// @param point       0 to points() - 1
+  /// @param dimension   0 to the number of dimensions - 1
   /// @param scrambling  the same number gives the same scrambling
   [[nodiscard]] double at(std::size_t point, std::size_t dimension, std::uint64_t scrambling) const;
 

@@ -85,6 +85,7 @@ struct CamGap {
   double by_r;      ///< by the displacement outward [-]
   double by_theta;  ///< by the displacement round the axis [-]
 
+  /// @param cam           the cam about the round bore
   /// @param angle         at which the point was [rad]
   /// @param u_r, u_theta  displacement of the point [m]
   CamGap(const CamCurve& cam, double angle, double u_r, double u_theta);
@@ -95,8 +96,10 @@ struct CamGap {
 [[nodiscard]] CamShape cam_shape(const WaveGenerator& generator);
 
 /// Refuses a shape that cannot be a cam of this bore.
-/// @param bore  radius of the bore, or one that is about as large [m]
-/// @param path  of the cam in the input file, for messages; empty for none
+/// @param shape                profile of the cam
+/// @param radial_displacement  w_0 [m]; > 0
+/// @param bore                 radius of the bore, or one that is about as large [m]
+/// @param path                 of the cam in the input file, for messages; empty for none
 /// @throws InputError  for values out of the ranges above; if discs do not leave the bore between
 ///                     the lobes; if points do not run from a lobe to the middle between the lobes,
 ///                     or do not agree with w_0

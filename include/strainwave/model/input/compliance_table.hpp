@@ -104,7 +104,9 @@ struct TabulatedValue {
 
 /// Interpolates one column of a table (FE-41).
 ///
-/// @param at  coordinate of each axis (TableAxis::coordinate)
+/// @param axes    axes of the table; one or more
+/// @param column  values over the grid of the axes; none, or Scale::nothing, give 0
+/// @param at      coordinate of each axis (TableAxis::coordinate)
 template <class Real>
 [[nodiscard]] TabulatedValue<Real> interpolated(const std::vector<TableAxis>& axes,
                                                 const TableValues& column,

@@ -303,11 +303,14 @@ void for_each_path_list(Gear& gear, const F& f) {
 
 /// Removes the entries of the lists of for_each_path_list whose numbers are no longer in the drive
 /// or have changed their values.
+/// @param gear    the drive as it is now; its lists are changed
 /// @param before  the drive for which the lists were written
 void drop_lost_paths(GearSet& gear, const GearSet& before);
 
 /// The material that a member names.  A laminate whose plies all have the same isotropic elastic
 /// constants is a solid wall, so it counts as the material of its first ply.
+/// @param gear         drive with its materials
+/// @param name         name of the material in `material`
 /// @param field        field that holds the name, for messages
 /// @throws InputError  if no material has that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,

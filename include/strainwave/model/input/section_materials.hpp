@@ -50,7 +50,10 @@ template <class Section>
 [[nodiscard]] std::optional<double> density_of(const GearSet& gear, std::string_view material);
 
 /// Adds a note if the plies of a wall do not add up to its thickness (LA-3).
-/// @param thickness  of the wall [m]
+/// @param notes      the list to which the note is added
+/// @param path       field that the note concerns: the wall
+/// @param laminate   material of the wall, with its plies
+/// @param thickness  of the wall [m]; > 0
 void note_thickness(std::vector<Note>& notes, const std::string& path, const Material& laminate,
                     double thickness);
 

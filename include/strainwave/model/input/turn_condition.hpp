@@ -24,6 +24,7 @@ struct TurnCondition {
 /// The conditions of a crack: the walls, the material, the cam, place and shape of the crack.
 ///
 /// Torques and sizes are columns of the table.
+/// @param gear  drive that has the crack
 /// @param path  of a crack that can have a table; the conditions are empty for any other path
 [[nodiscard]] std::vector<TurnCondition> turn_conditions(const GearSet& gear,
                                                          std::string_view path);
@@ -35,6 +36,7 @@ inline constexpr double kTurnConditionTolerance = 0.01;
 /// Checks a drive against the conditions of a table.
 /// @param wanted  of the table; empty: the table does not say for which drive it is
 /// @param found   of the drive
+/// @param file    name of the table in messages
 /// @param at      name of the table's field in messages
 /// @throws InputError  for the first condition that the drive does not meet; the message names it
 void check_turn_conditions(const std::vector<TurnCondition>& wanted,

@@ -46,6 +46,7 @@ struct TurnTable {
 };
 
 /// The least and the largest factor on a torque that the table covers [-].
+/// @param table   K over a turn; only its torques count
 /// @param torque  T [N*m]; covered, not 0
 [[nodiscard]] std::array<double, 2> turn_load_range(const TurnTable& table, double torque);
 
@@ -68,6 +69,7 @@ class TurnFactors {
   /// Number of places of the front.
   [[nodiscard]] std::size_t stations() const { return table_.stations.size(); }
   /// K at the angles of the table, without the last one, at one station [Pa*m^0.5].
+  /// @param station      index of the place of the front; 0 to stations() - 1
   /// @param torque       T [N*m]
   /// @throws InputError  if the torque is beyond the table
   [[nodiscard]] std::vector<std::array<double, 3>> at(std::size_t station, double torque) const;
@@ -88,6 +90,7 @@ class TurnFactors {
 
 /// K_I over a turn under a torque, at the place of the front where its range is largest; pressed
 /// faces have K_I = 0.
+/// @param table               K over a turn
 /// @param size, aspect_ratio  as TurnFactors
 /// @param torque              T [N*m]
 /// @throws InputError  if the torque is beyond the table

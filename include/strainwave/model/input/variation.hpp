@@ -41,6 +41,8 @@ inline constexpr int kMaxSweepPoints = 100'000;
 /// FROM and TO have units; pure numbers are bare.  Both may lie outside the range of the field,
 /// because a sweep reports the points that are refused.
 ///
+/// @param gear    drive that has the number
+/// @param text    path, range and number of points, 2 to kMaxSweepPoints, in the form above
 /// @param option  name of the option in messages
 /// @throws InputError  if the path does not name a number of `gear`, or the text has another form
 [[nodiscard]] Variation parse_variation(const GearSet& gear, std::string_view text,

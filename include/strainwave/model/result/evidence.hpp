@@ -93,6 +93,7 @@ struct Verdict {
 ///
 /// @param unusable_because  reason why the answer must not be used; empty if usable.  An unusable
 ///                          answer gives the verdict "cannot be told", regardless of the notes.
+/// @param notes             notes on the answer; may be empty
 /// @return  the judgement of the most severe note, the first if several tie, with its text as the
 ///          reason; good if no note raises doubt
 [[nodiscard]] Verdict verdict_of(std::string_view unusable_because, std::span<const Note> notes);

@@ -16,6 +16,8 @@ enum class BarSurface { outer, inner };
 /// and bending of the plate and falls along the arc; the shear stress from the torque is that at
 /// mid-depth.
 ///
+/// @param section  section of the bar; r_i > 0
+/// @param surface  surface from which the crack starts
 /// @param aspect   a/c [-]; in (0, 1]
 /// @param poisson  nu, which determines the split between K_II and K_III [-]
 /// @param a        depth [m]

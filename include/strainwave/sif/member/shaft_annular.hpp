@@ -15,9 +15,13 @@ enum class AnnularPolynomials {
   tada,      ///< handbook: up to 1.9 % (K_III) and 2.9 % (K_I) of K, tada2000 (secondary)
 };
 
-/// p_1(x) of eq. (FR-13) [-].  @param x  net/gross diameter [-]; in (0, 1]
+/// p_1(x) of eq. (FR-13) [-].
+/// @param which  which fit of the polynomial
+/// @param x      net/gross diameter [-]; in (0, 1]
 [[nodiscard]] double annular_p1(AnnularPolynomials which, double x);
-/// p_3(x) of eq. (FR-12) [-].  @param x  net/gross diameter [-]; in (0, 1]
+/// p_3(x) of eq. (FR-12) [-].
+/// @param which  which fit of the polynomial
+/// @param x      net/gross diameter [-]; in (0, 1]
 [[nodiscard]] double annular_p3(AnnularPolynomials which, double x);
 
 /// Annular crack in the outer surface of a solid shaft, loads [axial force, torque].

@@ -106,14 +106,19 @@ struct PlateCornerCrack {
     return H1 + (H2 - H1) * std::pow(std::sin(phi), 0.2 + q + 0.6 * alpha);  // (SP-17)
   }
 
-  /// Factor f_w for the plate's width [-].  @param c_b  c/b [-]; in [0, 0.5]
+  /// Factor f_w for the plate's width [-].
+  /// @param c_b    c/b [-]; in [0, 0.5]
+  /// @param alpha  a/t [-]; in [0, 1)
   [[nodiscard]] static double width_factor(double c_b, double alpha) {
     const double x = c_b * std::sqrt(alpha);
     return 1 + x * (-0.2 + x * (9.4 + x * (-19.4 + x * 27.1)));  // (SP-16)
   }
 
  private:
-  /// Factors g_1 g_2.  @param ratio2  square of the shorter semi-axis over the thickness
+  /// Factors g_1 g_2 [-].
+  /// @param ratio2  square of the shorter semi-axis over the thickness [-]
+  /// @param s       sin(phi) [-]
+  /// @param c       cos(phi) [-]
   [[nodiscard]] static double free_faces(double ratio2, double s, double c) {
     return (1 + (0.08 + 0.4 * ratio2) * (1 - s) * (1 - s) * (1 - s)) *
            (1 + (0.08 + 0.15 * ratio2) * (1 - c) * (1 - c) * (1 - c));  // (SP-16)

@@ -34,7 +34,9 @@ struct AxialSurfaceCase {
 
   /// Hoop stress over the depth a of the crack, per unit of load [-]; (SU-7).  That of the pressure
   /// on an inner crack contains the pressure on its faces.
-  /// @param a  [m]; > 0
+  /// @param load  index in kLoadInfo: 0 the pressure, 1 the hoop stress
+  /// @param wall  wall of the tube
+  /// @param a     [m]; > 0
   static WallStress stress(std::size_t load, const TubeWall& wall, double a) {
     if (load == 1) return {.tension = 1.0, .bending = 0.0};
     WallStress hoop =

@@ -32,7 +32,9 @@ struct CircumferentialSurfaceCase {
       LoadInfo{"bending_moment", "N*m", "bending moment that pulls at the middle of the crack"}};
 
   /// Axial stress over the depth a of the crack, per unit of load [1/m^2, 1/m^3]; (SU-8).
-  /// @param a  [m]; > 0
+  /// @param load  index in kLoadInfo: 0 the axial force, 1 the bending moment
+  /// @param wall  wall of the tube
+  /// @param a     [m]; > 0
   static WallStress stress(std::size_t load, const TubeWall& wall, double a) {
     if (load == 0) return {.tension = gross(0, wall), .bending = 0.0};
     const double unit = 1 / second_moment(wall);
