@@ -149,8 +149,6 @@ class Quantity:
 def _digits(value: float, relative_uncertainty: Optional[float]) -> str:
     """The number with one digit more than its uncertainty leaves certain, 2 to 12 digits; with 6
     digits if the uncertainty is not known."""
-    if not math.isfinite(value) or value == 0:
-        return format(value, "g")
     digits = 6
     if relative_uncertainty is not None and relative_uncertainty > 0:
         digits = min(max(1 - math.floor(math.log10(relative_uncertainty)), 2), 12)

@@ -12,6 +12,7 @@ import time
 import unittest
 
 import strainwave as sw
+from strainwave import _library
 from support import EXAMPLES, main, python
 
 CURVE = str(EXAMPLES / "catalogue_size25.toml")
@@ -119,6 +120,14 @@ class Parallel(unittest.TestCase):
 
 
 class Memory(unittest.TestCase):
+    def test_behaviour_a_drive_is_freed_once(self):
+        """Also if somebody calls what the interpreter calls at the end."""
+        freed = []
+        handle = _library.Handle(5, freed.append)
+        handle.__del__()
+        del handle
+        self.assertEqual(freed, [5])
+
     def test_behaviour_reading_and_running_keeps_no_memory(self):
         """After 300 rounds, 1000 more rounds must not need 2 MiB; 2 kB lost a round would show."""
         ended = python("""
