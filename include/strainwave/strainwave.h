@@ -161,9 +161,9 @@ SW_API sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachmen
 SW_API sw_error* sw_drive_fields(const sw_drive* drive, sw_text* json);
 
 /** Sets one field, crack or section in the TOML text of a drive, and keeps everything else.
- *  @param text    TOML of the drive
+ *  @param text    TOML of the drive, at most 1 MiB
  *  @param path    "output_shaft.crack[0].depth"; "[+]" adds an element
- *  @param value   TOML as behind `=`; NULL removes the present value
+ *  @param value   TOML as behind `=`, at most 1 MiB; NULL removes the present value
  *  @param edited  the new text; the caller frees it */
 SW_API sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_text* edited);
 

@@ -155,7 +155,7 @@ struct RatingRow {
 
 /// One row of the tables of friction, at 20 degrees Celsius with grease.
 struct FrictionRow {
-  std::string_view series;    ///< name of the series, as in StiffnessRow
+  std::string_view series;    ///< maker's series; RT1-H-CS in every row
   int size = 0;               ///< size of the drive, as the maker names it
   int ratio = 0;              ///< ratio of input speed to output speed [-]
   double rated = 0.0;         ///< rated torque, for the efficiency [N*m]

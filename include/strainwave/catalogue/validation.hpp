@@ -306,12 +306,18 @@ struct Validation {
 /// sizes or of other classes.  Fits are least squares of ln K with equal weights, with factors in
 /// their plausible ranges (factor_info).
 ///
+/// Mode `per_row` fits each row alone.  It leaves out the rows of other series, and refuses rows of
+/// a user.
+///
 /// @param options   `draws` 0 or 2 to 100000, at most three factors; {}: no fit and no bands
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared    null, or the part of the draws that this process computes or reads
-/// @throws InputError   if an option is out of range or a size is unknown
-/// @throws SolverError  if a drive has no equilibrium
-/// @throws Stopped      if the caller requests a stop
+/// @throws InputError    if an option is out of range or does not suit the mode, or if a size is
+///                       unknown
+/// @throws SolverError   if a drive has no equilibrium
+/// @throws Stopped       if the caller requests a stop
+/// @throws ShareDone     after the draws of a share were computed and kept
+/// @throws BrokenRecord  if draws that are read are not those of this study
 [[nodiscard]] Validation validate(const ValidationOptions& options = {},
                                   const Progress& progress = {}, SharedRows* shared = nullptr);
 

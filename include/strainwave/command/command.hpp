@@ -410,7 +410,7 @@ class Answer {
 /// @param options   made from the options of this command, with all required ones set
 /// @param texts     texts that options name
 /// @param progress  reports the progress, and may request a stop; by default it does neither
-/// @param host      must outlive the answer
+/// @param host      of it, only `ranks` must outlive the answer
 /// @throws InputError   if the drive breaks a rule, or the command cannot treat it
 /// @throws OptionError  if an option, the drive or the journal is missing or cannot be understood
 /// @throws SolverError  if the computation finds no valid answer

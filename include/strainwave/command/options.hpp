@@ -190,7 +190,8 @@ class OptionValues {
   /// may be repeated takes one text per call.
   /// @param name  as in the struct: "all_sets"
   /// @param text  a value of the kind of the option: "12 mm"; see OptionKind
-  /// @throws OptionError  if the option does not exist, or does not take this text
+  /// @throws OptionError  if the option does not exist, does not take this text, or is given again
+  ///                      although it may not be repeated
   void set(std::string_view name, std::string_view text);
   /// Sets the options that a JSON object names; a list sets a repeatable option.
   /// @throws OptionError  if the text is not such an object, or for the reasons of `set`

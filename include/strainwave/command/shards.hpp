@@ -86,7 +86,8 @@ struct Shard {
 /// @param table     commands of this program, with the command of the study; outlives the answer
 /// @param shards    names and shards
 /// @param progress  reports the progress, and may request a stop; by default it does neither
-/// @param host      only ranks, units, columns, `beside` and `open` count; outlives the answer
+/// @param host      only ranks, units, columns, `beside` and `open` count; `ranks` outlives the
+///                  answer
 /// @throws InputError  if a share is missing or given twice, or two shards are parts of different
 ///                     studies, or the shards are of another version, revision or code path than
 ///                     this program

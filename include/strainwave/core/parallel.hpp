@@ -17,7 +17,7 @@ namespace strainwave {
 
 /// How the indices of a loop are shared among threads.
 struct Parallel {
-  std::size_t block = 1;  ///< how many indices a thread takes at a time
+  std::size_t block = 1;  ///< how many indices a thread takes at a time; >= 1
   int threads = 0;        ///< 0: as many as the machine runs at once
 };
 

@@ -62,7 +62,8 @@ struct UnitPrefix {
 [[nodiscard]] double parse_quantity(std::string_view field, std::string_view text,
                                     std::string_view unit);
 
-/// The number of a value in a unit, in the shortest digits that `parse_quantity` reads back.
+/// The number of a value in a unit, in the shortest digits that `parse_quantity` reads back; the
+/// nearest number if none in this unit reads back to the value.
 /// @param value  in strainwave units
 /// @param unit   unit of the number; of the dimension of the value, which is not checked
 [[nodiscard]] std::string number_in(double value, const Unit& unit);

@@ -42,7 +42,8 @@ template <class Function>
 }
 
 /// Point behind a root of such a function, at which its value is not yet beyond `accuracy`
-/// (Illinois method).  It is the point at which the function was evaluated last.
+/// (Illinois method).  It is the point at which the function was evaluated last.  After 100
+/// steps the search ends, and the accuracy is not guaranteed.
 ///
 /// @param f         callable double -> double; continuous
 /// @param lower     lower end of the bracket, in the unit of the argument of `f`

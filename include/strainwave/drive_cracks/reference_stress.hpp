@@ -91,6 +91,7 @@ enum class SectionLoading {
 /// @param shear      shear stress tau of the sound plate at the groove [Pa]
 /// @param depth      d [m]; in [0, thickness)
 /// @param thickness  h [m]; > 0
+/// @throws InputError  if the thickness is not > 0 or the depth is outside [0, thickness)
 [[nodiscard]] double groove_intensity(double shear, double depth, double thickness);
 
 }  // namespace strainwave

@@ -254,7 +254,9 @@ struct GrowthReport {
 ///                    laws of the materials, without interaction, up to an end of the growth
 /// @param progress    receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param checkpoint  steps of a run before, and the place for further ones; null: none
-/// @throws InputError  if the duty or the law of a crack is missing
+/// @throws InputError  if the duty or the law of a crack is missing, the tolerance is outside
+///                     (0, 1), there are fewer than 2 points, or a resonance raises the loads
+///                     beyond the table of K of a crack
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options = {},
                                        const Progress& progress = {},

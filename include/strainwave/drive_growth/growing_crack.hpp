@@ -80,8 +80,8 @@ class GrowingCrack {
   /// @param history    duty of the drive, as in crack_duty
   /// @param choice     law of growth and rule of mixed modes
   /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the
-  /// torque;
-  ///                   a crack under the balls makes its own
+  ///                   torque; ignored for a crack under the balls, whose table the constructor
+  ///                   makes
   /// @throws InputError  if its material has no law of growth
   GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                const RateChoice& choice, CracksAtTorques at_torque = {});

@@ -22,10 +22,11 @@ struct LifeTrace {
   std::vector<std::vector<double>> sizes;
 };
 
-/// The path of grow_cracks, without its series, notes and check by half steps.
+/// The path of grow_cracks, without its series, notes and check by half steps.  It takes no
+/// Progress, so it never throws Stopped.
 /// @param gear     as of grow_cracks
 /// @param options  as of grow_cracks; `points` has no effect
-/// @throws InputError  as grow_cracks
+/// @throws InputError  as grow_cracks, except for `points`
 [[nodiscard]] LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options = {});
 
 }  // namespace strainwave

@@ -50,8 +50,8 @@ struct CrackDuty {
 /// @param gear       the drive; its ratio, waves and balls count
 /// @param crack      one with K along its front or a table of K over a turn
 /// @param history    the duty with the torque that the crack bears; the rainflow cycles are those
-/// of K along the direction,
-///                   in the space of the three modes, in which the constant loads differ most
+///                   of K along the direction, in the space of the three modes, in which the
+///                   constant loads differ most
 /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the torque
 /// @throws InputError  if a crack of a race needs the number of balls and the file gives none, or
 ///                     if a torque is beyond the crack's table of K over a turn

@@ -57,8 +57,9 @@ struct ResponseExtremum {
   double frequency = 0.0;                       ///< [Hz]
   /// |H| [as the response]; absent: infinite, a resonance without damping
   std::optional<double> amplitude = {};
-  /// zeta by the half-power points (DY-13) [-]; 0 without damping; absent if the response does not
-  /// change by the factor sqrt(2) on both sides before the next extremum or the end of the range
+  /// zeta by the half-power points (DY-13) [-]; 0 for an undamped resonance or antiresonance;
+  /// absent if the response does not change by the factor sqrt(2) on both sides before the next
+  /// extremum or the end of the range
   std::optional<double> damping_ratio = {};
 };
 

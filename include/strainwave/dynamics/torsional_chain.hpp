@@ -61,7 +61,9 @@ using ChainResponse = std::vector<std::complex<double>>;
 /// @param loaded       index of the inertia on which the torque acts; it is not held
 /// @param frequency    [Hz]; > 0
 /// @param held         as in `chain_modes`
-/// @throws InputError  as `chain_modes`, or if the response is infinite: an undamped resonance
+/// @throws InputError  as `chain_modes`, if `loaded` is not the index of an inertia that can turn,
+///                     if the frequency is not > 0, or if the response is infinite: an undamped
+///                     resonance
 [[nodiscard]] ChainResponse torque_response(const TorsionalChain& chain, std::size_t loaded,
                                             double frequency,
                                             std::span<const std::size_t> held = {});
@@ -71,6 +73,8 @@ using ChainResponse = std::vector<std::complex<double>>;
 /// @param spring     index of the spring whose twist is g theta plus the error
 /// @param frequency  [Hz]; > 0
 /// @param held       as in `chain_modes`
+/// @throws InputError  as `chain_modes`, if `spring` is not the index of a spring, if the frequency
+///                     is not > 0, or if the response is infinite: an undamped resonance
 [[nodiscard]] ChainResponse twist_response(const TorsionalChain& chain, std::size_t spring,
                                            double frequency,
                                            std::span<const std::size_t> held = {});

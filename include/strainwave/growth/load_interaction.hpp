@@ -57,6 +57,8 @@ struct Willenborg {
 
 /// The cycle that acts at the tip behind an overload (GR-19).  The same cycle where the overload no
 /// longer governs.
+/// @throws InputError  if the overload, the crack size or a constant of the rule is out of range,
+///                     K_max is not finite, or R of a cycle with K_max > 0 is not < 1
 [[nodiscard]] TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload,
                                         double crack_size, const TipCycle& cycle);
 
@@ -65,6 +67,10 @@ struct Willenborg {
 /// R stays, and K_max falls until the range that opens the crack is the one above the held opening.
 /// The same cycle, to the last digit, where the overload no longer governs or where the cycle opens
 /// later than the overload.  K_max is 0 where the cycle does not open the crack.
+/// @throws InputError  if the overload, the crack size or a constant of the zone is out of range,
+///                     the constraint is not in [1, 3] or the stress level not in (0, 1), K_max is
+///                     not finite, R of a cycle with K_max > 0 is not < 1, or K_min of an overload
+///                     that governs is not below its K_max
 [[nodiscard]] TipCycle closure_cycle(const PlasticZone& zone, const NewmanClosure& closure,
                                      const Overload& overload, double crack_size,
                                      const TipCycle& cycle);

@@ -31,7 +31,7 @@ struct EnumNames<MixedMode> {
 /// Equivalent stress intensity factor [Pa*m^0.5]; >= 0.
 /// @param rule            which of the equations (GR-13) to (GR-16)
 /// @param K               a crack with K_I < 0 is pressed together and counts as K_I = 0
-/// @param poissons_ratio  nu [-]; -1 to 0.5 for each rule; energy and tanaka use it
+/// @param poissons_ratio  nu [-]; -1 < nu < 0.5 is checked for each rule; energy and tanaka use it
 /// @throws InputError     if a number is not finite, if nu is not in (-1, 0.5), and for the largest
 ///                        tangential stress, if K_III is not 0
 [[nodiscard]] double equivalent_factor(MixedMode rule, const ModeFactors& K, double poissons_ratio);

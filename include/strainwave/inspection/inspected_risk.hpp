@@ -73,6 +73,8 @@ struct RiskEstimate {
 
 /// Probability of failure up to a time without inspections; theory manual eq. (IR-3).  The limits
 /// are those of Clopper and Pearson.
+/// @param parts  drawn parts; the caller gives at least one
+/// @param until  end of the time at risk [s]
 [[nodiscard]] RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until);
 
 /// Probability of failure up to a time, if parts are out of service once a crack is found; theory

@@ -24,7 +24,8 @@ namespace strainwave {
 ///
 /// @param text  the text of the drive `from`
 /// @param from  the drive that read_gear_set reads from `text`
-/// @param to    the drive `from` with other numbers, perhaps without some ranges and scatters
+/// @param to    the drive `from` with other numbers, perhaps without some ranges, scatters and
+///              correlations
 /// @throws InputError  as `edit`
 [[nodiscard]] std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to);
 

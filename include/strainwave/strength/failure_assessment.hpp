@@ -44,6 +44,7 @@ struct AssessmentPoint {
 /// The assessment line from L_r = 0 to the collapse limit; the last row has K_r = 0 [-].
 /// @param material  E and sigma_Y [Pa], > 0; sigma_U [Pa], >= sigma_Y or absent
 /// @param steps     intervals up to L_r = 1; >= 1
+/// @throws InputError  on the same conditions as collapse_limit, or if `steps` is below 1
 [[nodiscard]] std::vector<AssessmentPoint> assessment_table(const AssessmentMaterial& material,
                                                             int steps = 20);
 

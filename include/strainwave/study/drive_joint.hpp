@@ -41,12 +41,13 @@ struct DriveJoint {
 /// three lines of its torsion curve if the file gives enough for them, else the sum of its members.
 /// Each crack adds its compliance under the senses of the torque that open it.  The inertia of the
 /// wave generator moves with the motor, and the gear's own inertias with the load.
-/// @throws InputError   if the drive has no drivetrain
-/// @throws SolverError  if a compliance is not usable
 /// @param gear      with a drivetrain; is checked
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param spring    in place of `drivetrain.spring`; absent: that of the drivetrain
 /// @param curve     makes the computed curve
+/// @throws InputError   if the drive has no drivetrain
+/// @throws SolverError  if a compliance is not usable
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] DriveJoint drive_joint(const GearSet& gear, const Progress& progress = {},
                                      std::optional<RestoringTorque> spring = {},
                                      const CurveSource& curve = computed_curve);

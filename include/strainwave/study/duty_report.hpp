@@ -213,7 +213,8 @@ struct HistoryCountOptions {
 
 /// What each place of a drive bears in one repetition of its duty.
 /// @param gear     the drive, with a duty
-/// @param classes  of the cycles of the torque and of the places; absent: exact rows
+/// @param classes  of the cycles of the torque, and of the cycles of the places between the waves;
+///                 absent: exact rows
 /// @throws InputError  on the same conditions as duty_history
 [[nodiscard]] DutyReport duty_report(const GearSet& gear, std::optional<int> classes = {});
 

@@ -230,7 +230,10 @@ struct InspectionReport {
 /// @param gear      has passed `check`, with cracks, a duty and [[scatter]]
 /// @param options   end of service, inspections and draws; `draws` 20 to 1 000 000
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
-/// @throws InputError  if something of this is missing, or an option is out of range
+/// @throws InputError    if something of this is missing, or an option is out of range
+/// @throws Stopped       if the caller requests a stop
+/// @throws ShareDone     after the draws of a share were computed and kept
+/// @throws BrokenRecord  if draws that are read are not those of this study
 [[nodiscard]] InspectionReport inspection_report(const GearSet& gear,
                                                  const InspectionOptions& options,
                                                  const Progress& progress = {});

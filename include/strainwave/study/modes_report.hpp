@@ -338,6 +338,7 @@ struct ModesReport {
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the drive has no drivetrain, or no compliance
 /// @throws SolverError  if the coupled drive has no equilibrium at the torque
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] ModesReport modes_report(const GearSet& gear, std::optional<double> torque = {},
                                        const Progress& progress = {});
 
@@ -351,6 +352,7 @@ struct ModesReport {
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if the duty or the law of growth of a crack is missing
 /// @throws SolverError  if a drive with grown cracks has no equilibrium at the torque
+/// @throws Stopped      if the caller requests a stop
 void add_modes_over_growth(ModesReport& report, const GearSet& gear, int points = 25,
                            const Progress& progress = {});
 

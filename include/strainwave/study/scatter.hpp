@@ -152,8 +152,11 @@ struct SensitivityReport {
 /// @param sensitivity  sensitivity of the same gear; must be usable
 /// @param options      draws and threads; `samples` 2 to kMaxSamples; {}: 100 000 draws
 /// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
-/// @throws InputError   if the file gives no scatter, or an option is out of range
-/// @throws SolverError  if fewer than two draws could be evaluated
+/// @throws InputError    if the file gives no scatter, or an option is out of range
+/// @throws SolverError   if fewer than two draws could be evaluated
+/// @throws Stopped       if the caller requests a stop
+/// @throws ShareDone     after the draws of a share were computed and kept
+/// @throws BrokenRecord  if draws that are read are not those of this study
 [[nodiscard]] Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                                  const ScatterOptions& options = {}, const Progress& progress = {});
 

@@ -37,7 +37,7 @@ struct EnumNames<MotionEngine> {
 /// How a motion is computed.
 struct SimulationSettings {
   double output_step = 0.0;  ///< time between two rows [s]; > 0; 0: a thousandth of the motion
-  double tolerance = 1e-9;   ///< error of the output's angle in one step [rad]; > 0
+  double tolerance = 1e-9;   ///< error of the output's angle in one step [rad]; > 0, <= 1e-5
   MotionEngine engine = MotionEngine::explicit_steps;  ///< what takes the steps
   CurveSource curve = computed_curve;                  ///< makes the computed curve
   /// time of the duty that passes evenly during the motion while the cracks grow [s]; > 0; absent:

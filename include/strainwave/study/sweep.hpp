@@ -131,8 +131,11 @@ void check_variations(std::span<const Variation> variations);
 /// @param variations   one or two variations of different numbers
 /// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared       null, or the part of the points that this process computes or reads
-/// @throws InputError  on the same conditions as check_variations; with the first fault if every
-///                     point is refused
+/// @throws InputError    on the same conditions as check_variations; with the first fault if every
+///                       point is refused
+/// @throws Stopped       if the caller requests a stop
+/// @throws ShareDone     after the points of a share were computed and kept
+/// @throws BrokenRecord  if points that are read are not those of this sweep
 [[nodiscard]] SweepResult sweep(const GearSet& gear, Method method,
                                 std::span<const Variation> variations,
                                 const Progress& progress = {}, SharedRows* shared = nullptr);

@@ -106,7 +106,7 @@ struct DrawnTransmission {
 
 /// Torque and deviations for a kinematic error.
 struct TransmissionOptions {
-  std::optional<double> torque = {};  ///< T at the output [N*m]; absent: that of the load
+  std::optional<double> torque = {};  ///< T at the output [N*m], not 0; absent: that of the load
   /// deviations of each tooth, without `pairing_gap`, which follows from them (TC-36); without them
   /// they are drawn from the tolerances
   std::optional<Deviations> measured = {};

@@ -164,7 +164,7 @@ struct TurnChanges {
 /// @param angles    as in `compare_curves`
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared    null, or the part of the positions that this process computes or reads
-/// @throws InputError, SolverError, Stopped  as `compare_curves`
+/// @throws InputError, SolverError, Stopped, ShareDone, BrokenRecord  as `compare_curves`
 [[nodiscard]] TurnChanges changes_over_turn(const AssembledDrive& drive, int angles = 0,
                                             const Progress& progress = {},
                                             SharedRows* shared = nullptr);
@@ -219,13 +219,16 @@ struct LinesOverCage {
 ///
 /// @param drive     the drive with its cracks; the turn begins at their positions
 /// @param angles    positions of the wave generator over a turn [-], adjusted to whole teeth; 0 for
-///                  every tooth, the only choice that is certain to find the worst position.  One
-///                  position is used if no crack moves
+///                  every tooth, the only choice that is certain to find the worst position.  A
+///                  number above that of the teeth counts as every tooth too.  One position is
+///                  used if no crack moves
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared    null, or the part of the positions that this process computes or reads
-/// @throws InputError   if `angles` is negative
-/// @throws SolverError  if a curve is not usable
-/// @throws Stopped      if the caller requests a stop
+/// @throws InputError    if `angles` is negative
+/// @throws SolverError   if a curve is not usable
+/// @throws Stopped       if the caller requests a stop
+/// @throws ShareDone     after the positions of a share were computed and kept
+/// @throws BrokenRecord  if positions that are read are not those of this study
 [[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive, int angles = 0,
                                              const Progress& progress = {},
                                              SharedRows* shared = nullptr);

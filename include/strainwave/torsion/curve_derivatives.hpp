@@ -53,7 +53,7 @@ class CurveDifferentiator {
 
   /// @param gear    the drive whose addresses the lift contains
   /// @param lift    reads the numbers of the drive, and knows which of them are the inputs
-  /// @param series  compliances by series_compliance for the same gear and lift
+  /// @param series  compliances by `series_compliance` for the same gear and lift
   [[nodiscard]] CurveDerivatives of(const GearSet& gear, const Lift<DualReal>& lift,
                                     const SeriesCompliance<DualReal>& series) const;
 

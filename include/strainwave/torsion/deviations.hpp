@@ -114,7 +114,7 @@ struct DeviationLimits {
 /// Closing of a ball by the deviations [m].
 /// @param deviations  of the balls, and the eccentricity of the cam; balls without a list do not
 ///                    deviate
-/// @param ball        number of the ball
+/// @param ball        number of the ball, from 0
 /// @param position    psi, its angle from the major axis [rad]
 [[nodiscard]] double ball_closing(const Deviations& deviations, int ball, double position);
 

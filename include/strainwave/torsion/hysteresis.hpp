@@ -77,6 +77,7 @@ class Hysteresis {
   ///
   /// Between two torques of the path the torque is monotonic.
   /// @param path  torques [N*m], within +- largest_torque
+  /// @throws InputError  if a torque is beyond largest_torque
   [[nodiscard]] std::vector<double> twist(std::span<const double> path) const;
 
   /// A drive at zero torque without previous load.
@@ -84,6 +85,7 @@ class Hysteresis {
   /// Goes on to a torque, monotonically, and returns the twist [rad].
   /// @param memory  state of the path, from `at_rest` of this object; moved on to the torque
   /// @param torque  [N*m], within +- largest_torque
+  /// @throws InputError  if the torque is beyond largest_torque
   double advance(HysteresisMemory& memory, double torque) const;
   /// Goes on to a twist, monotonically, and returns the torque [N*m]: the inverse of `advance`.
   ///
@@ -139,8 +141,9 @@ struct HysteresisLoop {
 /// Hysteresis loop with the amplitude of the given torque [N*m]; eq. (TC-17).
 /// @param hysteresis         envelopes of the drive, solved up to the amplitude or beyond
 /// @param amplitude          T [N*m]; > 0, within the largest torque of the envelopes
-/// @param points_per_branch  number of torques on each branch [-]; >= 4; an even number gives one
-/// more
+/// @param points_per_branch  number of torques on each branch [-]; >= 4; an even number
+///                           gives one torque more
+/// @throws InputError  if the amplitude or the number of torques is out of range
 [[nodiscard]] HysteresisLoop hysteresis_loop(const Hysteresis& hysteresis, double amplitude,
                                              int points_per_branch = 101);
 

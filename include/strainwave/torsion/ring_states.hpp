@@ -52,7 +52,7 @@ struct RingState {
 /// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
 /// @throws InputError   if the ring is a circular spline that the file does not give or that does
-///                      not bend
+///                      not bend, if the torque is not finite, or if `positions` is not > 0
 /// @throws SolverError  if there is no equilibrium
 [[nodiscard]] std::vector<RingState> ring_states(const AssembledDrive& drive, BendingRing ring,
                                                  double torque, int positions);

@@ -196,6 +196,7 @@ struct TorsionCurve {
 /// @param drive   the assembled drive, with its cracks and deviations
 /// @param torque  torque T at the output [N*m], finite
 /// @param notes   gets the note, unless it has one with this code
+/// @throws InputError  if the torque is not finite
 [[nodiscard]] std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
                                                   std::vector<Note>& notes);
 
@@ -235,6 +236,7 @@ struct RimState {
 /// @param drive      the assembled drive, with its cracks and deviations
 /// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
+/// @throws InputError   if the torque is not finite or `positions` is not > 0
 /// @throws SolverError  if there is no equilibrium
 [[nodiscard]] std::vector<RimState> rim_states(const AssembledDrive& drive, double torque,
                                                int positions);

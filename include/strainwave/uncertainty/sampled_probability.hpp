@@ -29,7 +29,7 @@ struct SampledProbability {
 
 /// Draws of a sampling.
 struct SamplingOptions {
-  std::size_t draws = 200'000;  ///< number of draws
+  std::size_t draws = 200'000;  ///< number of draws; the caller gives at least one
   std::uint64_t seed = 1;       ///< the same seed gives the same draws
   int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
 };

@@ -24,7 +24,8 @@ struct TwoArcs {
 };
 /// A disc at each lobe, w_0 outside the bore at the lobe.
 struct TwoDiscs {
-  double offset{};  ///< e, distance of a disc's centre from the axis [m]; > w_0
+  /// e, distance of a disc's centre from the axis [m]; > w_0, < half of the bore's radius
+  double offset{};
 };
 /// Points of the cam from a lobe to the middle between the lobes.
 using CamPoints = std::vector<CamPoint>;
@@ -106,7 +107,8 @@ struct CamGap {
 void check(const CamShape& shape, double radial_displacement, double bore, const FieldPath& path);
 
 /// Refuses a cam with values out of range.
-/// @throws InputError  if a value is out of the range above, or the perimeters differ by 1 %
+/// @throws InputError  if a value is out of the range above, if the perimeters differ by 1 % or
+///                     more, or if `perimeter_excess` is not 0 for two discs or for points
 void check(const CamFit& fit, const TubeSection& rim);
 
 }  // namespace strainwave

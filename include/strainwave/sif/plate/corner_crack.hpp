@@ -107,7 +107,7 @@ struct PlateCornerCrack {
   }
 
   /// Factor f_w for the plate's width [-].
-  /// @param c_b    c/b [-]; in [0, 0.5]
+  /// @param c_b    c/b [-]; in [0, 1); the stated accuracy holds up to 0.2
   /// @param alpha  a/t [-]; in [0, 1)
   [[nodiscard]] static double width_factor(double c_b, double alpha) {
     const double x = c_b * std::sqrt(alpha);
