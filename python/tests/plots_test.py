@@ -59,6 +59,7 @@ class Plots(unittest.TestCase):
         self.assert_same([bar.get_width() for bar in ax.containers[0]], panel["series"][0]["values"])
         self.assertEqual([label.get_text() for label in ax.get_yticklabels()], panel["labels"])
         self.assertTrue(ax.yaxis_inverted())  # the first bar is the uppermost
+        self.assertEqual([list(line.get_xdata()) for line in ax.lines], [[0, 0]])  # where bars begin
 
     def test_identity_contours(self):
         from matplotlib.colors import to_hex
