@@ -59,6 +59,8 @@ class Plots(unittest.TestCase):
         self.assert_same([bar.get_width() for bar in ax.containers[0]], panel["series"][0]["values"])
         self.assertEqual([label.get_text() for label in ax.get_yticklabels()], panel["labels"])
         self.assertTrue(ax.yaxis_inverted())  # the first bar is the uppermost
+        for row, bar in enumerate(ax.containers[0]):  # one series: each bar is at its label
+            self.assertAlmostEqual(bar.get_y() + bar.get_height() / 2, row)
         self.assertEqual([list(line.get_xdata()) for line in ax.lines], [[0, 0]])  # where bars begin
 
     def test_identity_contours(self):
@@ -75,7 +77,8 @@ class Plots(unittest.TestCase):
         self.assertGreater(len(colours), 4)
         self.assertTrue(all(min(panel["values"]) < level < max(panel["values"])
                             for level in panel["levels"]))
-        self.assertEqual(first.get_ylim()[1], max(panel["y"]))
+        self.assertEqual([*first.get_xlim(), *first.get_ylim()],
+                         [min(panel["x"]), max(panel["x"]), min(panel["y"]), max(panel["y"])])
 
     def test_behaviour_given_axes(self):
         from matplotlib import pyplot
