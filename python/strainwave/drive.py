@@ -54,7 +54,7 @@ def _toml(value: Any, path: str) -> str:
         unit = _unit(path)
         return repr(value) if unit == "1" else json.dumps(f"{value!r} {unit}", ensure_ascii=False)
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+        return _text(value)
     if isinstance(value, Mapping):
         inner = (f"{_key(name)} = {_toml(one, f'{path}.{name}')}" for name, one in value.items())
         return "{" + ", ".join(inner) + "}"
@@ -64,8 +64,13 @@ def _toml(value: Any, path: str) -> str:
                     f"{type(value).__name__}")
 
 
+def _text(value: str) -> str:
+    """A text as TOML, which wants one more character escaped than JSON."""
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
 def _key(name: str) -> str:
-    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else _text(name)
 
 
 def _value(given: Any, path: str) -> Any:

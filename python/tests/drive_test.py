@@ -139,6 +139,13 @@ class Changing(unittest.TestCase):
                 compared += 1
         self.assertGreater(compared, 150)
 
+    def test_behaviour_names_of_any_characters(self):
+        """TOML wants other escapes than JSON."""
+        drive = sw.read(EXAMPLES / "article.toml")
+        steel = {"youngs_modulus": "200 GPa", "poissons_ratio": 0.3}
+        drive["material"] = {"steel": steel, "st\u00e5l \U0001f600": steel, "a\x7fb": steel, 'a "b"': steel}
+        self.assertEqual(sorted(drive["material"]), sorted(["steel", "st\u00e5l \U0001f600", "a\x7fb", 'a "b"']))
+
     def test_behaviour_comments_stay(self):
         drive = sw.parse((EXAMPLES / "article.toml").read_text() + "\n# the last line\n")
         drive["load.torque"] = "7 N*m"
