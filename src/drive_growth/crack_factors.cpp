@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace strainwave {
 
@@ -25,26 +24,32 @@ CrackFactors::CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_to
 
 Modes CrackFactors::at(std::size_t point, const LoadState& state, double factor) const {
   const double torque = reverses_ ? state.torque : std::abs(state.torque);
-  std::size_t which = 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < at_torque_.size(); ++i) {
-    const double distance = std::abs(at_torque_[i].first - torque);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    which = i;
-  }
-  const Front& front = fronts_[which];
-  const FrontIntensity& at = front.load[point];
-  const std::array<const std::array<double, 2>*, 3> load = {&at.load.I, &at.load.II, &at.load.III};
-  Modes K{};
-  for (std::size_t mode = 0; mode < K.size(); ++mode) {
-    K[mode] = (*load[mode])[kAxial] * state.axial_force * factor +
-              (*load[mode])[kTorsion] * torque * factor + at.assembly[mode] * state.assembly +
-              at.constant[mode];
-    if (!front.bending.empty())
-      K[mode] += front.bending[point][mode] * state.bending_moment * factor;
-  }
-  return K;
+  const auto of = [&](const Front& front) {
+    const FrontIntensity& at = front.load[point];
+    const std::array<const std::array<double, 2>*, 3> load = {&at.load.I, &at.load.II,
+                                                              &at.load.III};
+    Modes K{};
+    for (std::size_t mode = 0; mode < K.size(); ++mode) {
+      K[mode] = (*load[mode])[kAxial] * state.axial_force * factor +
+                (*load[mode])[kTorsion] * torque * factor + at.assembly[mode] * state.assembly +
+                at.constant[mode];
+      if (!front.bending.empty())
+        K[mode] += front.bending[point][mode] * state.bending_moment * factor;
+    }
+    return K;
+  };
+  std::size_t above = 0;  // the first torque that is not smaller, or the last one
+  while (above + 1 < at_torque_.size() && at_torque_[above].first < torque) ++above;
+  const Modes K = of(fronts_[above]);
+  if (above == 0 || at_torque_[above].first <= torque) return K;
+  // Linear between two torques (GR-29).
+  const double from = at_torque_[above - 1].first;
+  const double share = (torque - from) / (at_torque_[above].first - from);
+  const Modes below = of(fronts_[above - 1]);
+  Modes between{};
+  for (std::size_t mode = 0; mode < K.size(); ++mode)
+    between[mode] = (1 - share) * below[mode] + share * K[mode];
+  return between;
 }
 
 }  // namespace strainwave

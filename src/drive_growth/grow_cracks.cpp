@@ -126,7 +126,7 @@ class Growing {
     return CrackSize::of(a, c);
   }
 
-  /// Factor of the vibration on the loads, against that of the sizes in the file; (GR-28).
+  /// Factor D of the vibration on the loads of the duty; (GR-28).
   [[nodiscard]] double amplification(const State& state) const {
     const auto& resonance = gear_.duty->resonance;
     if (!resonance) return 1.0;

@@ -144,9 +144,9 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
     if (load.rare && !load.further) rarest = std::min(rarest, load.count);
   const double repetitions = 1 / rarest;
   TipBehindOverload tip(crack, crack_size, interaction, share);
-  const auto repeat = [&] {
+  const auto repeat = [&](double part) {
     for (const TipLoad& load : loads)
-      if (!load.rare) tip.apply(load, load.count);
+      if (!load.rare) tip.apply(load, part * load.count);
   };
   const auto peaks = [&] {
     for (const TipLoad& load : loads)
@@ -165,7 +165,7 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
     return tip.moved() - begin;
   }
   // The first pass brings the overload that acts when the second one begins.
-  repeat();
+  repeat(1.0);
   peaks();
   const double begin = tip.moved();
   double left = repetitions;
@@ -176,8 +176,9 @@ double growth_with_interaction(const GrowingCrack& crack, std::span<const TipLoa
   while (left > 0) {
     const Overload overload = tip.overload();
     const double before = tip.moved();
-    repeat();
-    left -= 1;
+    const double part = std::min(left, 1.0);  // the number between two peaks need not be whole
+    repeat(part);
+    left -= part;
     const double distance = tip.moved() - before;
     if (!(left > 0)) break;
     const bool refreshed = tip.overload().crack_size != overload.crack_size;

@@ -76,10 +76,15 @@ class CountedValue {
       };
       const Modes first = constant(steps.front());
       const Modes outermost = farthest(first);
-      const Modes widest =
-          farthest({first[0] + outermost[0], first[1] + outermost[1], first[2] + outermost[2]});
+      const Modes from = {first[0] + outermost[0], first[1] + outermost[1],
+                          first[2] + outermost[2]};
+      Modes widest = farthest(from);
       if (product(widest, widest) <= largest) continue;
       largest = product(widest, widest);
+      // Toward the larger K of the two, so that a peak is a peak wherever the duty begins.
+      const Modes to = {from[0] + widest[0], from[1] + widest[1], from[2] + widest[2]};
+      if (open_part(to) < open_part(from))
+        for (double& of_mode : widest) of_mode = -of_mode;
       direction_ = widest;
       point_ = point;
     }
@@ -101,6 +106,11 @@ class CountedValue {
  private:
   static double product(const Modes& a, const Modes& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  /// Square of K, of which pressed faces have no mode I.
+  static double open_part(Modes K) {
+    K[0] = std::max(K[0], 0.0);
+    return product(K, K);
   }
   static Modes mean(const std::vector<Modes>& turn) {
     Modes sum{};

@@ -138,6 +138,23 @@ TEST(Interaction, CrosscheckSingleCyclesBetweenRarePeaks) {  // GR-27
     }
 }
 
+TEST(Interaction, IdentityAnyNumberOfRepetitionsBetweenPeaks) {  // GR-27
+  // Wheeler's exponent 0 slows nothing, so the growth is the sum over the cycles, also if the
+  // number of repetitions between two peaks is not whole.
+  const GrowingCrack crack = stainless_crack();
+  Interaction nothing = rule_of(InteractionRule::wheeler);
+  nothing.wheeler_exponent = 0.0;
+  for (const double interval : {1.1, 1.5, 2.5, 10.5, 250.25})
+    for (const double share : {0.01, 0.005}) {
+      const std::vector<TipLoad> loads = {
+          {.cycle = {.largest = 20e6, .ratio = 0}, .count = 3},
+          {.cycle = {.largest = 12e6, .ratio = 0.2}, .count = 40},
+          {.cycle = {.largest = 30e6, .ratio = 0}, .count = 1 / interval, .rare = true}};
+      test::expect_relative(growth_with_interaction(crack, loads, kSize, nothing, share),
+                            crack.growth(loads, kSize), 1e-12);
+    }
+}
+
 TEST(Interaction, BehaviourWithoutRuleAndAtFracture) {
   const GrowingCrack crack = stainless_crack();
   const std::vector<TipLoad> loads = {{.cycle = {.largest = 20e6, .ratio = 0}, .count = 7},

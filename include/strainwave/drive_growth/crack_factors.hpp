@@ -33,7 +33,7 @@ using CracksAtTorques = std::vector<std::pair<double, DriveCrack>>;
 class CrackFactors {
  public:
   /// @param crack      must outlive this object
-  /// @param at_torque  must outlive this object; a torque takes the crack of the nearest one
+  /// @param at_torque  must outlive this object, by rising torque; K between two is linear
   /// @param size       a [m] and a/c [-] of the crack
   /// @param bent       whether to prepare the factors of a bending moment
   CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_torque, const CrackSize& size,
