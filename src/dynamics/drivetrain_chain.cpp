@@ -263,7 +263,8 @@ DrivetrainChain drivetrain_chain(const Drivetrain& drivetrain, double ratio,
   const std::size_t output =
       made.add(circular_spline_fixed ? "hub" : "circular spline",
                (circular_spline_fixed ? own.hub : own.circular_spline) + own.shaft / 2);
-  const std::size_t load = made.add("load", drivetrain.load_inertia, drivetrain.load_damping);
+  const std::size_t load =
+      made.add("load", drivetrain.load_inertia + own.shaft / 2, drivetrain.load_damping);
   if (circular_spline_fixed) {
     made.join(spring("mesh", springs.mesh), mesh, {{wave, 1 / ratio}, {rim, 1.0}});
     made.join(spring("body", springs.body), body, {{rim, 1.0}, {output, -1.0}});

@@ -307,7 +307,14 @@ std::vector<ResponseExtremum> response_extrema(const TorsionalChain& chain, cons
           [&](double frequency) { return sign * amplitude(frequency); }, low, high, 52);
       extremum.frequency = at;
       extremum.amplitude = sign * value;
-      if (!peak) shown = phase_rises(at);
+      // Dampers on the inertia whose angle is asked do not act where this inertia rests.
+      constexpr double kZero = 1e-6;  // of the neighbours; below, the amplitude is rounding
+      if (!peak && *extremum.amplitude <= kZero * std::min(size[n - 1], size[n + 1])) {
+        extremum.amplitude = 0.0;
+        extremum.damping_ratio = 0.0;
+      } else if (!peak) {
+        shown = phase_rises(at);
+      }
     }
     found.push_back({extremum, n, shown});
   }

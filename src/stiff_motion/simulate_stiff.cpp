@@ -277,8 +277,10 @@ class StiffRun::Steps {
   [[nodiscard]] double sample_time() const {
     const double time = static_cast<double>(samples_) * options_.output_step;
     // The last sample falls on the end although the division may round.
-    return std::abs(time - options_.duration) < 1e-9 * options_.output_step ? options_.duration
-                                                                            : time;
+    const double rounding =
+        std::max(1e-9 * options_.output_step,
+                 4 * std::numeric_limits<double>::epsilon() * options_.duration);
+    return std::abs(time - options_.duration) < rounding ? options_.duration : time;
   }
   [[nodiscard]] MotionSample sample(double time) const {
     const JointState state = time < reached_ ? unpacked(cvode_.state_at(time)) : unpacked(x_);

@@ -111,9 +111,23 @@ std::vector<double> real_phases(const std::vector<std::complex<double>>& respons
   return phases;
 }
 
+/// Whether anything damps a drive whose motor gives its torque or its speed.  A motor that keeps
+/// its speed holds its own damper.
+bool has_damping(const VibratingDrive& drive, MotorGives motor) {
+  const TorsionalChain& chain = drive.made.chain;
+  if (std::ranges::any_of(chain.springs, [](const ChainSpring& of) { return of.damping > 0; }))
+    return true;
+  const std::vector<std::size_t> held = drive.held(motor);
+  for (std::size_t n = 0; n < chain.inertias.size(); ++n)
+    if (chain.inertias[n].damping_to_ground > 0 && std::ranges::find(held, n) == held.end())
+      return true;
+  return false;
+}
+
 /// Adds the curves of one drive.
 void add_curves(const VibratingDrive& drive, bool cracked, FrfReport& report) {
   for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
+    const bool damped = has_damping(drive, motor);
     std::vector<DriveResponse> responses;
     std::vector<ChainPath> paths;
     std::vector<double> factors;
@@ -135,10 +149,10 @@ void add_curves(const VibratingDrive& drive, bool cracked, FrfReport& report) {
       }
       (cracked ? curve.cracked_amplitude : curve.intact_amplitude) = std::move(amplitude);
       (cracked ? curve.cracked_phase : curve.intact_phase) =
-          report.damped ? continuous_phases(found[p])
-                        : real_phases(found[p], report.frequency,
-                                      extrema_of(drive, responses[p], report.frequency.front(),
-                                                 report.frequency.back()));
+          damped ? continuous_phases(found[p])
+                 : real_phases(found[p], report.frequency,
+                               extrema_of(drive, responses[p], report.frequency.front(),
+                                          report.frequency.back()));
     }
   }
 }
@@ -174,17 +188,15 @@ std::optional<double> ratio_less_one(const std::optional<double>& above,
   return *above / *below - 1;
 }
 
-bool has_damping(const TorsionalChain& chain) {
-  return std::ranges::any_of(chain.springs, [](const ChainSpring& of) { return of.damping > 0; }) ||
-         std::ranges::any_of(chain.inertias,
-                             [](const ChainInertia& of) { return of.damping_to_ground > 0; });
-}
-
-void note_losses(const GearSet& gear, FrfReport& report) {
-  if (!report.damped)
+void note_losses(const GearSet& gear, bool damped_at_speed, FrfReport& report) {
+  if (!damped_at_speed)
     report.notes.push_back(
         {.code = "frf.undamped",
-         .text = "the file gives no damping, so the amplitudes at the resonances are infinite",
+         .text =
+             report.damped
+                 ? "nothing damps the drive while the motor keeps its speed, so the amplitudes "
+                   "at these resonances are infinite"
+                 : "the file gives no damping, so the amplitudes at the resonances are infinite",
          .path = "drivetrain.gear_damping",
          .equation = "DY-13",
          .severity = Severity::information,
@@ -259,7 +271,7 @@ FrfReport frf_report(const GearSet& gear, const FrfOptions& options, const Progr
   report.torque = states.torque;
   report.springs = states.springs;
   report.signed_ratio = signed_ratio(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
-  report.damped = has_damping(states.intact.made.chain);
+  report.damped = has_damping(states.intact, MotorGives::torque);
   report.cracked = states.with_cracks.has_value();
   double from = states.intact.modes(MotorGives::speed).front().frequency / kBeyondModes;
   double to = states.intact.modes(MotorGives::torque).front().frequency * kBeyondModes;
@@ -287,7 +299,7 @@ FrfReport frf_report(const GearSet& gear, const FrfOptions& options, const Progr
                                    : std::vector<ResponseExtremum>(),
                 report);
   report.notes = states.notes;
-  note_losses(gear, report);
+  note_losses(gear, has_damping(states.intact, MotorGives::speed), report);
   report.equations = {"DY-1", "DY-6", "DY-7", "DY-9", "DY-10", "DY-12", "DY-13"};
   return report;
 }

@@ -107,6 +107,27 @@ TEST(DrivetrainChain, LimitOfSmallInertiasIsTheChainWithoutThem) {
   EXPECT_LT(before, 1e-4);
 }
 
+TEST(DrivetrainChain, IdentityAllInertiasTurnWithTheDrive) {
+  // (DY-9, DY-10): without twist, the chain has the inertia of all its parts at the output.
+  const GearInertias own{.rim = 0.05, .hub = 0.02, .circular_spline = 0.3, .shaft = 0.4};
+  for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
+    Drivetrain ends = two_ends();
+    ends.fixed = fixed;
+    const DrivetrainChain made =
+        drivetrain_chain(ends, 50, {.mesh = 8e-6, .body = 4e-6, .shaft = 3e-6}, own);
+    const ChainMode turning = chain_modes(made.chain).front();
+    ASSERT_EQ(turning.frequency, 0.0);
+    double sum = 0.0;
+    for (std::size_t n = 0; n < made.chain.inertias.size(); ++n)
+      sum +=
+          made.chain.inertias[n].inertia * std::pow(turning.shape[n] / turning.shape[made.load], 2);
+    const double ratio = signed_ratio(arrangement_of(fixed), 50);
+    const double parts =
+        fixed == FixedMember::circular_spline ? own.rim + own.hub : own.circular_spline;
+    test::expect_relative(sum, ratio * ratio * 1e-4 + 1.0 + parts + own.shaft, 1e-9);
+  }
+}
+
 TEST(DrivetrainChain, LimitOfAStiffMeshIsARigidOne) {
   // (DY-10): the rim of a fixed flexspline follows the wave generator and the circular spline, so
   // none of these may be taken out in its place.  A compliance of 1e-9 of the body moves the first

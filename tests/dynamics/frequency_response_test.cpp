@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -212,6 +213,21 @@ TEST(ResponseExtrema, CrosscheckARowOfInertiasAgainstItsModes) {
   ASSERT_EQ(peaks.size(), modes.size() - 1);
   for (std::size_t m = 0; m < peaks.size(); ++m)
     test::expect_relative(peaks[m], modes[m + 1].frequency, 1e-5);
+}
+
+TEST(ResponseExtrema, LimitAZeroInADampedChainIsExact) {
+  // (DY-13): the response of an inertia to its own torque is 0 where the rest of the chain, with
+  // this inertia at rest, is at resonance.  A damper on this inertia does not act there.
+  const TorsionalChain chain = {
+      .inertias = {{"motor", 2.0, 0.03}, {"load", 3.0}},
+      .springs = {{.name = "spring", .compliance = 1 / 50.0, .twist_of = {1.0, -1.0}}}};
+  const auto extrema = response_extrema(chain, {.at = 0, .inertia = 0}, 0.1, 10);
+  const auto zero =
+      std::ranges::find(extrema, ExtremumKind::antiresonance, &ResponseExtremum::kind);
+  ASSERT_NE(zero, extrema.end());
+  test::expect_relative(zero->frequency, std::sqrt(50.0 / 3) / (2 * pi), 1e-7);
+  EXPECT_EQ(zero->amplitude, 0.0);
+  EXPECT_EQ(zero->damping_ratio, 0.0);
 }
 
 TEST(FrequencyResponse, BehaviourFrequenciesAreEvenlySpacedInTheirLogarithm) {

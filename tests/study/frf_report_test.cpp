@@ -207,6 +207,25 @@ TEST(FrfReport, LimitPhasesWithoutDamping) {
   EXPECT_GT(compared, 1500);
 }
 
+TEST(FrfReport, LimitAMotorThatKeepsItsSpeedHoldsItsDamper) {
+  // (DY-13): the responses at a given speed are those of a drive without damping, and a note says
+  // that they have infinite amplitudes.
+  GearSet gear = frf_joint();
+  gear.drivetrain->gear_damping = 0.0;
+  const FrfReport without = frf_report(gear, {.points = 300});
+  gear.drivetrain->motor_damping = 1e-3;
+  const FrfReport with = frf_report(gear, {.points = 300});
+  EXPECT_TRUE(with.damped);
+  for (const DriveResponse response :
+       {DriveResponse::error_given_speed, DriveResponse::load_torque_at_speed}) {
+    EXPECT_EQ(with.of(response).intact_phase, without.of(response).intact_phase);
+    EXPECT_EQ(with.of(response).cracked_phase, without.of(response).cracked_phase);
+  }
+  const auto note = std::ranges::find(with.notes, "frf.undamped", &Note::code);
+  ASSERT_NE(note, with.notes.end());
+  EXPECT_NE(note->text.find("keeps its speed"), std::string::npos);
+}
+
 TEST(FrfReport, InputEachRuleBrokenOnce) {
   const GearSet gear = frf_joint();
   const auto message = [&](const FrfOptions& options) {
