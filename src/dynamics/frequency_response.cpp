@@ -308,8 +308,12 @@ std::vector<ResponseExtremum> response_extrema(const TorsionalChain& chain, cons
       extremum.frequency = at;
       extremum.amplitude = sign * value;
       // Dampers on the inertia whose angle is asked do not act where this inertia rests.
-      constexpr double kZero = 1e-6;  // of the neighbours; below, the amplitude is rounding
-      if (!peak && *extremum.amplitude <= kZero * std::min(size[n - 1], size[n + 1])) {
+      // There the amplitude is that of the error of the place, which is about 1e-8 of the
+      // frequency.
+      constexpr double kPlace = 1e-7;
+      const double slope =
+          std::min(size[n - 1] / (at - low), size[n + 1] / (high - at));  // of the sides of a V
+      if (!peak && *extremum.amplitude <= kPlace * at * slope) {
         extremum.amplitude = 0.0;
         extremum.damping_ratio = 0.0;
       } else if (!peak) {

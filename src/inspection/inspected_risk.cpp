@@ -133,23 +133,23 @@ InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until, double
   return plan;
 }
 
-InspectionPlan least_plan(std::span<const DrawnPart> parts, double until, double wanted,
-                          std::size_t most, const DetectionCurve& curve,
-                          const std::vector<bool>& seen) {
+InspectionPlan least_plan(std::span<const DrawnPart> placing, std::span<const DrawnPart> judging,
+                          double until, double wanted, std::size_t most,
+                          const DetectionCurve& curve, const std::vector<bool>& seen) {
   InspectionPlan plan;
-  double risk = risk_of(parts, until, plan.times, curve, seen);
   // Only parts that fail matter, so the search looks at them alone.
   std::vector<DrawnPart> failing;
-  for (const DrawnPart& part : parts)
+  for (const DrawnPart& part : placing)
     if (part.failure <= until) failing.push_back(part);
-  const double share = static_cast<double>(failing.size()) / static_cast<double>(parts.size());
+  const double share = static_cast<double>(failing.size()) / static_cast<double>(placing.size());
   const auto of = [&](std::vector<double> times) {
     std::ranges::sort(times);
     return failing.empty() ? 0.0 : share * risk_of(failing, until, times, curve, seen);
   };
-  while (risk > wanted && plan.times.size() < most) {
+  const auto judged = [&] { return risk_of(judging, until, plan.times, curve, seen); };
+  while (!failing.empty() && plan.times.size() < most && judged() > wanted) {
     plan.times.push_back(until / 2);
-    risk = of(plan.times);
+    double risk = of(plan.times);
     double best_before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds && risk < best_before * (1 - 1e-9); ++round) {
       best_before = risk;
@@ -177,8 +177,8 @@ InspectionPlan least_plan(std::span<const DrawnPart> parts, double until, double
     }
   }
   std::ranges::sort(plan.times);
-  plan.reached = risk <= wanted;  // (IR-6)
-  plan.risk = inspected_risk(parts, until, plan.times, curve, seen);
+  plan.reached = judged() <= wanted;  // (IR-6)
+  plan.risk = inspected_risk(judging, until, plan.times, curve, seen);
   return plan;
 }
 

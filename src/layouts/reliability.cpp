@@ -83,7 +83,9 @@ std::string reliability_text(const ReliabilityReport& report, const GearSet& gea
                                   answer_sentence(answer)));
     std::vector<TitledTable> tables = {{"Roads to the probability", roads_of(answer)}};
     if (answer.first_order.converged)
-      tables.push_back({"Design point: the most likely inputs at which the requirement fails",
+      tables.push_back({fmt::format("Design point: the most likely inputs at which the requirement "
+                                    "{}",
+                                    answer.first_order.reliability_index < 0 ? "is met" : "fails"),
                         design_point_of(answer.first_order)});
     text += text_tables(tables);
   }

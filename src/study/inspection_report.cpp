@@ -165,7 +165,7 @@ void add_percentiles(InspectionReport& report, std::vector<double> lives) {
   };
   for (const double share : kShares) {
     const boost::math::binomial counts(n, share);
-    LifePercentile row{.share = share, .life = at(std::ceil(n * share))};
+    LifePercentile row{.share = share, .life = at(std::ceil(n * share * (1 - 1e-12)))};
     const double low = std::floor(boost::math::quantile(counts, kTail));
     const double high =
         std::ceil(boost::math::quantile(boost::math::complement(counts, kTail))) + 1;
@@ -323,7 +323,12 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
       const double wanted = *options.times.risk;
       const std::vector<double> equal =
           add("equal", equal_plan(parts, report.until, wanted, most, *curve, seen));
-      add("least", least_plan(parts, report.until, wanted, most, *curve, seen));
+      // Draws alternate, so both halves have the same law.
+      std::vector<DrawnPart> placing;
+      std::vector<DrawnPart> judging;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        (i % 2 == 0 ? placing : judging).push_back(parts[i]);
+      add("least", least_plan(placing, judging, report.until, wanted, most, *curve, seen));
       report.equations.insert(report.equations.end(), {"IR-5", "IR-6"});
       if (schedule.empty()) schedule = equal;
     }

@@ -90,9 +90,8 @@ FirstOrderReliability first_order(const GearSet& gear, const DrawnOutputs& outpu
 
 /// Chooses the road to trust, (UQ-6), (UQ-7).
 void judge(RequirementReliability& answer) {
-  constexpr int kEnough = 100;          // failures for a relative standard error of 10 %
-  constexpr double kPrecise = 0.2;      // largest relative standard error of importance sampling
-  constexpr double kContradicts = 4.0;  // standard errors
+  constexpr int kEnough = 100;      // failures for a relative standard error of 10 %
+  constexpr double kPrecise = 0.2;  // largest relative standard error of importance sampling
   const DrawnReliability& plain = answer.monte_carlo;
   answer.low = plain.low;
   answer.high = plain.high;
@@ -104,10 +103,7 @@ void judge(RequirementReliability& answer) {
     answer.probability = plain.probability;
     return;
   }
-  if (!precise) return;
-  const double error = std::hypot(about->standard_error,
-                                  std::sqrt(about->probability / static_cast<double>(plain.draws)));
-  if (std::abs(about->probability - plain.probability) > kContradicts * error) return;
+  if (!precise || plain.low > about->high || plain.high < about->low) return;  // (UQ-7)
   answer.trusted = ReliabilityRoad::importance_sampling;
   answer.probability = about->probability;
   answer.low = about->low;

@@ -92,8 +92,12 @@ double ScatterLaw::at(double normal) const {
       return centre_ * (1 + width_ * normal);
     case ScatterDistribution::uniform:
       return centre_ * (1 + width_ * (2 * normal_probability(normal) - 1));
-    case ScatterDistribution::weibull:
-      return centre_ * width_ * std::pow(-std::log(normal_probability(-normal)), 1 / shape_);
+    case ScatterDistribution::weibull: {
+      // The smaller of both probabilities has all its digits.
+      const double hazard = normal < 0 ? -std::log1p(-normal_probability(normal))
+                                       : -std::log(normal_probability(-normal));
+      return centre_ * width_ * std::pow(hazard, 1 / shape_);
+    }
     case ScatterDistribution::table:
       break;
   }

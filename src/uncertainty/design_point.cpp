@@ -151,18 +151,22 @@ CurvedLimit curved_limit(const LimitState& margin, const DesignPoint& at) {
     }
   const Vector curvatures = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bent).eigenvalues();
   limit.curvatures.assign(curvatures.begin(), curvatures.end());
-  const double beta = at.reliability_index;
-  const double hazard = normal_density(beta) / normal_probability(-beta);
+  // A drive that fails has the design point on the side of those that meet the requirement, which
+  // are then the rare ones.
+  const double side = at.reliability_index < 0 ? -1.0 : 1.0;
+  const double beta = std::abs(at.reliability_index);
+  const double tail = normal_probability(-beta);
+  const double hazard = normal_density(beta) / tail;
   double factor = 1.0;
   for (const double curvature : limit.curvatures) {
-    const double term = 1 + hazard * curvature;
+    const double term = 1 + hazard * side * curvature;
     if (!(term > 0)) {
       limit.reason = "the limit bends round the origin more than a sphere through the design point";
       return limit;
     }
     factor /= std::sqrt(term);  // (UQ-5)
   }
-  limit.probability = at.probability() * factor;
+  limit.probability = side > 0 ? tail * factor : 1 - tail * factor;
   return limit;
 }
 

@@ -87,6 +87,10 @@ SampledProbability importance_sampling(const std::function<LimitState()>& make,
                                        const std::vector<double>& centre,
                                        const SamplingOptions& options, const Progress& progress) {
   const std::vector<Draw> draws = draws_of(make, centre, options, progress);
+  // If the origin fails, the draws about the centre are those of the requirement being met:
+  // failures toward the origin have weights that hardly any draw carries.
+  const std::optional<double> at_origin = make()(std::vector<double>(centre.size(), 0.0));
+  const Draw rare = at_origin && *at_origin < 0 ? Draw::met : Draw::failed;
   SampledProbability result{.draws = draws.size()};
   Drawing drawing(centre, options.seed);
   double sum = 0.0;
@@ -94,7 +98,8 @@ SampledProbability importance_sampling(const std::function<LimitState()>& make,
   double left_out = 0.0;
   const double beta_squared = square_of(centre);
   for (std::size_t n = 0; n < draws.size(); ++n) {
-    if (draws[n] == Draw::met) continue;
+    if (draws[n] == Draw::failed) ++result.failures;
+    if (draws[n] != rare && draws[n] != Draw::without_value) continue;
     const std::vector<double>& z = drawing(n);
     double along = 0.0;
     for (std::size_t i = 0; i < z.size(); ++i) along += z[i] * centre[i];
@@ -104,17 +109,22 @@ SampledProbability importance_sampling(const std::function<LimitState()>& make,
       left_out += weight;
       continue;
     }
-    ++result.failures;
     sum += weight;
     squares += weight * weight;
   }
   const auto count = static_cast<double>(draws.size());
-  result.probability = sum / count;
-  result.standard_error =
-      std::sqrt(std::max(0.0, squares / count - result.probability * result.probability) / count);
-  result.low = std::max(0.0, result.probability - kNormal95 * result.standard_error);
-  result.high =
-      std::min(1.0, result.probability + kNormal95 * result.standard_error + left_out / count);
+  const double share = sum / count;
+  result.standard_error = std::sqrt(std::max(0.0, squares / count - share * share) / count);
+  const double half = kNormal95 * result.standard_error;
+  if (rare == Draw::failed) {
+    result.probability = share;
+    result.low = std::max(0.0, share - half);
+    result.high = std::min(1.0, share + half + left_out / count);
+  } else {
+    result.probability = std::max(0.0, 1 - share - left_out / count);
+    result.low = std::max(0.0, result.probability - half);
+    result.high = std::min(1.0, 1 - share + half);
+  }
   return result;
 }
 

@@ -104,13 +104,17 @@ SobolOutput output_of(const Rows& rows, std::size_t points, std::size_t replicat
   }
   // The variance of a constant is that of rounding.
   const double rounding = std::pow(1e-13 * result.mean, 2);
-  if (std::ranges::any_of(all, [&](const Shares& s) { return !(s.variance > rounding); })) {
+  const auto constant = [&](const Shares& s) { return !(s.variance > rounding); };
+  if (std::ranges::all_of(all, constant)) {
     result.variance = 0.0;
     return result;
   }
+  // An output that seldom changes may stand still in a replicate; then all take the mean variance.
+  const bool pooled = std::ranges::any_of(all, constant);
   std::vector<double> of_replicate(replicates);
   const auto estimate = [&](const auto& share) {
-    for (std::size_t r = 0; r < replicates; ++r) of_replicate[r] = share(all[r]) / all[r].variance;
+    for (std::size_t r = 0; r < replicates; ++r)
+      of_replicate[r] = share(all[r]) / (pooled ? result.variance : all[r].variance);
     return estimate_of(of_replicate);
   };
   for (std::size_t i = 0; i < groups; ++i)

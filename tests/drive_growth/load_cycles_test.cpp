@@ -424,6 +424,7 @@ TEST(LoadCycles, IdentityAPeakIsAPeakWhereverTheDutyBegins) {  // GR-21, GR-27
   // the block that comes first.
   const OneMode crack = inclined_crack();
   GearSet gear = crack.gear;
+  gear.material.at("steel").yield_strength = 1e9;
   gear.duty->block.clear();
   for (const double torque : {0.0, 8000.0, 2500.0, -1200.0})
     gear.duty->block.push_back(

@@ -190,7 +190,7 @@ TEST(InspectedRisk, BehaviourPlans) {
   const double end = 95e3;
   for (const double wanted : {0.1, 0.01, 1e-3}) {
     const InspectionPlan equal = equal_plan(parts, end, wanted, 20, kCurve, sees);
-    const InspectionPlan least = least_plan(parts, end, wanted, 20, kCurve, sees);
+    const InspectionPlan least = least_plan(parts, parts, end, wanted, 20, kCurve, sees);
     ASSERT_TRUE(equal.reached);
     ASSERT_TRUE(least.reached);
     EXPECT_LE(equal.risk.probability, wanted);
@@ -209,12 +209,12 @@ TEST(InspectedRisk, BehaviourPlans) {
   }
   const InspectionPlan none = equal_plan(parts, end, 0.99, 20, kCurve, sees);
   EXPECT_TRUE(none.reached && none.times.empty());
-  const InspectionPlan few = least_plan(parts, end, 1e-9, 2, kCurve, sees);
+  const InspectionPlan few = least_plan(parts, parts, end, 1e-9, 2, kCurve, sees);
   EXPECT_FALSE(few.reached);
   EXPECT_EQ(few.times.size(), 2U);
   // One known part: the last moment before its failure is the best one.
   const std::vector<DrawnPart> one = {part_of()};
-  const InspectionPlan last = least_plan(one, 110e3, 0.5, 1, kCurve, sees);
+  const InspectionPlan last = least_plan(one, one, 110e3, 0.5, 1, kCurve, sees);
   EXPECT_GT(last.times.at(0), 0.98 * one[0].failure);
   EXPECT_LT(last.times.at(0), one[0].failure);
 }

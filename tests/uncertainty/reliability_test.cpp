@@ -48,6 +48,35 @@ TEST(Reliability, ReferenceAPlaneLimit) {
   }
 }
 
+// Kind: identity (UQ-5), (UQ-7).  What fails and what meets the requirement are the two sides of
+// one limit: their probabilities add up to 1, also if the drive of the file fails.
+TEST(Reliability, IdentityBothSidesOfALimit) {
+  const LimitState curved = [](std::span<const double> z) -> std::optional<double> {
+    return 2.5 + z[0] + 0.15 * z[1] * z[1];
+  };
+  const LimitState other = [&](std::span<const double> z) { return std::optional(-*curved(z)); };
+  const DesignPoint one = find_design_point(curved, origin(2));
+  const DesignPoint two = find_design_point(other, origin(2));
+  ASSERT_TRUE(one.converged && two.converged);
+  EXPECT_NEAR(one.reliability_index, 2.5, 1e-6);
+  EXPECT_NEAR(two.reliability_index, -2.5, 1e-6);
+  const double fails = *curved_limit(curved, one).probability;
+  EXPECT_LT(fails, one.probability());
+  EXPECT_NEAR(*curved_limit(other, two).probability, 1 - fails, 1e-12);
+  const auto about = importance_sampling([&] { return curved; }, one.place, {.draws = 20000});
+  const auto mirror = importance_sampling([&] { return other; }, two.place, {.draws = 20000});
+  EXPECT_NEAR(mirror.probability, 1 - about.probability, 1e-12);
+  EXPECT_NEAR(mirror.low, 1 - about.high, 1e-12);
+  for (const double distance : {-3.0, -5.0}) {
+    const LimitState limit = plane(distance);
+    const auto sampled = importance_sampling(
+        [&] { return limit; }, find_design_point(limit, origin(2)).place, {.draws = 20000});
+    EXPECT_LT(sampled.standard_error, 0.02 * normal_probability(distance));
+    EXPECT_LE(sampled.low, normal_probability(-distance));
+    EXPECT_GE(sampled.high, normal_probability(-distance));
+  }
+}
+
 // Kind: behaviour.  A start on the limit, but beside the nearest failure, is not the design point.
 TEST(Reliability, BehaviourAStartOnTheLimitIsNotTheEnd) {
   const DesignPoint point = find_design_point(plane(3.0), {1.8 + 0.05 * 0.8, -2.4 + 0.05 * 0.6});

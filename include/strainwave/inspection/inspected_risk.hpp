@@ -117,7 +117,16 @@ struct InspectionPlan {
 
 /// The fewest inspections at times of least risk whose risk is at most `wanted`; theory manual eq.
 /// (IR-6).  The times are moved in turn until none of them lowers the risk further.
-[[nodiscard]] InspectionPlan least_plan(std::span<const DrawnPart> parts, double until,
+/// @param placing  parts among which the times are searched; at least one
+/// @param judging  other parts, by which the risk and the number of inspections are judged, because
+///                 the times suit the first ones too well; at least one
+/// @param until    end of the time at risk [s]; > 0
+/// @param wanted   largest allowed risk [-]
+/// @param most     largest number of inspections
+/// @param curve    of detection
+/// @param seen     as in DrawnPart::found_at
+[[nodiscard]] InspectionPlan least_plan(std::span<const DrawnPart> placing,
+                                        std::span<const DrawnPart> judging, double until,
                                         double wanted, std::size_t most,
                                         const DetectionCurve& curve, const std::vector<bool>& seen);
 
