@@ -51,7 +51,8 @@ struct SamplingOptions {
 /// Importance sampling: the draws scatter about a design point and count by their weight.
 ///
 /// Implements theory manual eq. (UQ-7).  It is exact on average if all failures can be drawn, and
-/// efficient if they lie about the design point.
+/// efficient if they lie about the design point.  If the origin fails, z* is the nearest place that
+/// meets the requirement, and the weights of such draws give 1 - P.
 ///
 /// @param make      makes the margin of one thread
 /// @param centre    z*, the design point; its size is the number of inputs
