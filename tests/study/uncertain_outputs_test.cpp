@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -136,6 +137,23 @@ TEST(ScatterLaw, ReferenceMeanAndDeviationOfEachDistribution) {
       EXPECT_NEAR(answer.inputs[0].first.value, 1, 0.01);
       EXPECT_NEAR(answer.inputs[0].total.value, 1, 0.01);
     }
+  }
+}
+
+// Kind: reference.  Ratios of a Weibull quantile to its mean far below, by 30 digits of gamma and
+// of the error function; the stiffness is proportional to the input.  Tolerance: that of the
+// search.
+TEST(ScatterLaw, ReferenceLowTailOfAWeibullDistribution) {
+  const GearSet gear = shaft_alone(ScatterDistribution::weibull, 0.05);
+  const double value = stiffness_of(gear);
+  for (const auto& [below, ratio] : {std::pair{6.5, 0.391560774964726867},
+                                     {7.0, 0.341045851342311101},
+                                     {7.5, 0.294140146260503501}}) {
+    const std::string text = fmt::format("intact.stiffness >= {:.17g} N*m/rad", ratio * value);
+    const auto answer = reliability_of(gear, requirements_on(gear, {text}), {.draws = 100});
+    const FirstOrderReliability& first = answer.answers.at(0).first_order;
+    ASSERT_TRUE(first.converged) << first.reason;
+    EXPECT_NEAR(first.reliability_index, below, 1e-6);
   }
 }
 
