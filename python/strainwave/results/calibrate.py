@@ -25,7 +25,7 @@ class Factors(Part):
     value: FloatArray
     """calibrated value"""
     uncertainty: FloatArray
-    """one standard uncertainty, relative to the value"""
+    """one standard uncertainty of the value"""
     at_limit: AnyArray
     """whether the fit stopped at a limit of the factor"""
     plausible: AnyArray
