@@ -28,11 +28,11 @@ struct InfluenceGrid {
 [[nodiscard]] InfluenceGrid influence_grid();
 
 struct InfluenceOutcome {
-  std::string table;        ///< name of the table's file
-  std::size_t cracks{};     ///< cracks of the table
-  std::size_t found{};      ///< cracks that the file had already
-  std::size_t unknowns{};   ///< most unknowns of a crack that was computed
-  double asymmetry{};       ///< largest difference from reciprocity of a crack that was computed
+  std::string table;       ///< name of the table's file
+  std::size_t cracks{};    ///< cracks of the table
+  std::size_t found{};     ///< cracks that the file had already
+  std::size_t unknowns{};  ///< most unknowns of a crack that was computed
+  double asymmetry{};      ///< largest difference from reciprocity of a crack that was computed
 
   template <class Visitor>
   static void describe(Visitor&& field) {
