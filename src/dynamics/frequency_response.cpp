@@ -236,6 +236,10 @@ std::vector<double> logarithmic_frequencies(double from, double to, std::size_t 
   return frequencies;
 }
 
+bool has_damping(const TorsionalChain& chain, std::span<const std::size_t> held) {
+  return !free_chain(chain, held).damping.isZero(0.0);
+}
+
 std::vector<std::vector<Complex>> frequency_responses(const TorsionalChain& chain,
                                                       std::span<const ChainPath> paths,
                                                       std::span<const double> frequencies,

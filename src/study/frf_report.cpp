@@ -111,17 +111,9 @@ std::vector<double> real_phases(const std::vector<std::complex<double>>& respons
   return phases;
 }
 
-/// Whether anything damps a drive whose motor gives its torque or its speed.  A motor that keeps
-/// its speed holds its own damper.
+/// Whether anything damps a drive whose motor gives its torque or its speed.
 bool has_damping(const VibratingDrive& drive, MotorGives motor) {
-  const TorsionalChain& chain = drive.made.chain;
-  if (std::ranges::any_of(chain.springs, [](const ChainSpring& of) { return of.damping > 0; }))
-    return true;
-  const std::vector<std::size_t> held = drive.held(motor);
-  for (std::size_t n = 0; n < chain.inertias.size(); ++n)
-    if (chain.inertias[n].damping_to_ground > 0 && std::ranges::find(held, n) == held.end())
-      return true;
-  return false;
+  return has_damping(drive.made.chain, drive.held(motor));
 }
 
 /// Adds the curves of one drive.

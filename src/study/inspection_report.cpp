@@ -165,7 +165,7 @@ void add_percentiles(InspectionReport& report, std::vector<double> lives) {
   };
   for (const double share : kShares) {
     const boost::math::binomial counts(n, share);
-    LifePercentile row{.share = share, .life = at(std::ceil(n * share * (1 - 1e-12)))};
+    LifePercentile row{.share = share, .life = at(std::ceil(n * share))};
     const double low = std::floor(boost::math::quantile(counts, kTail));
     const double high =
         std::ceil(boost::math::quantile(boost::math::complement(counts, kTail))) + 1;
@@ -323,12 +323,10 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
       const double wanted = *options.times.risk;
       const std::vector<double> equal =
           add("equal", equal_plan(parts, report.until, wanted, most, *curve, seen));
-      // Draws alternate, so both halves have the same law.
-      std::vector<DrawnPart> placing;
-      std::vector<DrawnPart> judging;
-      for (std::size_t i = 0; i < parts.size(); ++i)
-        (i % 2 == 0 ? placing : judging).push_back(parts[i]);
-      add("least", least_plan(placing, judging, report.until, wanted, most, *curve, seen));
+      const std::span<const DrawnPart> all = parts;
+      const std::size_t half = all.size() / 2;
+      add("least",
+          least_plan(all.first(half), all.subspan(half), report.until, wanted, most, *curve, seen));
       report.equations.insert(report.equations.end(), {"IR-5", "IR-6"});
       if (schedule.empty()) schedule = equal;
     }
@@ -436,8 +434,9 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
          .severity = Severity::cannot_tell,
          .next_step = options.times.risk
                           ? fmt::format("Plan for a smaller --risk, whose upper limit is below the "
-                                        "wanted one, with more than {} draws.",
-                                        static_cast<std::int64_t>(std::ceil(3.7 / wanted)))
+                                        "wanted one, with more than {} draws; the plan at times "
+                                        "of least risk needs twice as many.",
+                                        static_cast<std::int64_t>(std::ceil(3.69 / wanted)))
                           : "Ask for more --draws."});
   return report;
 }

@@ -93,7 +93,7 @@ double ScatterLaw::at(double normal) const {
     case ScatterDistribution::uniform:
       return centre_ * (1 + width_ * (2 * normal_probability(normal) - 1));
     case ScatterDistribution::weibull: {
-      // The smaller of both probabilities has all its digits.
+      // The probability in the tail is exact; 1 minus it loses the digits of the tail.
       const double hazard = normal < 0 ? -std::log1p(-normal_probability(normal))
                                        : -std::log(normal_probability(-normal));
       return centre_ * width_ * std::pow(hazard, 1 / shape_);

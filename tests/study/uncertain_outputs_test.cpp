@@ -13,6 +13,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/reliability.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
 #include "strainwave/study/reliability_report.hpp"
@@ -154,6 +155,18 @@ TEST(ScatterLaw, ReferenceLowTailOfAWeibullDistribution) {
     const FirstOrderReliability& first = answer.answers.at(0).first_order;
     ASSERT_TRUE(first.converged) << first.reason;
     EXPECT_NEAR(first.reliability_index, below, 1e-6);
+  }
+}
+
+// Kind: behaviour (UQ-4).  The text says on which side of the limit the design point is.
+TEST(ReliabilityText, BehaviourTheDesignPointOfADriveThatFails) {
+  const GearSet gear = shaft_alone(ScatterDistribution::lognormal, 0.05);
+  for (const auto& [ratio, says] : {std::pair{0.9, "at which the requirement fails"},
+                                    std::pair{1.1, "at which the requirement is met"}}) {
+    const std::string text =
+        fmt::format("intact.stiffness >= {:.17g} N*m/rad", ratio * stiffness_of(gear));
+    EXPECT_NE(reliability_text(reliability(gear, text, {.draws = 200}), gear).find(says),
+              std::string::npos);
   }
 }
 

@@ -176,7 +176,7 @@ struct ShaftCrackCompliance {
   double axial_term = 0.0;    ///< from K_I
   double torsion_term = 0.0;  ///< from K_III
 
-  /// The sum of both terms, which the article prints although their dimensions differ.
+  /// The sum of both terms as printed.  Their dimensions differ, so the sum means nothing.
   [[nodiscard]] double total() const { return axial_term + torsion_term; }
 };
 

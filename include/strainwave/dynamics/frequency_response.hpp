@@ -30,6 +30,14 @@ struct ChainPath {
   std::size_t inertia = 0;         ///< index of the inertia whose angle is asked
 };
 
+/// Whether anything damps the inertias that can turn.  A damper of an inertia that is held does
+/// not.
+///
+/// @param chain        inertias and springs, with numbers in their range
+/// @param held         as in `chain_modes`
+/// @throws InputError  as `chain_modes`
+[[nodiscard]] bool has_damping(const TorsionalChain& chain, std::span<const std::size_t> held = {});
+
 /// Angles over a list of frequencies, shape (n paths, n frequencies) [rad/(N*m)] by a torque, [-]
 /// by an error of a twist.
 ///

@@ -120,7 +120,7 @@ void require_inputs_of_curve(const GearSet& gear);
 ///
 /// Implements theory manual eqs. (MO-27) and (MO-58).  Balls do not deviate.
 /// @param gear      with a drivetrain and each input of the coupled drive
-/// @param teeth     of both parts, with their gap, as of `paired` or `draw_deviations`
+/// @param teeth     deviations of both parts and their gap, by `paired` or `draw_deviations`
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws  as `computed_curve`
 [[nodiscard]] ComputedCurve computed_curve_of_teeth(const GearSet& gear, const Deviations& teeth,

@@ -67,9 +67,9 @@ using InputGroups = std::vector<std::vector<std::size_t>>;
 /// @param outputs   number of outputs
 /// @param options   points, replicates, seed and threads; {}: 4096 points in 16 replicates
 /// @param progress  receives the share that is done, and may request a stop; {}: none
-/// @throws InputError   if there are fewer than 2 replicates, the points are no multiple of the
-///                      replicates or fewer than twice as many, the inputs are none or too many, or
-///                      an index of a group is not below their number
+/// @throws InputError   if there are fewer than 2 replicates, if the points are no multiple of the
+///                      replicates or fewer than twice as many, if the number of inputs is not 1
+///                      to SobolPoints::kMaxDimensions/2, or if an index of a group is not below it
 /// @throws SolverError  if a replicate has fewer than two points with values
 /// @throws Stopped      if `progress` requests a stop
 [[nodiscard]] SobolStudy sobol_indices(const std::function<NormalFunction()>& make,

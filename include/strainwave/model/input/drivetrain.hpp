@@ -53,7 +53,7 @@ struct Drivetrain {
   std::optional<double> wave_generator_inertia = {};
   /// between motor and wave generator [N*m/rad]; > 0; absent: rigid
   std::optional<double> coupling_stiffness = {};
-  double load_inertia = 0.0;    ///< J_L at the output [kg*m^2]; > 0
+  double load_inertia = 0.0;    ///< J_L at the output, without the drive [kg*m^2]; > 0
   double motor_damping = 0.0;   ///< B_m against the housing [N*m*s/rad]; >= 0
   double gear_damping = 0.0;    ///< c, parallel to the drive, at the output [N*m*s/rad]; >= 0
   double load_damping = 0.0;    ///< B_L against the housing [N*m*s/rad]; >= 0
@@ -104,12 +104,15 @@ struct Drivetrain {
               .example = R"("2000 N*m/rad")",
               .in_template = InTemplate::commented},
         &Drivetrain::coupling_stiffness);
-    field(Field{.name = "load_inertia",
-                .unit = "kg*m^2",
-                .doc = "J_L: moment of inertia of all that turns with the output",
-                .range = kPositive,
-                .example = R"("1 kg*m^2")"},
-          &Drivetrain::load_inertia);
+    field(
+        Field{.name = "load_inertia",
+              .unit = "kg*m^2",
+              .doc =
+                  "J_L: moment of inertia of all that turns with the output and is no part of the "
+                  "drive; the densities of the materials give that of its shaft",
+              .range = kPositive,
+              .example = R"("1 kg*m^2")"},
+        &Drivetrain::load_inertia);
     const auto damping = [&](std::string_view name, std::string_view doc, auto member) {
       field(Field{.name = name,
                   .unit = "N*m*s/rad",
