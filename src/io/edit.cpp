@@ -7,7 +7,9 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "strainwave/core/nearest.hpp"
 #include "strainwave/core/toml_reader.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
@@ -85,7 +87,7 @@ class PathReader {
 
   KnownPath read() {
     if (whole_.empty()) throw InputError("path", "is empty; it must name a field");
-    walk<GearSet>(whole_);
+    walk(shape_of<GearSet>(), whole_);
     return std::move(path_);
   }
 
@@ -149,17 +151,15 @@ class PathReader {
     return static_cast<std::size_t>(std::stoul(std::string(digits)));
   }
 
-  /// Walks into the named field of the first struct that has it.
-  template <class... Alternatives>
-  void walk_field(std::string_view rest, std::vector<std::string> names) {
+  /// Walks into the named field of the first of these records that has it.
+  void walk_field(std::span<const Shape* const> records, std::string_view rest,
+                  std::vector<std::string> names) {
     const std::string head = before(rest);
     const std::string key = take_key(rest);
-    const auto add = [&]<class T>() {
-      T::describe([&](const Field& field, auto) {
-        if (std::ranges::find(names, field.name) == names.end()) names.emplace_back(field.name);
-      });
-    };
-    (add.template operator()<Alternatives>(), ...);
+    for (const Shape* const record : records)
+      for (const ShapeField& one : record->fields)
+        if (std::ranges::find(names, one.field.name) == names.end())
+          names.emplace_back(one.field.name);
     if (std::ranges::find(names, key) == names.end()) {
       const std::string near = nearest_word(key, names);
       const std::string dot = head.empty() ? "" : ".";
@@ -170,67 +170,53 @@ class PathReader {
               : fmt::format("is not known here; did you mean {}?", head + dot + near));
     }
     push(key_step(key), names);
-    if (key == "kind") return walk<std::string>(rest);
-    bool found = false;
-    const auto enter = [&]<class T>() {
-      T::describe([&](const Field& field, auto member) {
-        if (found || field.name != key) return;
-        found = true;
-        walk<std::decay_t<decltype(std::declval<T>().*member)>>(rest);
-      });
-    };
-    (enter.template operator()<Alternatives>(), ...);
+    if (key == "kind") return walk(shape_of<std::string>(), rest);
+    for (const Shape* const record : records)
+      if (const ShapeField* const one = record->find(key)) return walk(*one->shape, rest);
   }
 
-  template <class... Ts>
-  void walk_variant(std::string_view rest, const std::variant<Ts...>*) {
-    walk_field<Ts...>(rest, {"kind"});
-  }
-
-  /// Whether a path begins with the name of a field of a struct.
-  template <class Element>
-  static bool begins_with_field(std::string_view path) {
-    const std::string_view key = path.substr(0, path.find_first_of(".["));
-    bool found = false;
-    if constexpr (Described<Element>)
-      Element::describe([&](const Field& field, auto) { found = found || field.name == key; });
-    return found;
+  /// Whether a path begins with the name of a field of a record.
+  static bool begins_with_field(const Shape& shape, std::string_view path) {
+    return shape.find(path.substr(0, path.find_first_of(".["))) != nullptr;
   }
 
   /// A name chosen by the user may contain dots; the program prints it without quotes.
-  template <class Element>
-  void walk_named(std::string_view rest) {
+  void walk_named(const Shape& element, std::string_view rest) {
     take_dot(rest);
     if (const auto quoted = take_quoted(rest)) {
       push(key_step(*quoted));
-      return walk<Element>(rest);
+      return walk(element, rest);
     }
     // The name ends where a field of the element follows, which may have fields of its own.
     std::size_t dot = rest.rfind('.');
     for (std::size_t at = rest.find('.'); at < dot; at = rest.find('.', at + 1))
-      if (begins_with_field<Element>(rest.substr(at + 1))) dot = at;
+      if (begins_with_field(element, rest.substr(at + 1))) dot = at;
     push(key_step(std::string(rest.substr(0, dot))));
-    walk<Element>(dot == std::string_view::npos ? std::string_view() : rest.substr(dot));
+    walk(element, dot == std::string_view::npos ? std::string_view() : rest.substr(dot));
   }
 
-  template <class T>
-  void walk(std::string_view rest) {
+  void walk(const Shape& shape, std::string_view rest) {
     if (rest.empty()) return;
-    if constexpr (is_optional<T>) {
-      walk<typename T::value_type>(rest);
-    } else if constexpr (is_vector<T> || is_pair_of_numbers<T>) {
-      const std::size_t index = take_index(rest);
-      if (is_pair_of_numbers<T> && index > 1) refuse("has two elements, [0] and [1]");
-      push(index_step(index));
-      walk<typename T::value_type>(rest);
-    } else if constexpr (is_string_map<T>) {
-      walk_named<typename T::mapped_type>(rest);
-    } else if constexpr (is_variant<T>) {
-      walk_variant(rest, static_cast<const T*>(nullptr));
-    } else if constexpr (Described<T>) {
-      walk_field<T>(rest, {});
-    } else {
-      refuse(fmt::format("goes too deep: {} has nothing below it", before(rest)));
+    switch (shape.kind) {
+      case Shape::Kind::optional:
+        return walk(*shape.element, rest);
+      case Shape::Kind::pair:
+      case Shape::Kind::list: {
+        const std::size_t index = take_index(rest);
+        if (shape.kind == Shape::Kind::pair && index > 1) refuse("has two elements, [0] and [1]");
+        push(index_step(index));
+        return walk(*shape.element, rest);
+      }
+      case Shape::Kind::map:
+        return walk_named(*shape.element, rest);
+      case Shape::Kind::alternatives:
+        return walk_field(shape.alternatives, rest, {"kind"});
+      case Shape::Kind::record: {
+        const Shape* const record = &shape;
+        return walk_field(std::span(&record, 1), rest, {});
+      }
+      default:
+        refuse(fmt::format("goes too deep: {} has nothing below it", before(rest)));
     }
   }
 

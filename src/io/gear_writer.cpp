@@ -7,10 +7,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <type_traits>
 
-#include "strainwave/core/described.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shape.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/io/edit.hpp"
 
@@ -79,11 +78,13 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : toml_string(key);
 }
 
-template <class T>
-inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> ||
-                                 (is_vector<T> && !is_array_of_numbers<T>);
-template <class T>
-inline constexpr bool is_table<std::optional<T>> = is_table<T>;
+/// Whether a material takes this field from the library.
+bool from_library(const Shape& record, const void* value, const Field& field) {
+  if (&record != &shape_of<Material>()) return false;
+  const auto& material = *static_cast<const Material*>(value);
+  return material.based_on &&
+         std::ranges::find(material.from_library, field.name) != material.from_library.end();
+}
 
 class GearWriter {
  public:
@@ -92,73 +93,84 @@ class GearWriter {
   std::string text() && { return std::move(text_); }
 
   /// Writes plain fields first, then the tables below, as TOML requires.
-  template <Described T>
-  void body(const T& value, const std::string& head, const FieldPath& path) {
-    if constexpr (requires { T::kKind; }) line("kind", toml_string(T::kKind), path / "kind");
-    static const T unset{};
-    T::describe([&](const Field& field, auto member) {
-      using Value = std::decay_t<decltype(value.*member)>;
-      if constexpr (!is_table<Value>) {
-        const FieldPath at = path / field.name;
-        const std::string text = plain(value.*member, field);
-        bool implied = !field.fallback.empty() && text == plain(unset.*member, field) &&
-                       !comments_.contains(at.text());
-        if constexpr (std::is_same_v<T, Material>)
-          implied = value.based_on &&
-                    std::ranges::find(value.from_library, field.name) != value.from_library.end();
-        if (!text.empty() && !implied) line(field.name, text, at);
-      }
-    });
-    T::describe([&](const Field& field, auto member) {
-      using Value = std::decay_t<decltype(value.*member)>;
-      if constexpr (is_table<Value>)
-        section(value.*member,
-                head.empty() ? std::string(field.name) : fmt::format("{}.{}", head, field.name),
-                path / field.name);
-    });
+  void body(const Shape& record, const void* value, const std::string& head,
+            const FieldPath& path) {
+    if (!record.kind_name.empty()) line("kind", toml_string(record.kind_name), path / "kind");
+    const bool material = &record == &shape_of<Material>();
+    for (const ShapeField& one : record.fields) {
+      if (is_section(*one.shape)) continue;
+      const Field& field = one.field;
+      const FieldPath at = path / field.name;
+      const std::string text = plain(*one.shape, value_in(value, one), field);
+      const bool implied =
+          material ? from_library(record, value, field)
+                   : !field.fallback.empty() &&
+                         text == plain(*one.shape, value_in(record.unset, one), field) &&
+                         !comments_.contains(at.text());
+      if (!text.empty() && !implied) line(field.name, text, at);
+    }
+    for (const ShapeField& one : record.fields)
+      if (is_section(*one.shape))
+        section(
+            *one.shape, value_in(value, one),
+            head.empty() ? std::string(one.field.name) : fmt::format("{}.{}", head, one.field.name),
+            path / one.field.name);
   }
 
  private:
   /// Right-hand side of a plain field; empty for an absent optional field.
-  template <class T>
-  static std::string plain(const T& value, const Field& field) {
-    if constexpr (std::is_same_v<T, double>) {
-      return number_text(value, field);
-    } else if constexpr (is_optional<T>) {
-      return value ? plain(*value, field) : std::string();
-    } else if constexpr (is_pair_of_numbers<T>) {
-      return fmt::format("[{}, {}]", plain(value[0], field), plain(value[1], field));
-    } else if constexpr (is_array_of_numbers<T>) {
-      std::string list;
-      for (const double number : value) list += (list.empty() ? "" : ", ") + plain(number, field);
-      return fmt::format("[{}]", list);
-    } else if constexpr (std::is_enum_v<T>) {
-      return toml_string(enum_name(value));
-    } else if constexpr (std::is_same_v<T, std::string>) {
-      return toml_string(value);
-    } else {
-      return fmt::format("{}", value);
+  static std::string plain(const Shape& shape, const void* value, const Field& field) {
+    switch (shape.kind) {
+      case Shape::Kind::number:
+        return number_text(*static_cast<const double*>(value), field);
+      case Shape::Kind::whole:
+        return fmt::format("{}", *static_cast<const int*>(value));
+      case Shape::Kind::flag:
+        return *static_cast<const bool*>(value) ? "true" : "false";
+      case Shape::Kind::text:
+        return toml_string(*static_cast<const std::string*>(value));
+      case Shape::Kind::choice:
+        return toml_string(shape.names[shape.index(value)]);
+      case Shape::Kind::optional:
+        return shape.size(value) == 1 ? plain(*shape.element, element_of(shape, value, 0), field)
+                                      : std::string();
+      default:
+        break;
     }
+    std::string list;
+    for (std::size_t i = 0; i < shape.size(value); ++i)
+      list += (i > 0 ? ", " : "") + plain(*shape.element, element_of(shape, value, i), field);
+    return fmt::format("[{}]", list);
   }
 
-  template <class T>
-  void section(const T& value, const std::string& head, const FieldPath& path) {
-    if constexpr (is_optional<T>) {
-      if (value) section(*value, head, path);
-    } else if constexpr (is_string_map<T>) {
-      for (const auto& [name, element] : value)
-        section(element, fmt::format("{}.{}", head, key_text(name)), path / name);
-    } else if constexpr (is_vector<T>) {
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        text_ += fmt::format("\n[[{}]]\n", head);
-        if constexpr (is_variant<typename T::value_type>)
-          std::visit([&](const auto& one) { body(one, head, path[i]); }, value[i]);
-        else
-          body(value[i], head, path[i]);
-      }
-    } else {
-      text_ += fmt::format("\n[{}]\n", head);
-      body(value, head, path);
+  void section(const Shape& shape, const void* value, const std::string& head,
+               const FieldPath& path) {
+    switch (shape.kind) {
+      case Shape::Kind::optional:
+        if (shape.size(value) == 1)
+          section(*shape.element, element_of(shape, value, 0), head, path);
+        return;
+      case Shape::Kind::map:
+        each_element(shape, value, [&](const std::string& name, const void* element) {
+          section(*shape.element, element, fmt::format("{}.{}", head, key_text(name)), path / name);
+        });
+        return;
+      case Shape::Kind::list:
+        for (std::size_t i = 0; i < shape.size(value); ++i) {
+          text_ += fmt::format("\n[[{}]]\n", head);
+          const void* element = element_of(shape, value, i);
+          const Shape* record = shape.element;
+          if (record->kind == Shape::Kind::alternatives) {
+            const Shape& variant = *record;
+            record = variant.alternatives[variant.index(element)];
+            element = element_of(variant, element, 0);
+          }
+          body(*record, element, head, path[i]);
+        }
+        return;
+      default:
+        text_ += fmt::format("\n[{}]\n", head);
+        body(shape, value, head, path);
     }
   }
 
@@ -190,7 +202,7 @@ class GearWriter {
 
 std::string gear_text(const GearSet& gear, const std::map<std::string, std::string>& comments) {
   GearWriter writer(comments);
-  writer.body(gear, {}, FieldPath());
+  writer.body(shape_of<GearSet>(), &gear, {}, FieldPath());
   return std::move(writer).text();
 }
 

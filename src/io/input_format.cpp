@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <map>
@@ -13,7 +14,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -22,47 +22,6 @@
 
 namespace strainwave {
 namespace {
-
-template <class T>
-struct Unwrapped {
-  using type = T;
-};
-template <class T>
-struct Unwrapped<std::optional<T>> {
-  using type = T;
-};
-template <class T>
-struct Unwrapped<std::vector<T>> {
-  using type = T;
-};
-template <class T>
-struct Unwrapped<std::map<std::string, T>> {
-  using type = T;
-};
-
-/// Type of the member to which a pointer to member refers.
-template <class Struct, class Value>
-Value member_type(Value Struct::*);
-
-template <class Member>
-using ValueOf = decltype(member_type(std::declval<Member>()));
-
-/// True for a table, an array of tables or a table of tables, which have their own headings.
-template <class T>
-inline constexpr bool is_section =
-    Described<typename Unwrapped<T>::type> || is_variant<typename Unwrapped<T>::type>;
-
-template <class T>
-bool required(const Field& field) {
-  const bool conditional = !field.unless.front().empty();
-  return (!is_optional<T> || conditional) && !is_vector<T> && !is_string_map<T> &&
-         field.fallback.empty();
-}
-/// Whether the field is required regardless of the other fields of its table.
-template <class T>
-bool always_required(const Field& field) {
-  return required<T>(field) && field.unless.front().empty();
-}
 
 /// The names of a list of fields that are not empty.
 std::vector<std::string_view> given(const std::array<std::string_view, 2>& names) {
@@ -80,31 +39,32 @@ struct TableHeading {
   std::string_view kind = {};
 };
 
-/// Calls f.template operator()<Table>(const TableHeading&) for each table below T, in their order.
-template <class T, class F>
-void for_each_table(const std::string& path, const F& f) {
-  T::describe([&](const Field& field, auto member) {
-    using Value = ValueOf<decltype(member)>;
-    if constexpr (is_section<Value>) {
-      using Inner = typename Unwrapped<Value>::type;
-      std::string at(field.name);
-      if (!path.empty()) at = fmt::format("{}.{}", path, field.name);
-      if constexpr (is_string_map<Value>) at += ".NAME";
-      TableHeading table{.path = at,
-                         .head = fmt::format(is_vector<Value> ? "[[{}]]" : "[{}]", at),
-                         .doc = field.doc};
-      if constexpr (is_variant<Inner>) {
-        for_each_alternative<Inner>([&]<class Alternative>() {
-          table.kind = Alternative::kKind;
-          f.template operator()<Alternative>(table);
-          for_each_table<Alternative>(at, f);
-        });
-      } else {
-        f.template operator()<Inner>(table);
-        for_each_table<Inner>(at, f);
-      }
-    }
-  });
+/// The heading of a table at a path.
+std::string heading_of(const Shape& shape, std::string_view path) {
+  return shape.kind == Shape::Kind::list ? fmt::format("[[{}]]", path) : fmt::format("[{}]", path);
+}
+
+using TableVisitor = std::function<void(const TableHeading&, const Shape&)>;
+
+/// Calls f for each table below a record, in their order.
+void for_each_table(const Shape& record, const std::string& path, const TableVisitor& f) {
+  for (const ShapeField& one : record.fields) {
+    if (!is_section(*one.shape)) continue;
+    std::string at(one.field.name);
+    if (!path.empty()) at = fmt::format("{}.{}", path, one.field.name);
+    if (one.shape->kind == Shape::Kind::map) at += ".NAME";
+    TableHeading heading{.path = at, .head = heading_of(*one.shape, at), .doc = one.field.doc};
+    const Shape& inner = unwrapped(*one.shape);
+    const auto enter = [&](const Shape& table) {
+      heading.kind = table.kind_name;
+      f(heading, table);
+      for_each_table(table, at, f);
+    };
+    if (inner.kind == Shape::Kind::alternatives)
+      for (const Shape* const alternative : inner.alternatives) enter(*alternative);
+    else
+      enter(inner);
+  }
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -114,56 +74,40 @@ class TemplateWriter {
  public:
   std::string text() && { return std::move(text_); }
 
-  template <class T>
-  void table(const std::string& path, const Field* field, bool live) {
-    heading(fmt::format("[{}]", path), field, live);
-    body<T>(path, live);
-  }
-
   /// Writes plain fields first, then the tables below, as TOML requires.
-  template <class T>
-  void body(const std::string& path, bool live) {
-    if constexpr (requires { T::kKind; })
-      line(fmt::format("kind = \"{}\"", T::kKind), std::string(T::kMeaning), live);
-    T::describe([&](const Field& field, auto member) {
-      using Value = ValueOf<decltype(member)>;
-      if constexpr (!is_section<Value>)
-        line(fmt::format("{} = {}", field.name, field.example), comment<Value>(field),
-             live && field.in_template == InTemplate::yes);
-    });
-    T::describe([&](const Field& field, auto member) {
-      using Value = ValueOf<decltype(member)>;
-      if constexpr (is_section<Value>) section<Value>(path, field, live);
-    });
+  void body(const Shape& record, const std::string& path, bool live) {
+    if (!record.kind_name.empty())
+      line(fmt::format("kind = \"{}\"", record.kind_name), std::string(record.meaning), live);
+    for (const ShapeField& one : record.fields)
+      if (!is_section(*one.shape))
+        line(fmt::format("{} = {}", one.field.name, one.field.example), comment(one),
+             live && one.field.in_template == InTemplate::yes);
+    for (const ShapeField& one : record.fields)
+      if (is_section(*one.shape)) section(one, path, live);
   }
 
  private:
-  template <class Value>
-  void section(const std::string& path, const Field& field, bool live) {
+  void section(const ShapeField& one, const std::string& path, bool live) {
+    const Field& field = one.field;
     const bool shown = live && field.in_template == InTemplate::yes;
-    const std::string at =
+    std::string at =
         path.empty() ? std::string(field.name) : fmt::format("{}.{}", path, field.name);
-    using Inner = typename Unwrapped<Value>::type;
-    if constexpr (is_string_map<Value>) {
-      table<Inner>(at + ".steel", &field, shown);
-    } else if constexpr (is_vector<Value> && !is_variant<Inner>) {
-      heading(fmt::format("[[{}]]", at), &field, shown);
-      body<Inner>(at, shown);
-    } else if constexpr (is_vector<Value>) {
-      bool first = true;  // one kind of crack is active, the others are commented out
-      for_each_alternative<Inner>([&]<class Alternative>() {
-        heading(fmt::format("[[{}]]", at), &field, shown && first);
-        body<Alternative>(at, shown && first);
-        first = false;
-      });
-    } else {
-      table<Inner>(at, &field, shown);
-    }
+    if (one.shape->kind == Shape::Kind::map) at += ".steel";
+    const std::string head = heading_of(*one.shape, at);
+    const auto table = [&](const Shape& record, bool live_table) {
+      heading(head, field, live_table);
+      body(record, at, live_table);
+    };
+    const Shape& inner = unwrapped(*one.shape);
+    if (inner.kind != Shape::Kind::alternatives) return table(inner, shown);
+    // One kind of crack is active, the others are commented out.
+    for (const Shape* const alternative : inner.alternatives)
+      table(*alternative, shown && alternative == inner.alternatives.front());
   }
 
-  void heading(const std::string& head, const Field* field, bool live) {
+  void heading(const std::string& head, const Field& field, bool live) {
     text_ += '\n';
-    line(head, field != nullptr ? std::string(field->doc) : std::string(), live);
+    line(head, std::string(field.doc), live);
   }
 
   void line(const std::string& content, const std::string& comment, bool live) {
@@ -171,14 +115,12 @@ class TemplateWriter {
     text_ += comment.empty() ? start + '\n' : fmt::format("{:<44} # {}\n", start, comment);
   }
 
-  template <class Value>
-  static std::string comment(const Field& field) {
-    std::string text(field.doc);
-    using Inner = typename Unwrapped<Value>::type;
-    if constexpr (std::is_enum_v<Inner>)
-      text += fmt::format("; one of {}", fmt::join(EnumNames<Inner>::names, ", "));
-    if (!field.fallback.empty() && field.fallback != R"("")")
-      text += fmt::format("; default {}", field.fallback);
+  static std::string comment(const ShapeField& one) {
+    std::string text(one.field.doc);
+    if (unwrapped(*one.shape).kind == Shape::Kind::choice)
+      text += fmt::format("; one of {}", fmt::join(unwrapped(*one.shape).names, ", "));
+    if (!one.field.fallback.empty() && one.field.fallback != R"("")")
+      text += fmt::format("; default {}", one.field.fallback);
     return text;
   }
 
@@ -278,68 +220,68 @@ Json number_schema(const Field& field) {
   return schema;
 }
 
-template <Described T>
-Json table_schema(std::string_view kind = {});
+Json table_schema(const Shape& record);
 
-template <class Value>
-Json value_schema(const Field& field) {
-  if constexpr (is_optional<Value>) {
-    return value_schema<typename Unwrapped<Value>::type>(field);
-  } else if constexpr (std::is_same_v<Value, double>) {
-    return number_schema(field);
-  } else if constexpr (std::is_same_v<Value, int>) {
-    Json schema = number_schema(field);
-    schema["type"] = "integer";
-    return schema;
-  } else if constexpr (std::is_same_v<Value, bool>) {
-    return {{"type", "boolean"}};
-  } else if constexpr (std::is_same_v<Value, std::string>) {
-    if (field.number_text) return {{"type", {"string", "number"}}};
-    return {{"type", "string"}};
-  } else if constexpr (std::is_enum_v<Value>) {
-    Json schema;
-    for (const std::string_view name : EnumNames<Value>::names) schema["enum"].push_back(name);
-    return schema;
-  } else if constexpr (is_pair_of_numbers<Value>) {
-    return {{"type", "array"}, {"items", number_schema(field)}, {"minItems", 2}, {"maxItems", 2}};
-  } else if constexpr (is_vector<Value>) {
-    return {{"type", "array"}, {"items", value_schema<typename Unwrapped<Value>::type>(field)}};
-  } else if constexpr (is_string_map<Value>) {
-    return {{"type", "object"},
-            {"additionalProperties", value_schema<typename Unwrapped<Value>::type>(field)}};
-  } else if constexpr (is_variant<Value>) {
-    Json schema;
-    for_each_alternative<Value>([&]<class Alternative>() {
-      schema["oneOf"].push_back(table_schema<Alternative>(Alternative::kKind));
-    });
-    return schema;
-  } else {
-    return table_schema<Value>();
+Json value_schema(const Field& field, const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::optional:
+      return value_schema(field, *shape.element);
+    case Shape::Kind::number:
+      return number_schema(field);
+    case Shape::Kind::whole: {
+      Json schema = number_schema(field);
+      schema["type"] = "integer";
+      return schema;
+    }
+    case Shape::Kind::flag:
+      return {{"type", "boolean"}};
+    case Shape::Kind::text:
+      if (field.number_text) return {{"type", {"string", "number"}}};
+      return {{"type", "string"}};
+    case Shape::Kind::choice: {
+      Json schema;
+      for (const std::string_view name : shape.names) schema["enum"].push_back(name);
+      return schema;
+    }
+    case Shape::Kind::pair:
+      return {{"type", "array"}, {"items", number_schema(field)}, {"minItems", 2}, {"maxItems", 2}};
+    case Shape::Kind::list:
+      return {{"type", "array"}, {"items", value_schema(field, *shape.element)}};
+    case Shape::Kind::map:
+      return {{"type", "object"}, {"additionalProperties", value_schema(field, *shape.element)}};
+    case Shape::Kind::alternatives: {
+      Json schema;
+      for (const Shape* const one : shape.alternatives)
+        schema["oneOf"].push_back(table_schema(*one));
+      return schema;
+    }
+    case Shape::Kind::record:
+      break;
   }
+  return table_schema(shape);
 }
 
-template <Described T>
-Json table_schema(std::string_view kind) {
+Json table_schema(const Shape& record) {
   Json schema = {{"type", "object"}, {"additionalProperties", false}};
   Json needed = Json::array();
-  if (!kind.empty()) {
-    schema["properties"]["kind"] = {{"const", kind}};
+  if (!record.kind_name.empty()) {
+    schema["properties"]["kind"] = {{"const", record.kind_name}};
     needed.push_back("kind");
   }
-  T::describe([&](const Field& field, auto member) {
-    using Value = ValueOf<decltype(member)>;
-    Json property = value_schema<Value>(field);
+  for (const ShapeField& one : record.fields) {
+    const Field& field = one.field;
+    Json property = value_schema(field, *one.shape);
     std::string description(field.doc);
     if (!field.unit.empty() && field.unit != "1")
       description += fmt::format(" [{}]; {}", field.unit, rule_text(field.range));
     property["description"] = description;
     if (!field.fallback.empty()) property["default"] = Json::parse(field.fallback);
-    if (always_required<Value>(field))
+    if (is_always_required(one))
       needed.push_back(field.name);
-    else if (required<Value>(field))
+    else if (is_required(one))
       schema["anyOf"] = one_of_required(field);
     schema["properties"][std::string(field.name)] = std::move(property);
-  });
+  }
   if (!needed.empty()) schema["required"] = std::move(needed);
   return schema;
 }
@@ -369,8 +311,7 @@ class ReferenceWriter {
 
   std::string text() && { return std::move(text_); }
 
-  template <class T>
-  void table(const std::string& head, std::string_view doc) {
+  void table(const Shape& record, const std::string& head, std::string_view doc) {
     if (form_ == Form::markdown)
       text_ += fmt::format(
           "\n## `{}`: {}\n\n| field | unit | rule | default | meaning |\n"
@@ -378,13 +319,11 @@ class ReferenceWriter {
           head, doc);
     else
       text_ += fmt::format(".SS {}\n\\&{}\n", as_roff(head), as_roff(doc));
-    if constexpr (requires { T::kKind; })
-      row("kind", "", fmt::format("`\"{}\"`", T::kKind), "required", T::kMeaning);
-    T::describe([&](const Field& field, auto member) {
-      using Value = ValueOf<decltype(member)>;
-      if constexpr (!is_section<Value>)
-        row(field.name, unit(field), rule<Value>(field), fallback<Value>(field), field.doc);
-    });
+    if (!record.kind_name.empty())
+      row("kind", "", fmt::format("`\"{}\"`", record.kind_name), "required", record.meaning);
+    for (const ShapeField& one : record.fields)
+      if (!is_section(*one.shape))
+        row(one.field.name, unit(one.field), rule(one), fallback(one), one.field.doc);
   }
 
  private:
@@ -407,21 +346,19 @@ class ReferenceWriter {
     return field.unit.empty() || field.unit == "1" ? "" : fmt::format("`{}`", field.unit);
   }
 
-  template <class Value>
-  static std::string rule(const Field& field) {
-    using Inner = typename Unwrapped<Value>::type;
-    if constexpr (std::is_enum_v<Inner>)
-      return fmt::format("`\"{}\"`", fmt::join(EnumNames<Inner>::names, "\"`, `\""));
-    if (field.unit.empty()) return "";
-    return rule_text(field.range);
+  static std::string rule(const ShapeField& one) {
+    const Shape& inner = unwrapped(*one.shape);
+    if (inner.kind == Shape::Kind::choice)
+      return fmt::format("`\"{}\"`", fmt::join(inner.names, "\"`, `\""));
+    return one.field.unit.empty() ? "" : rule_text(one.field.range);
   }
 
-  template <class Value>
-  static std::string fallback(const Field& field) {
-    if (always_required<Value>(field)) return "required";
-    if (required<Value>(field))
-      return fmt::format("required unless `{}` is given", fmt::join(given(field.unless), "` or `"));
-    return field.fallback.empty() ? "none" : fmt::format("`{}`", field.fallback);
+  static std::string fallback(const ShapeField& one) {
+    if (is_always_required(one)) return "required";
+    if (is_required(one))
+      return fmt::format("required unless `{}` is given",
+                         fmt::join(given(one.field.unless), "` or `"));
+    return one.field.fallback.empty() ? "none" : fmt::format("`{}`", one.field.fallback);
   }
 
   Form form_;
@@ -430,10 +367,11 @@ class ReferenceWriter {
 
 std::string reference_in(Form form) {
   ReferenceWriter writer(form);
-  writer.table<GearSet>("top of the file", "Format and name.");
-  for_each_table<GearSet>("", [&]<class Table>(const TableHeading& table) {
-    const std::string kind(table.kind.empty() ? "" : fmt::format(" {}", table.kind));
-    writer.table<Table>(table.head + kind, table.doc);
+  const Shape& drive = shape_of<GearSet>();
+  writer.table(drive, "top of the file", "Format and name.");
+  for_each_table(drive, "", [&](const TableHeading& heading, const Shape& table) {
+    const std::string kind(heading.kind.empty() ? "" : fmt::format(" {}", heading.kind));
+    writer.table(table, heading.head + kind, heading.doc);
   });
   return std::move(writer).text();
 }
@@ -442,7 +380,7 @@ std::string reference_in(Form form) {
 
 std::string input_template() {
   TemplateWriter writer;
-  writer.body<GearSet>("", true);
+  writer.body(shape_of<GearSet>(), "", true);
   return "# A strain wave gear for strainwave.  Quantities are text with a unit; pure numbers are\n"
          "# bare.  Lines that start with # can be switched on.  Any member may be left out.\n\n" +
          std::move(writer).text();
@@ -452,7 +390,7 @@ std::string input_schema() {
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                  {"$id", "urn:strainwave:drive:1"},
                  {"title", "strainwave drive"}};
-  schema.update(table_schema<GearSet>());
+  schema.update(table_schema(shape_of<GearSet>()));
   schema["properties"]["format"]["const"] = kDriveFormat;
   return schema.dump(2) + "\n";
 }
@@ -468,11 +406,14 @@ std::string input_reference() {
 
 std::vector<InputTable> input_tables() {
   std::vector<InputTable> tables;
-  for_each_table<GearSet>("", [&]<class Table>(const TableHeading& head) {
-    InputTable& table = tables.emplace_back(InputTable{
-        .path = head.path, .head = head.head, .doc = head.doc, .kind = head.kind, .fields = {}});
-    if constexpr (requires { Table::kMeaning; }) table.meaning = Table::kMeaning;
-    Table::describe([&](const Field& field, auto) { table.fields.push_back(field.name); });
+  for_each_table(shape_of<GearSet>(), "", [&](const TableHeading& head, const Shape& of) {
+    InputTable& table = tables.emplace_back(InputTable{.path = head.path,
+                                                       .head = head.head,
+                                                       .doc = head.doc,
+                                                       .kind = head.kind,
+                                                       .meaning = of.meaning,
+                                                       .fields = {}});
+    for (const ShapeField& one : of.fields) table.fields.push_back(one.field.name);
   });
   return tables;
 }

@@ -20,9 +20,6 @@
 
 namespace strainwave {
 
-template <>
-inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";
-
 namespace {
 
 /// The name in lower case without blanks; names that agree in this form count as equal.

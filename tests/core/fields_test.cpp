@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "strainwave/core/shape.hpp"
 #include "support/not_finite.hpp"
 
 namespace strainwave {
@@ -251,8 +252,7 @@ TEST(ForEachNumber, IdentityTheWalkWithoutPathsVisitsTheSameNumbers) {
   outer.maybe = 7;
   outer.crack = {Left{}, Right{}};
   std::vector<double> numbers;
-  for_each_number<NoPath>(outer,
-                          [&](NoPath, const Field&, double& number) { numbers.push_back(number); });
+  for_each_plain_number(outer, [&](const Field&, double& number) { numbers.push_back(number); });
   std::vector<double> expected;
   for (const auto& [path, number] : walk(outer)) expected.push_back(number);
   EXPECT_EQ(numbers, expected);

@@ -240,35 +240,4 @@ void require(bool ok, const FieldPath& field, double value, std::string_view uni
   if (!ok) throw InputError(field.text(), value, unit, rule());
 }
 
-/// Replaces a FieldPath at no cost where its text is not needed.
-struct NoPath {
-  /// No path again, where FieldPath gives a longer path.
-  /// @{
-  NoPath operator/(std::string_view) const { return {}; }
-  NoPath operator[](std::size_t) const { return {}; }
-  /// @}
-};
-
-/// Walks all numbers that a described value holds now by calling `f(const Path&, const Field&,
-/// double&)` (const double& for a const value).
-template <class Path = FieldPath, class T, class F>
-void for_each_number(T& value, const F& f, const Path& path = {}, const Field* field = nullptr) {
-  using Value = std::remove_const_t<T>;
-  if constexpr (std::is_same_v<Value, double>) {
-    if (field != nullptr) f(path, *field, value);
-  } else if constexpr (is_optional<Value>) {
-    if (value) for_each_number(*value, f, path, field);
-  } else if constexpr (is_vector<Value> || is_pair_of_numbers<Value>) {
-    for (std::size_t i = 0; i < value.size(); ++i) for_each_number(value[i], f, path[i], field);
-  } else if constexpr (is_variant<Value>) {
-    std::visit([&](auto& alternative) { for_each_number(alternative, f, path); }, value);
-  } else if constexpr (is_string_map<Value>) {
-    for (auto& [name, element] : value) for_each_number(element, f, path / name);
-  } else if constexpr (Described<Value>) {
-    Value::describe([&](const Field& inner, auto member) {
-      for_each_number(value.*member, f, path / inner.name, &inner);
-    });
-  }
-}
-
 }  // namespace strainwave

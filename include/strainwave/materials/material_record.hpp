@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "strainwave/core/fields.hpp"
+#include "strainwave/core/shape.hpp"
 
 /// @file
 /// Knowledge of the material library about a steel: every number with its source, its confidence,
@@ -289,6 +289,8 @@ struct NasgroLaw : Evidence {
 
 /// A law of crack growth, as a record states it.
 using GrowthLaw = std::variant<ParisLaw, NasgroLaw>;
+template <>
+inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";
 
 /// A steel in one condition, or a layer of fibres in a matrix.
 ///

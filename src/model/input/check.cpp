@@ -1023,7 +1023,7 @@ bool too_long(const Field& field, double value) {
 
 void check_ranges(const GearSet& gear) {
   bool all_inside = true;
-  for_each_number<NoPath>(gear, [&](NoPath, const Field& field, const double& value) {
+  for_each_plain_number(gear, [&](const Field& field, const double& value) {
     all_inside = all_inside && in_range(field, value);
   });
   if (all_inside) return;

@@ -35,6 +35,9 @@ void visit_number(Gear& gear, std::string_view path, const F& f) {
 
 }  // namespace
 
+template const Shape& shape_of<Material>();
+template const Shape& shape_of<GearSet>();
+
 void require_isotropic(const Material& material) {
   if (material.is_laminate())
     throw InputError("ply", "makes a laminate, which has no single Young's modulus");

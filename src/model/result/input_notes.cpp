@@ -22,7 +22,7 @@ bool unusual(const Field& field, double value) {
 
 void note_unusual(const GearSet& gear, std::vector<Note>& notes) {
   bool all_usual = true;
-  for_each_number<NoPath>(gear, [&](NoPath, const Field& field, const double& value) {
+  for_each_plain_number(gear, [&](const Field& field, const double& value) {
     all_usual = all_usual && !unusual(field, value);
   });
   if (all_usual) return;

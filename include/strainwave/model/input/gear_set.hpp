@@ -10,6 +10,7 @@
 
 #include "strainwave/core/correlated_normals.hpp"
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/shape.hpp"
 #include "strainwave/model/input/circular_spline.hpp"
 #include "strainwave/model/input/compliance_table.hpp"
 #include "strainwave/model/input/drivetrain.hpp"
@@ -342,6 +343,12 @@ void check(const GearSet& gear);
 /// number are removed, because its value is now known.
 /// @throws InputError  if no number has the path; the message names near paths
 void set_number(GearSet& gear, std::string_view path, double value);
+
+/// The shapes of a drive and of a material are made in gear_set.cpp.
+/// @{
+extern template const Shape& shape_of<Material>();
+extern template const Shape& shape_of<GearSet>();
+/// @}
 
 /// A number of the gear by its path.
 struct NumberAt {
