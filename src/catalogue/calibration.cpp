@@ -119,6 +119,17 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
   }
 }
 
+/// Relative error of a row that is scaled by d^3 to another size [-].  The rows of sizes from 17
+/// on agree with this law within 5 %, smaller ones miss it by 20 to 50 %.
+double error_of_scaling(double size, int row_size) {
+  constexpr double kRounding = 0.02;
+  constexpr double kBetweenSizes = 0.05;
+  constexpr double kSmallSizes = 0.3;
+  if (std::abs(size / row_size - 1) < 1e-6) return kRounding;
+  return std::min(size, static_cast<double>(row_size)) < kLeastSimilarSize ? kSmallSizes
+                                                                           : kBetweenSizes;
+}
+
 /// The catalogue's row for a drive.
 const StiffnessRow& compared_row(const GearSet& gear) {
   const auto type = type_of(gear);
@@ -145,7 +156,7 @@ CalibrationTarget catalogue_target(const GearSet& gear) {
   CalibrationTarget target{
       .source = fmt::format("catalogue, size {}, ratio {}", row.size, enum_name(row.ratio_class)),
       .values = {},
-      .relative_uncertainty = 0.02,
+      .relative_uncertainty = error_of_scaling(row.size * std::cbrt(scale), row.size),
       .component_set_only = true,
       .row = &row};
   if (std::abs(scale - 1) > 1e-6)

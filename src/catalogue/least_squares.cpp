@@ -63,16 +63,25 @@ struct ScaledFactors {
   Eigen::VectorXd start;
 };
 
+/// The derivatives of the residuals by differences.
+/// @throws SolverError  if the drive has no equilibrium on either side
 Eigen::MatrixXd jacobian_at(const FactorProblem& problem, const ScaledFactors& scaled,
                             const Eigen::VectorXd& at, const Eigen::VectorXd& residuals,
                             const Progress& progress, double done) {
   Eigen::MatrixXd J(residuals.size(), at.size());
   for (Eigen::Index i = 0; i < at.size(); ++i) {
     progress.at(done);
-    Eigen::VectorXd moved = at;
+    const auto difference = [&](double h) {
+      Eigen::VectorXd moved = at;
+      moved(i) += h;
+      return Eigen::VectorXd((problem.residuals(scaled.values(moved)) - residuals) / h);
+    };
     const double h = at(i) + kDifference > scaled.upper(i) ? -kDifference : kDifference;
-    moved(i) += h;
-    J.col(i) = (problem.residuals(scaled.values(moved)) - residuals) / h;
+    try {
+      J.col(i) = difference(h);
+    } catch (const SolverError&) {
+      J.col(i) = difference(-h);
+    }
   }
   return J;
 }
@@ -141,6 +150,8 @@ FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
       fit.converged = moved < kSmallStep || slow || fit.residuals.squaredNorm() < 1e-16;
       fit.jacobian = jacobian_at(problem, scaled, u, fit.residuals, progress, done);
     } else {
+      // At a wall behind which the drive has no equilibrium the search ends without a minimum.
+      if (!residuals && moved < kSmallStep) break;
       fit.converged = moved < kSmallStep;
       damping *= 6;
     }

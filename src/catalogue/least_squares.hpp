@@ -32,7 +32,8 @@ struct FactorFit {
 };
 
 /// The damped Gauss-Newton method of Levenberg and Marquardt with limits.
-/// @throws SolverError  if the residuals cannot be computed at the start
+/// @throws SolverError  if the residuals cannot be computed at the start, or on both sides of a
+/// point
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] FactorFit fit_factors(const FactorProblem& problem, const Progress& progress = {});
 

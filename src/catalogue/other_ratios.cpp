@@ -249,6 +249,10 @@ TransferErrors transfer_errors(double from, const std::vector<Factor>& factors, 
       const GearSet gear = typical_drive_of_size(family.size, from, family.type);
       const Calibration calibration = calibrate(gear, catalogue_target(gear), factors, options,
                                                 progress.part(share(0.0), share(0.8)));
+      if (!calibration.converged) {
+        ++result.left_out;
+        continue;
+      }
       const std::vector<double> ratios = stated_ratios(
           family, [&](double, const StiffnessRow* stating) { return stating == calibration.row; });
       for (const RatioPrediction& p : predictions(calibration, family, ratios, options,

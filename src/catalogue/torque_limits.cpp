@@ -146,20 +146,26 @@ void fill_from_own_row(MakersLimits& limits, const RatingRow& row) {
   }
 }
 
-void fill_by_similarity(MakersLimits& limits, const Transmission& drive) {
+void fill_by_similarity(MakersLimits& limits, const GearSet& gear) {
+  const Transmission& drive = gear.drive;
   const double size = size_of(drive.pitch_diameter);
-  const auto scaled = [&](std::optional<MakersLimit>& limit, const auto* row, auto torque) {
+  const auto scaled = [&](std::optional<MakersLimit>& limit, const auto* row, auto torque,
+                          double weaker = 1.0) {
     if (row == nullptr) return;
     const double ratio = size / row->size;
-    fill(limit, row->*torque * ratio * ratio * ratio,  // (LI-30)
-         fmt::format("similar: {} size {}, ratio {}, in proportion to d^3", row->series, row->size,
-                     row->ratio),
+    fill(limit, weaker * (row->*torque) * ratio * ratio * ratio,  // (LI-30)
+         fmt::format("similar: {} size {}, ratio {}, in proportion to d^3{}", row->series,
+                     row->size, row->ratio, weaker < 1 ? " and to the rated torque" : ""),
          true);
   };
   const RatingRow* const rating = nearest_between(rating_rows(), size, drive.ratio, {});
-  scaled(limits.average_torque, rating, &RatingRow::average);
-  scaled(limits.repeated_peak, rating, &RatingRow::repeated_peak);
-  scaled(limits.momentary_peak, rating, &RatingRow::momentary_peak);
+  double weaker = 1.0;
+  if (rating != nullptr && gear.rating && gear.rating->rated_torque)
+    weaker = std::min(
+        1.0, *gear.rating->rated_torque / (rating->rated * std::pow(size / rating->size, 3)));
+  scaled(limits.average_torque, rating, &RatingRow::average, weaker);
+  scaled(limits.repeated_peak, rating, &RatingRow::repeated_peak, weaker);
+  scaled(limits.momentary_peak, rating, &RatingRow::momentary_peak, weaker);
   // The weaker series.
   const TorqueLimitRow* const row = nearest_between(torque_limit_rows(), size, drive.ratio, "CSF");
   scaled(limits.ratcheting_torque, row, &TorqueLimitRow::ratcheting);
@@ -194,7 +200,7 @@ MakersLimits makers_limits(const GearSet& gear) {
   if (const RatingRow* const own = own_rating(gear))
     fill_from_own_row(limits, *own);
   else
-    fill_by_similarity(limits, gear.drive);
+    fill_by_similarity(limits, gear);
   return limits;
 }
 

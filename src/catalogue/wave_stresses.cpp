@@ -10,7 +10,7 @@
 namespace strainwave {
 namespace {
 
-/// Change of a ring's curvature by the wave (CV-1) [1/m].
+/// Change of a ring's curvature by the wave (CV-1), times the square of its radius [m].
 double bending(const BentWall& wall) { return (wall.waves * wall.waves - 1) * wall.displacement; }
 
 }  // namespace
@@ -34,8 +34,8 @@ WaveStresses wave_stresses(const GearSet& gear) {
                       .waves = gear.drive.wave_number,
                       .displacement = gear.drive.radial_displacement};
   BentWall narrow = wide;
-  narrow.modulus =
-      material_of(gear, gear.wave_generator->material, "wave_generator.material").youngs_modulus.value();
+  narrow.modulus = material_of(gear, gear.wave_generator->material, "wave_generator.material")
+                       .youngs_modulus.value();
   return {.outer_ring = ring_stress(narrow, ring.mean_radius, ring.thickness),
           .rim = ring_stress(wide, (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2,
                              fs.rim->wall_thickness),

@@ -52,6 +52,8 @@ const char* const kDiaphragm = "the bending of the diaphragm by the assembly is 
 const char* const kRim =
     "on the rim the wall's bending is not an upper bound, because membrane stress of the assembly "
     "and tooth forces are left out";
+const char* const kRimTeeth =
+    "the table of K over a turn leaves out the forces of the teeth on the rim";
 const char* const kOrder =
     "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
 
@@ -656,10 +658,7 @@ void take_turn_table(DriveCrack& crack, std::shared_ptr<const TurnTable> table) 
   });
   for (const std::string_view tag : {"ST-17", "FA-12", "FA-14", "SP-3"})
     std::erase(crack.equations, tag);
-  if (crack.unknown == kRim) {
-    crack.unknown.clear();
-    crack.next_step.clear();
-  }
+  if (crack.unknown == kRim) crack.unknown = kRimTeeth;
   crack.assembly = true;
   crack.turning = TurningLoad::wave;
   crack.notes.push_back(

@@ -318,7 +318,12 @@ class Growing {
       const auto& table = crack.crack().turn_table;
       if (!table || crack.crack().path != strength.path || !table->covers(torque)) continue;
       const auto reserve = strength.least_reserve();
-      return reserve && *reserve > 0.999 * turn_load_range(*table, torque)[1];
+      return std::ranges::any_of(strength.states, [&](const StrengthState& state) {
+        const double of_state =
+            state.sense == TorqueSense::positive ? std::abs(torque) : -std::abs(torque);
+        return state.with_assembly && reserve && state.reserve == reserve &&
+               table->covers(of_state) && *reserve > 0.999 * turn_load_range(*table, of_state)[1];
+      });
     }
     return false;
   }

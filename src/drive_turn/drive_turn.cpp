@@ -56,28 +56,33 @@ void require_inside(const CrackOfWall& of, double distance, double half_length,
                   (distance + reach) / units::mm, section.length / units::mm));
 }
 
-/// Length of a through crack over that of the barrel up to which K is as good as stated [-].
+/// Length of a through crack over that of the barrel, and half its length over the radius of the
+/// barrel, up to which K is as good as stated [-].
 constexpr double kLong = 0.4;
+constexpr double kLongAroundAxis = 0.1;
 
 /// Walls between a crack of the rim and the ends of the rim up to which the stress was judged [-].
 constexpr double kClearWalls = 3;
 
 /// Notes a crack that comes so near to an end of its section that the model was not judged there,
-/// or that is so long that the joints let it open further than in a long tube.
+/// or that is so long that it opens further than in the tube of the table, whose ends are held.
 void note_ends(DriveTurn& turn, const CrackOfWall& of, const TubeSection& section) {
   const SizedTurn& longest = turn.sizes.back();
-  if (!longest.depth && 2 * longest.half_length > kLong * section.length)
+  const double t = section.wall_thickness;
+  const double radius = (section.outer_diameter - t) / 2;
+  if (!longest.depth && (2 * longest.half_length > kLong * section.length ||
+                         longest.half_length > kLongAroundAxis * radius))
     turn.notes.push_back(
         {"turn.long_crack",
-         fmt::format("the crack is longer than {:g} of the barrel; K_I of such cracks was up to "
-                     "4.2 % too small",
-                     kLong),
+         fmt::format("the crack is longer than {:g} of the barrel, or half of it than {:g} of the "
+                     "barrel's radius; K_I of the oval was up to 4.2 % too small in such cracks, "
+                     "and K_I of the torque up to 10 %",
+                     kLong, kLongAroundAxis),
          turn.path, "IN-2", Severity::care, "Compute K by strainwave fe turn too."});
   const bool in_rim = of.section() == WallSection::rim;
-  const double t = section.wall_thickness;
   const double reach = longest.half_length * std::abs(std::cos(of.angle()));
   const double left = std::min(turn.distance, section.length - turn.distance) - reach;
-  const double edge = in_rim ? kClearWalls * t : std::sqrt((section.outer_diameter - t) / 2 * t);
+  const double edge = in_rim ? kClearWalls * t : std::sqrt(radius * t);
   if (left >= edge) return;
   turn.notes.push_back(
       {"turn.near_joint",

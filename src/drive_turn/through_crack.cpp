@@ -89,6 +89,9 @@ std::unique_ptr<TurningCrack> turning_crack(const WallThroughCrack& crack, const
                       kLargestRatio));
   const double wall = shell.cup.barrel.wall_thickness;
   const double radius = (shell.cup.barrel.outer_diameter - wall) / 2;
+  require(half_length <= kJudgedLength * radius, "half_length", half_length, "m",
+          "at most a sixth of the barrel's radius, beyond which K was not judged; compute K by "
+          "strainwave fe turn");
   return std::make_unique<TurningThroughCrack>(
       through_crack_table().at(half_length, wall, radius, crack.angle),
       SoundWall(shell, WallPart::barrel, place, crack.angle,

@@ -40,6 +40,10 @@ class TurningCrack {
 /// @param place   z of the middle of the crack [m]
 /// @param size    in place of that of the crack
 /// @throws InputError  beyond the range of the table
+/// Half length of a through crack over the radius of the barrel up to which K was judged (IN-2)
+/// [-].
+inline constexpr double kJudgedLength = 1.0 / 6;
+
 [[nodiscard]] std::unique_ptr<TurningCrack> turning_crack(const WallThroughCrack& crack,
                                                           const OvalShell& shell, double place,
                                                           const TurnSize& size);

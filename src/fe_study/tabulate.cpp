@@ -61,9 +61,12 @@ AlongFront along(const fem::CrackFront& front, const Value& value) {
     const double v = value(stations[i]);
     result.least = std::min(result.least, v);
     result.largest = std::max(result.largest, v);
-    if (i == 0) continue;
-    const double step = stations[i].position - stations[i - 1].position;
-    result.mean += step * (v + value(stations[i - 1])) / 2;
+  }
+  // K is a parabola along each segment of the front (FE-23), which has a place in its middle.
+  for (std::size_t i = 0; i + 2 < stations.size(); i += 2) {
+    const double step = stations[i + 2].position - stations[i].position;
+    result.mean +=
+        step * (value(stations[i]) + 4 * value(stations[i + 1]) + value(stations[i + 2])) / 6;
   }
   if (stations.size() > 1) result.mean /= stations.back().position - stations.front().position;
   return result;
@@ -92,13 +95,14 @@ TablePoint tube_row(const RunResult& result) {
 }
 
 Family tube_family() {
-  Family family{.order = kSolidOrder,
-                .equations = "FE-23 FE-24 FE-26 FE-28 FE-42",
-                .held =
-                    "alone, halfway along a tube that is clamped at one end and twisted at the "
-                    "other; K of the tip toward +z, from the inner face to the outer",
-                .columns = {},
-                .row = tube_row};
+  Family family{
+      .order = kSolidOrder,
+      .equations = "FE-23 FE-24 FE-26 FE-28 FE-42",
+      .held =
+          "alone, at its distance along a tube that is clamped at one end and twisted at the "
+          "other; K of the tip toward +z, from the inner face to the outer",
+      .columns = {},
+      .row = tube_row};
   const auto add = [&](const std::string& name, std::string_view unit) {
     family.columns.push_back({name, std::string(unit)});
   };

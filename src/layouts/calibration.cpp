@@ -72,9 +72,11 @@ std::string other_ratios_text(const OtherRatios& other) {
                     percent(transfer.worst), transfer.sizes, transfer.values),
         2, 2);
   if (other.transfer.left_out > 0)
-    text += paragraph(fmt::format("Sizes left out because a drive cannot be computed: {}.",
-                                  other.transfer.left_out),
-                      2, 2);
+    text += paragraph(
+        fmt::format(
+            "Sizes left out because a drive cannot be computed or its fit does not converge: {}.",
+            other.transfer.left_out),
+        2, 2);
   return text;
 }
 

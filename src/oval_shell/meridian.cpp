@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meridian.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::meridian {
+
+/// Largest number of elements along a tube; a barrel of a drive needs a few dozen.
+constexpr int kMostOfTube = 2000;
 
 double Element::length() const { return std::hypot(r[1] - r[0], z[1] - z[0]); }
 
@@ -194,7 +199,10 @@ Meridian meridian_of(const ShellCup& cup, double band_width) {
   const auto add_tube = [&](double at, double from, double to, double thickness, double arm) {
     // Bending at the ends of a tube falls over sqrt(r t).
     const double step = 0.35 * std::sqrt(at * thickness);
-    const int count = std::max(2, static_cast<int>(std::ceil((to - from) / step)));
+    const double wanted = std::ceil((to - from) / step);
+    require(wanted <= kMostOfTube, "length", to - from, "m",
+            fmt::format("so short that the wall needs at most {} elements", kMostOfTube));
+    const int count = std::max(2, static_cast<int>(wanted));
     for (int i = 0; i < count; ++i)
       elements.push_back(
           {.r = {at, at},

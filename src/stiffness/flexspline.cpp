@@ -266,10 +266,11 @@ void FlexsplineCracks::note_range(const std::string& path, double lambda,
   if (ends.share > ends.confirmed)
     member.notes.push_back(
         {.code = "crack.near_ends",
-         .text =
-             fmt::format("the crack spans {:.2g} of its section's length: the effect of the ends "
-                         "and its uncertainty are confirmed by finite elements up to {:.2g}",
-                         ends.share, ends.confirmed),
+         .text = fmt::format(
+             "half of the crack is {:.2g} of the distance from its middle to the nearer "
+             "end of its section: the effect of the ends and its uncertainty are "
+             "confirmed by finite elements up to {:.2g}",
+             ends.share, ends.confirmed),
          .path = path,
          .equation = "FR-7",
          .severity = Severity::care});
@@ -355,13 +356,13 @@ void FlexsplineCracks::add_in_laminate(CrackReport report, const WallThroughCrac
   use({"FR-2", "FR-6", "FR-7", "ST-11", "LA-4", "LA-7", "LA-8", "LA-9"});
   // What the curvature adds to a crack of this size in an isotropic wall.
   sif::ThroughCrackInTube isotropic = loaded.solution;
-  isotropic.poissons_ratio = 0.3;
+  isotropic.poissons_ratio = kMetalPoissonsRatio;
   isotropic.shell_correction = true;
   const double lambda = std::sqrt(isotropic.shell_parameter_squared(crack.half_length));
   const double curvature =
       isotropic.shell_release(crack.half_length * std::min(1.0, kMaxShellParameter / lambda)) - 1;
   const double uncertainty = accuracy::combined(accuracy::kLaminateCrack, curvature);
-  if (lambda > kMaxShellParameter)
+  if (!loaded.in_range)
     member.unusable_because = fmt::format(
         "{}: the crack is too long for the solution of a flat sheet; shorten its half length to "
         "{}, where the shell parameter is {:g}",

@@ -57,6 +57,11 @@ void note_one_sense(CrackStrength& report, const TurnTable& table, double torque
          "GR-30"});
 }
 
+/// The torque of a state, with the magnitude of the load [N*m].
+double torque_of(const StrengthState& state, double torque) {
+  return state.sense == TorqueSense::positive ? std::abs(torque) : -std::abs(torque);
+}
+
 /// Notes on where the table of K over a turn ends an answer.
 void note_ends_of_table(CrackStrength& report, const TurnTable& table, double torque) {
   note_one_sense(report, table, torque);
@@ -66,16 +71,21 @@ void note_ends_of_table(CrackStrength& report, const TurnTable& table, double to
                      "as that of the load",
                      shown(table.file)),
          "GR-30"});
-  const double most = turn_load_range(table, torque)[1];
-  for (const StrengthState& state : report.states)
-    if (state.with_assembly && state.reserve && !clearly_less(*state.reserve, most)) {
-      report.notes.push_back(
-          {fmt::format(
-               "the table {} ends at {:.3g} times the load, so the reserve is at least this",
-               shown(table.file), most),
-           "GR-30"});
-      return;
-    }
+  for (const StrengthState& state : report.states) {
+    if (!state.with_assembly || !state.reserve) continue;
+    const auto [least, most] = turn_load_range(table, torque_of(state, torque));
+    const char* const sense = state.sense == TorqueSense::positive ? "T > 0" : "T < 0";
+    if (!clearly_less(*state.reserve, most))
+      report.notes.push_back({fmt::format("under {} the table {} ends at {:.3g} times the load, so "
+                                          "the reserve of this sense is at least this",
+                                          sense, shown(table.file), most),
+                              "GR-30"});
+    else if (least > 0 && !clearly_less(least, *state.reserve))
+      report.notes.push_back({fmt::format("under {} the table {} begins at {:.3g} times the load, "
+                                          "so the reserve of this sense is at most this",
+                                          sense, shown(table.file), least),
+                              "GR-30"});
+  }
 }
 
 /// The answer for an axial crack of the rim with its table of K over a turn: K against the

@@ -15,6 +15,7 @@ namespace strainwave {
 class DrawnDrive {
  public:
   /// @param inputs  paths of numbers, or ranges or scatters, each with the path of a number
+  /// @throws InputError  if a path names no number, or one of a range, a scatter or a correlation
   template <class Inputs>
   DrawnDrive(const GearSet& gear, const Inputs& inputs) : gear_(gear), numbers_(inputs.size()) {
     gear_.range.clear();
@@ -25,6 +26,11 @@ class DrawnDrive {
       for (std::size_t i = 0; i < inputs.size(); ++i)
         if (path_of(inputs[i]) == text) numbers_[i] = &number;
     });
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      if (numbers_[i] == nullptr)
+        throw InputError(path_of(inputs[i]),
+                         "is not a number of the drive that can be drawn; name a "
+                         "number outside of range, scatter and correlation");
   }
   DrawnDrive(const DrawnDrive&) = delete;  // it holds pointers into itself
   DrawnDrive& operator=(const DrawnDrive&) = delete;

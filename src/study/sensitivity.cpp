@@ -34,11 +34,11 @@ struct Number {
   const double* address = nullptr;
 };
 
-/// The numbers that describe the drive, without numbers that describe ranges and scatter.
+/// The numbers that describe the drive, without those of ranges, scatter and correlations.
 std::vector<Number> numbers_of(const GearSet& gear) {
   std::vector<Number> numbers;
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
-    if (path.text().starts_with("scatter[")) return;
+    if (path.text().starts_with("scatter[") || path.text().starts_with("correlation[")) return;
     numbers.push_back(
         {.input = {.path = path.text(), .unit = field.unit, .value = value, .influence = {}},
          .address = &value});

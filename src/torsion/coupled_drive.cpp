@@ -165,7 +165,7 @@ void CoupledDrive::close(Equilibrium& state) const {
 double CoupledDrive::free_travel(const Eigen::VectorXd& closing, double load) const {
   double travel = std::numeric_limits<double>::infinity();
   for (int i = g_.balls; i < contacts(); ++i)
-    if (rotation_[i] * load > 0)
+    if (rotation_[i] * load > 0 && !is_lost(i))
       travel = std::min(travel, std::max(0.0, -closing[i] / std::abs(rotation_[i])));
   // Turn slightly farther, so the flank that touches first has a stiffness.
   return std::copysign(travel + 1e-3 * g_.radial_displacement, load);
@@ -229,7 +229,7 @@ bool CoupledDrive::same_contacts(const ContactSystem& system,
                                  const Eigen::VectorXd& closing) const {
   std::size_t known = 0;
   for (int i = 0; i < contacts(); ++i) {
-    if (closing[i] <= 0 || multiplier_[i] == 0) continue;  // a lost tooth has no stiffness
+    if (closing[i] <= 0 || is_lost(i)) continue;
     if (known == system.contact.size() || system.contact[known] != i) return false;
     ++known;
   }
@@ -277,8 +277,8 @@ void CoupledDrive::judge(Equilibrium& state, double load) const {
     carried += is * rotation_[i];
   }
   error = std::max(error, std::abs(carried - load));
-  state.residual = largest > 0 ? error / largest : std::abs(load);
-  state.converged = error <= tolerance_ * largest || (largest == 0 && load == 0);
+  state.residual = largest > 0 ? error / largest : error;
+  state.converged = error <= tolerance_ * largest || (error == 0 && load == 0);
 }
 
 double CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, double load) const {
@@ -423,6 +423,7 @@ void CoupledDrive::rest_nearest_to_zero() {
   double backward = -forward;
   const double at = assembled_.rotation;
   for (int i = g_.balls; i < contacts(); ++i) {
+    if (is_lost(i)) continue;
     if (assembled_.force[i] > negligible) return;  // interference: the flanks hold the ring
     const double touches = at - assembled_.closing[i] / rotation_[i];
     if (rotation_[i] > 0)

@@ -59,6 +59,9 @@ class CoupledDrive {
   [[nodiscard]] const Equilibrium& assembled() const { return assembled_; }
   [[nodiscard]] double cam_amplitude() const { return amplitude_; }
 
+  /// Whether a contact belongs to a lost tooth, which holds nothing.
+  [[nodiscard]] bool is_lost(int contact) const { return multiplier_[contact] == 0; }
+
   [[nodiscard]] double largest_flank_force(const Equilibrium& state) const {
     return state.force.tail(contacts() - g_.balls).maxCoeff();
   }

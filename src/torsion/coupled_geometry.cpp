@@ -30,6 +30,7 @@ constexpr double kFitInBore = 0.005;
 constexpr double kMostFlattening = 6;      // c_cam [-], (TC-5): four times that of an ellipse
 constexpr double kMostConing = 5;          // chi [-], (TC-8): five times an uncorrected tooth
 constexpr int kLeastTeeth = 20;            // [-]: a tooth is small against the wave
+constexpr int kMostTeeth = 2000;           // [-]: the unknowns fit into memory
 constexpr double kWhole = 1e-9;            // rounding of a number of teeth [-]
 constexpr double kTypicalAddendum = 0.65;  // of drawn teeth, over the module [-] (TC-29)
 constexpr double kLeastFlankAngle = 15 * units::deg;  // of the finite elements of (TC-30)
@@ -515,8 +516,10 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   require(drive.wave_number == 2, "drive.wave_number", drive.wave_number, "1",
           "2 for the torsion curve");
   const double teeth = drive.wave_number * drive.ratio;
-  require(std::abs(teeth - std::round(teeth)) < kWhole && teeth >= kLeastTeeth, "drive.ratio",
-          drive.ratio, "1", "a whole number of teeth, wave_number times ratio, of 20 or more");
+  require(
+      std::abs(teeth - std::round(teeth)) < kWhole && teeth >= kLeastTeeth && teeth <= kMostTeeth,
+      "drive.ratio", drive.ratio, "1",
+      "a whole number of teeth, wave_number times ratio, from 20 to 2000");
   require(rim.outer_diameter < drive.pitch_diameter, "flexspline.rim.outer_diameter",
           rim.outer_diameter, "m", "outer_diameter (of the tooth roots) < drive.pitch_diameter");
   const double bore = rim.outer_diameter / 2 - rim.wall_thickness;

@@ -54,7 +54,7 @@ struct BasicCoupledGeometry {
   Real spline_radius{};   // R_c
   Real spline_bending{};  // E I_c
   Real support{};         // s_h
-  // of drawn teeth without a given pair stiffness
+  // of drawn teeth with a circular spline in the file
   std::optional<BasicToothNeighbours<Real>> neighbours{};
 };
 using CoupledGeometry = BasicCoupledGeometry<double>;

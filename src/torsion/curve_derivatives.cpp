@@ -234,11 +234,10 @@ class Rest {
     if (drive.largest_flank_force(state) > 0) {  // interference: the flanks hold the ring
       held_.emplace(of_rotation(drive, state));
     } else if (value_ != 0) {  // at the end of its play, where one flank touches
-      int nearest = drive.balls();
-      for (int i = nearest; i < drive.contacts(); ++i)
-        if (state.closing[i] > state.closing[nearest]) nearest = i;
-      touching_ = nearest;
-      held_.emplace(Functional::of_closing(drive, state, nearest));
+      for (int i = drive.balls(); i < drive.contacts(); ++i)
+        if (!drive.is_lost(i) && (!touching_ || state.closing[i] > state.closing[*touching_]))
+          touching_ = i;
+      if (touching_) held_.emplace(Functional::of_closing(drive, state, *touching_));
     }
   }
 

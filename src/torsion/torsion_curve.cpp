@@ -157,9 +157,11 @@ std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
 Equilibrium state_at(const AssembledDrive& assembled, double torque) {
   require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   const AssembledDrive::Contents& contents = assembled.contents();
-  if (!contents.fails_because.empty()) throw SolverError(contents.fails_because);
-  Equilibrium state = contents.drive.solve(torque, contents.drive.assembled());
-  if (!state.converged) throw SolverError("no equilibrium at this torque");
+  Equilibrium state;
+  const std::string fails =
+      walk(contents, {&torque, 1}, {}, [&](const Equilibrium& found) { state = found; });
+  if (!fails.empty()) throw SolverError(fails);
+  if (!contents.unusable_because.empty()) throw SolverError(contents.unusable_because);
   return state;
 }
 

@@ -199,7 +199,7 @@ struct Calibration {
 /// @param options   of the coupled drive; {}: the values of CoupledOptions
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError   if a factor or a torque does not suit the drive
-/// @throws SolverError  if the drive as given has no equilibrium
+/// @throws SolverError  if the drive as given, or on both sides of a step, has no equilibrium
 /// @throws Stopped      if the caller requests a stop
 [[nodiscard]] Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                                     const std::vector<Factor>& factors,

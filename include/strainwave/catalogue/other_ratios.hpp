@@ -88,7 +88,8 @@ struct TransferError {
 /// Errors of the same calibration and prediction, repeated with each size of the catalogue.
 struct TransferErrors {
   std::vector<TransferError> classes;  ///< one for each class with a stated value
-  int left_out = 0;                    ///< sizes left out because a drive cannot be computed
+  int left_out =
+      0;  ///< sizes left out because a drive cannot be computed or its fit does not converge
 };
 
 /// Largest geometry_difference of a drive that counts as typical [-]: the uncertainty of a row's

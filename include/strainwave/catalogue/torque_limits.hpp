@@ -51,7 +51,8 @@ struct MakersLimits {
 /// Implements theory manual eq. (LI-30).  A row of the tables is the drive's own if pitch diameter,
 /// ratio and `rating.rated_torque` are those of the row.  If the pitch diameter lies between two
 /// sizes of the tables and the ratio is one of theirs, the torques of the nearer size count in
-/// proportion to d^3; speeds and lives do not follow from similarity.
+/// proportion to d^3, and if the file states a smaller rated torque, in proportion to it; speeds
+/// and lives do not follow from similarity.
 [[nodiscard]] MakersLimits makers_limits(const GearSet& gear);
 
 }  // namespace strainwave

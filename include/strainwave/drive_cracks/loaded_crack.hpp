@@ -34,6 +34,10 @@
 
 namespace strainwave {
 
+/// Poisson's ratio of the isotropic wall that tells at which size of a crack in a laminate the
+/// curvature counts [-].
+inline constexpr double kMetalPoissonsRatio = 0.3;
+
 /// The numbers that define a solution: its `Parameters`, or the whole of a plain struct.
 template <class Solution>
 struct ParametersOf {
@@ -432,17 +436,25 @@ class CrackLoads {
       const WallThroughCrack& crack, const Wall<Real>& wall,
       const LaminateStiffness<Real>& laminate) const {
     const Real angle = lift_(crack.angle);
-    return {.parameters = {.half_length = lift_(crack.half_length),
-                           .mean_radius = wall.mean_radius,
-                           .wall_thickness = wall.thickness,
-                           .angle = angle,
-                           .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
-                           .poissons_ratio = Real(0.0),
-                           .shell_correction = false,
-                           .thin_sheet = true},
-            .moduli = crack_moduli(laminate, angle),
-            .constraint = sif::Constraint::plane_stress,
-            .faces = faces_of(crack)};
+    Numbers<sif::BasicThroughCrackInTube<Real>> result{
+        .parameters = {.half_length = lift_(crack.half_length),
+                       .mean_radius = wall.mean_radius,
+                       .wall_thickness = wall.thickness,
+                       .angle = angle,
+                       .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
+                       .poissons_ratio = Real(0.0),
+                       .shell_correction = false,
+                       .thin_sheet = true},
+        .moduli = crack_moduli(laminate, angle),
+        .constraint = sif::Constraint::plane_stress,
+        .faces = faces_of(crack)};
+    // The size of a crack at which the curvature counts is that of an isotropic wall.
+    auto isotropic = result.parameters;
+    isotropic.poissons_ratio = Real(kMetalPoissonsRatio);
+    result.in_range =
+        std::sqrt(value_of(isotropic.shell_parameter_squared(isotropic.half_length))) <=
+        isotropic.kMaxShellParameter;
+    return result;
   }
   static Moduli plane_strain(const Elastic& steel) {
     return {.opening = steel.plane_strain_modulus(), .shear = steel.G};

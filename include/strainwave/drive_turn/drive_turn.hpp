@@ -22,7 +22,8 @@ struct DriveTurn {
   double distance{};        ///< of its middle from its section's end toward the diaphragm [m]
   ShellContact contact;     ///< of the wave generator
   bool large_rotations{};   ///< whether large rotations of the oval were computed
-  double largest_stress{};  ///< largest stress of the sound wall normal to the crack [Pa]
+  double largest_stress{};  ///< largest stress of the sound wall normal to the crack, at its middle
+                            ///< [Pa]
   std::vector<SizedTurn> sizes;
   std::vector<Note> notes;             ///< on the validity of the answer
   std::vector<std::string> equations;  ///< tags of the theory manual
@@ -57,7 +58,8 @@ struct DriveTurn {
     field({"wave_generator", "", "contact of the wave generator with the bore"}, &R::contact);
     field({"large_rotations", "", "whether large rotations of the oval were computed"},
           &R::large_rotations);
-    field({"largest_stress", "Pa", "largest stress of the sound wall normal to the crack"},
+    field({"largest_stress", "Pa",
+           "largest stress of the sound wall normal to the crack, at its middle"},
           &R::largest_stress);
     field({"sizes", "", "the turn at each size of the crack"}, &R::sizes);
   }

@@ -85,7 +85,7 @@ struct MaterialLibrary {
 /// Two of E, G and nu define a material.  Its own shear modulus therefore replaces the Poisson's
 /// ratio of the record, and any own value of the three replaces the shear modulus of the record.
 ///
-/// @param own     material to complete; E = 0 means that E is not given
+/// @param own     material to complete; an absent E is not given
 /// @param record  of the library
 [[nodiscard]] Material completed(const Material& own, const MaterialRecord& record);
 

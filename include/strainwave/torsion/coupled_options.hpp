@@ -8,7 +8,7 @@ namespace strainwave {
 
 /// Resolution, tolerances and assumptions of the solution of the coupled drive.
 struct CoupledOptions {
-  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; error 0.1 % at 32
+  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; error of K 0.1 % at 32
   bool diaphragm_warping = true;  ///< whether the diaphragm resists warping of the barrel (TC-2)
   /// psi_0, angle of the first ball from the major axis [rad]; the cam is that of the drive with a
   /// ball at the lobe (TC-12)

@@ -21,7 +21,7 @@ struct RingState {
   double position = 0.0;  ///< angle from the major axis, toward +theta [rad]
   /// M, positive where the ring bends more, with tension outside [N*m]
   double bending_moment = 0.0;
-  double hoop_force = 0.0;      ///< N, tension > 0 [N]
+  double hoop_force = 0.0;  ///< EA times the strain of the centre line, N + M/R, tension > 0 [N]
   double outside_stress = 0.0;  ///< hoop stress at the outer surface [Pa]
   double inside_stress = 0.0;   ///< hoop stress at the inner surface: raceway or tooth roots [Pa]
 
@@ -31,7 +31,8 @@ struct RingState {
     field({"position", "rad", "angle from the major axis"}, &RingState::position);
     field({"bending_moment", "N*m", "M, positive where the ring bends more"},
           &RingState::bending_moment);
-    field({"hoop_force", "N", "N, tension > 0"}, &RingState::hoop_force);
+    field({"hoop_force", "N", "EA times the strain of the centre line, N + M/R, tension > 0"},
+          &RingState::hoop_force);
     field({"outside_stress", "Pa", "hoop stress at the outer surface"}, &RingState::outside_stress);
     field({"inside_stress", "Pa", "hoop stress at the inner surface"}, &RingState::inside_stress);
   }
@@ -45,7 +46,7 @@ struct RingState {
 /// carries no hoop force.  The circular spline carries the share of the load that its housing
 /// leaves to it, without the harmonics 0 and 1.  Both are thin rings of constant section: the
 /// equations leave out the groove, the fit, the stress of the contacts, and the concentration at
-/// tooth roots. The stress of a thick circular spline is up to 15 % larger at its inner surface.
+/// tooth roots. The stress of a thick circular spline is up to 10 % larger at its inner surface.
 ///
 /// @param drive      the assembled drive, with its cracks and deviations
 /// @param ring       a ring that bends (`bends`)

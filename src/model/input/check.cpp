@@ -907,10 +907,19 @@ NumberAt number_named(const GearSet& gear, const FieldPath& path, const std::str
   }
 }
 
+/// Refuses the numbers that tell how others vary.
+void require_of_drive(const FieldPath& path, std::string_view named) {
+  for (const std::string_view list : {"range[", "scatter[", "correlation["})
+    if (named.starts_with(list))
+      throw InputError((path / "path").text(),
+                       "must be a number of the drive, not of its ranges, scatter or correlations");
+}
+
 void check_range(const GearSet& gear, const FieldPath& path, const InputRange& range) {
   check_one_line(path, "path", range.path);
   check_one_line(path, "source", range.source);
   const NumberAt number = number_named(gear, path, range.path);
+  require_of_drive(path, range.path);
   const double lower = parse_quantity((path / "lower").text(), range.lower, number.field.unit);
   const double upper = parse_quantity((path / "upper").text(), range.upper, number.field.unit);
   require(lower < upper, path / "upper", upper, number.field.unit, "upper > lower");
@@ -963,8 +972,7 @@ void check_scatter(const GearSet& gear, std::size_t which) {
   check_one_line(path, "path", scatter.path);
   check_one_line(path, "source", scatter.source);
   const NumberAt number = number_named(gear, path, scatter.path);
-  if (scatter.path.starts_with("scatter["))
-    throw InputError((path / "path").text(), "must be a number of the drive, not of its scatter");
+  require_of_drive(path, scatter.path);
   if (number.value == 0)
     throw InputError((path / "path").text(),
                      fmt::format("{} is 0, so a relative scatter has no effect; give a value other "

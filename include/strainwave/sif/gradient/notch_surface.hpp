@@ -11,7 +11,7 @@ namespace strainwave::sif {
 /// Implements theory manual eqs. (SW-10), (SW-5): the nominal stress of the section of thickness t
 /// behind the root, times the stress of the equivalent elliptical notch of the same root radius and
 /// concentration. The flanks are treated as flat, which gives an upper bound: by (SW-11), K is at
-/// most 13 % too large at a = 0.3 rho, the end of the range.
+/// most 14 % too large at a = 0.3 rho, the end of the range.
 struct NotchSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "notch-surface",
@@ -23,7 +23,7 @@ struct NotchSurfaceCrack {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
       .accuracy =
-          "as gradient-surface; the flanks are assumed flat, which makes K up to 13 % too large",
+          "as gradient-surface; the flanks are assumed flat, which makes K up to 14 % too large",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{

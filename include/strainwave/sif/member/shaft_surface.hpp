@@ -23,11 +23,14 @@ inline constexpr double kNearlyStraight = 0.02;
 /// @param depth        a [m]; > 0, <= radius
 /// @param half_length  c along the arc [m]; >= depth
 /// @param radius       of the shaft [m]; > 0
-/// @return             a/c [-]; in [0.02, 1.06]
+/// @return             a/c [-]; in [0.02, 1.06]; 0.02 beyond a quarter of the circumference
 template <class Real>
 [[nodiscard]] Real front_aspect_ratio(const Real& depth, const Real& half_length,
                                       const Real& radius) {
   using std::sin, std::sqrt;
+  // A straight front ends at the arc r*arccos(1 - a/r), at most a quarter of the circumference.  A
+  // longer arc must not come round to a small angle again.
+  if (value_of(half_length) >= std::numbers::pi / 2 * value_of(radius)) return kNearlyStraight;
   const Real half = sin(half_length / radius / 2);
   const Real sunk = 2 * radius * half * half / depth;  // u_e/a
   if (!(value_of(sunk) < 1)) return kNearlyStraight;
