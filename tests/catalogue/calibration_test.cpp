@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "least_squares.hpp"
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -49,6 +50,22 @@ TEST(Calibration, IdentityRecoversWhatWasPutIn) {
   EXPECT_EQ(c.gear.circular_spline->support, c.factors[0].value);
   for (const CalibratedStiffness& s : c.stiffnesses)
     test::expect_relative(s.after, s.target.stiffness, 1e-4);
+}
+
+// Kind: behaviour.  A wall behind which the drive has no equilibrium is no minimum: the search ends
+// there without convergence.  A minimum at the same place converges.
+TEST(Calibration, BehaviourAWallIsNoMinimum) {
+  const auto fit = [](double wanted) {
+    return fit_factors({.factors = {Factor::support},
+                        .start = {0.2},
+                        .residuals = [wanted](const std::vector<double>& at) -> Eigen::VectorXd {
+                          if (at[0] > 0.5) throw SolverError("no equilibrium");
+                          return Eigen::VectorXd::Constant(1, std::log(at[0] / wanted));
+                        }});
+  };
+  EXPECT_FALSE(fit(0.8).converged);
+  EXPECT_TRUE(fit(0.4).converged);
+  test::expect_relative(fit(0.4).values[0], 0.4, 1e-4);
 }
 
 // While only a part of the face touches, coning and compliance of a pair act as one number.  No K
@@ -149,6 +166,10 @@ TEST(CalibrationTargets, ReferenceCatalogueRow) {
 TEST(CalibrationTargets, BehaviourRowsOfOtherSeriesAreNoTarget) {
   const CalibrationTarget target = catalogue_target(typical_drive(pitch_diameter_of(8), 100));
   EXPECT_EQ(target.source.rfind("catalogue, size 14, ratio 80+", 0), 0U) << target.source;
+  // Small sizes miss the cube of the diameter by 20 to 50 %.
+  EXPECT_EQ(target.relative_uncertainty, 0.3);
+  EXPECT_EQ(catalogue_target(typical_drive_of_size(25, 100)).relative_uncertainty, 0.02);
+  EXPECT_EQ(catalogue_target(typical_drive(0.16, 100)).relative_uncertainty, 0.05);
   test::expect_relative(target.values[0].stiffness, 4700 * std::pow(8.0 / 14, 3), 1e-12);
 }
 

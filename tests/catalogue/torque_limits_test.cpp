@@ -111,6 +111,19 @@ TEST(MakersLimits, ScalingBetweenTheSizes) {  // LI-30
             "similar: CSF size 25, ratio 100, in proportion to d^3");
 }
 
+// Kind: scaling (LI-30).  A drive that states a smaller rated torque than the row, as one of the
+// weaker series does, has smaller limits; a larger rated torque does not raise them.
+TEST(MakersLimits, ScalingWithTheRatedTorque) {
+  const MakersLimits weaker = makers_limits(bare(25, 100, 67));
+  test::expect_relative(weaker.average_torque->value, 140 * 67.0 / 87, 1e-12);
+  test::expect_relative(weaker.momentary_peak->value,
+                        makers_limits(bare(25, 100, {})).momentary_peak->value * 67 / 87, 1e-12);
+  EXPECT_EQ(weaker.average_torque->origin,
+            "similar: CSG size 25, ratio 100, in proportion to d^3 and to the rated torque");
+  test::expect_relative(weaker.buckling_torque->value, 1000, 1e-12);
+  test::expect_relative(makers_limits(bare(25, 100, 120)).average_torque->value, 140, 1e-12);
+}
+
 TEST(MakersLimits, BehaviourStartingDrivesStateThem) {
   const Rating rating = *starting_drive(25, 100).gear.rating;
   EXPECT_EQ(rating.average_torque, 140);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <random>
 #include <vector>
@@ -124,6 +125,11 @@ TEST(OneSidedContact, InputOfACompliance) {
                InputError);
   EXPECT_THROW((void)solve_one_sided(std::vector<double>{1}, std::vector<double>{-1},
                                      std::vector<double>{1, 1}),
+               InputError);
+  // Not a number must not count as an open place.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)solve_one_sided(std::vector<double>{1}, std::vector<double>{nan}), InputError);
+  EXPECT_THROW((void)solve_one_sided(std::vector<double>{nan}, std::vector<double>{-1}),
                InputError);
 }
 

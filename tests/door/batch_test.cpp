@@ -30,6 +30,19 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
+// Kind: input.  The numbers that tell how others vary cannot be drawn in a batch.
+TEST(Batch, InputNumbersOfAScatter) {
+  GearSet gear = article();
+  gear.scatter.push_back({.path = "load.torque", .relative_standard_deviation = 0.1});
+  EXPECT_EQ(test::broken_rule([&] {
+              (void)batch(gear, {.paths = {"scatter[0].relative_standard_deviation"},
+                                 .values = {0.03},
+                                 .outputs = kOutputs});
+            }),
+            "scatter[0].relative_standard_deviation: is not a number of the drive that can be "
+            "drawn; name a number outside of range, scatter and correlation");
+}
+
 TEST(Batch, CrosscheckEqualsSingleEvaluations) {
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
     const GearSet gear = test::random_drive(seed);

@@ -371,6 +371,10 @@ TEST(DriveTurn, BehaviourOfTorque) {
   EXPECT_EQ(test::count_notes(drive_turn(breathing(), {.half_lengths = {4 * mm}}).notes,
                               "turn.long_crack"),
             1);
+  EXPECT_NE(test::broken_rule([] {
+              (void)drive_turn(breathing(), {.half_lengths = {5.5 * mm}});
+            }).find("at most a sixth of the barrel's radius"),
+            std::string::npos);
   GearSet pulled = breathing();
   pulled.load.axial_force = 5;
   pulled.flexspline->stress_nonuniformity = 1.1;

@@ -54,6 +54,9 @@ TEST(ShaftSurface, IdentityAspectRatioOfTheArc) {
   // A semicircle along the arc is a little deeper than the circle.
   EXPECT_GT(front_aspect_ratio(0.4, 0.4, 1.0), 1.0);
   EXPECT_LT(front_aspect_ratio(1.0, 1.0, 1.0), 1.06);
+  // An arc longer than the whole circumference is not a short one.
+  EXPECT_EQ(front_aspect_ratio(0.3162, 6.324, 1.0), kNearlyStraight);
+  EXPECT_EQ(front_aspect_ratio(0.3, 13.0, 1.0), kNearlyStraight);
   // The straight front, and a longer one.
   EXPECT_EQ(front_aspect_ratio(0.4, std::acos(0.6), 1.0), kNearlyStraight);
   EXPECT_EQ(front_aspect_ratio(0.4, 2.0, 1.0), kNearlyStraight);

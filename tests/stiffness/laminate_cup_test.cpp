@@ -72,6 +72,19 @@ GearSet tube_gear(const std::vector<double>& degrees) {
   return gear;
 }
 
+// Kind: identity (ST-21).  The series model and the answer agree on the size of a crack in a
+// laminate beyond which the sheet is no model.  The limit of this wall is a = 4 sqrt(r t)/1.817.
+TEST(LaminateCup, IdentitySeriesEndsWhereTheAnswerDoes) {
+  const double limit = 4 * std::sqrt(kMeanRadius * kThickness) / std::pow(12 * (1 - 0.09), 0.25);
+  for (const double share : {0.99, 1.01}) {
+    GearSet gear = tube_gear({45, -45, -45, 45});
+    gear.flexspline->crack = {WallThroughCrack{.half_length = share * limit, .angle = 45 * deg}};
+    check(gear);
+    EXPECT_EQ(series_compliance(gear).usable, share < 1) << share;
+    EXPECT_EQ(torsional_stiffness(gear).usable(), share < 1) << share;
+  }
+}
+
 double sound(const GearSet& gear) {
   check(gear);
   return flexspline_compliance(gear).intact;

@@ -193,9 +193,25 @@ TEST(TurnTableStrength, BehaviourEndsOfTheTable) {  // GR-30
   test::give_turn_table<WallThroughCrack>(gear, bound_of_wall(plain, {0, 2200}));
   answer = crack_strength(gear).front();
   test::expect_relative(with_assembly(answer, TorqueSense::positive).reserve.value(), 1.1, 1e-9);
-  EXPECT_TRUE(note(answer, "ends at 1.1 times the load, so the reserve is at least this"));
+  EXPECT_TRUE(note(answer, "under T > 0 the table"));
+  EXPECT_TRUE(
+      note(answer, "ends at 1.1 times the load, so the reserve of this sense is at least this"));
   EXPECT_TRUE(note(answer, "has no torque of the other sense"));
   EXPECT_EQ(answer.states.size(), 2U);
+  // Each sense has its own end.
+  test::give_turn_table<WallThroughCrack>(gear, bound_of_wall(plain, {-2100, 0, 2200}));
+  answer = crack_strength(gear).front();
+  test::expect_relative(with_assembly(answer, TorqueSense::negative).reserve.value(), 1.05, 1e-9);
+  EXPECT_TRUE(note(answer, "ends at 1.05 times the load, so the reserve of this sense"));
+  EXPECT_TRUE(note(answer, "ends at 1.1 times the load, so the reserve of this sense"));
+  // Nothing is known below the first torque of a table, so the reserve is not 0.
+  GearSet brittle = gear;
+  brittle.material.at(brittle.flexspline->material).fracture_toughness = 1e5;
+  test::give_turn_table<WallThroughCrack>(brittle, bound_of_wall(plain, {1000, 60000}));
+  answer = crack_strength(brittle).front();
+  test::expect_relative(with_assembly(answer, TorqueSense::positive).reserve.value(), 0.5, 1e-9);
+  EXPECT_TRUE(
+      note(answer, "begins at 0.5 times the load, so the reserve of this sense is at most"));
   // Without torque 0, all of K counts as that of the load.
   test::give_turn_table<WallThroughCrack>(gear, bound_of_wall(plain, {1000, 60000}));
   answer = crack_strength(gear).front();

@@ -395,6 +395,11 @@ TEST(CoupledGeometry, InputRulesBrokenOnce) {
          g.drive.ratio = 9;
          g.drive.radial_displacement = g.drive.pitch_diameter / 18;
        }},
+      {"drive.ratio",  // more teeth than memory has room for
+       [](GearSet& g) {
+         g.drive.ratio = 2e9;
+         g.drive.radial_displacement = g.drive.pitch_diameter / 4e9;
+       }},
       {"flexspline.rim.outer_diameter",
        [](GearSet& g) { g.flexspline->rim->outer_diameter = 63.5 * mm; }},
       {"flexspline.rim.outer_diameter",

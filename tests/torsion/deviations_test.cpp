@@ -96,6 +96,39 @@ TEST(Deviations, IdentityWithoutDeviations) {
     EXPECT_NEAR(twists(zero, torques)[i] / twist[i], 1, 1e-9);
 }
 
+// Kind: limit (TC-11).  A lost tooth that is 20 um too thick reaches into its neighbours, but holds
+// nothing.  The twist between both senses is that with a tooth of the right thickness.
+TEST(Deviations, LimitALostToothHoldsNothing) {
+  GearSet gear = gear_25();
+  constexpr int kTooth = 3;
+  gear.mesh->crack.emplace_back(
+      ToothCrack{.stiffness_loss = 1.0, .position = (kTooth + 0.5) * 2 * std::numbers::pi / 200});
+  const AssembledDrive drive(gear);
+  Deviations one;
+  one.flexspline.resize(200);
+  const auto lines = [&](const AssembledDrive& of) {
+    const double T1 = test::conventional_torques(gear)[0];
+    return std::vector<double>{twists(of, {{T1}}).front(), twists(of, {{-T1}}).front()};
+  };
+  one.flexspline[kTooth].position = 1e-15;  // so that it counts as deviating
+  const std::vector<double> right = lines(drive.with_deviations(one));
+  one.flexspline[kTooth].thickness = 20 * kMicron;
+  const std::vector<double> thick = lines(drive.with_deviations(one));
+  for (std::size_t i = 0; i < 2; ++i) test::expect_relative(thick[i], right[i], 1e-9);
+}
+
+// Kind: behaviour.  A drive that does not assemble with its deviations does without them.
+TEST(Deviations, BehaviourAFaultEndsWithItsDeviations) {
+  const AssembledDrive drive(gear_25());
+  Deviations jammed;
+  jammed.balls.assign(23, -5e-3);  // no ball touches
+  const AssembledDrive fails = drive.with_deviations(jammed);
+  ASSERT_FALSE(fails.fails_because().empty());
+  const auto torques = test::conventional_torques(gear_25());
+  EXPECT_EQ(fails.with_deviations({}).fails_because(), "");
+  EXPECT_EQ(twists(fails.with_deviations({}), torques).size(), torques.size());
+}
+
 // Deviations take the place of those that the drive has, also with a cage phase and with cracks.
 // What makes another drive of it keeps them.
 TEST(Deviations, IdentityInPlaceOfOthers) {
