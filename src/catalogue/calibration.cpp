@@ -121,13 +121,12 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
 
 /// Relative error of a row that is scaled by d^3 to another size [-].  The rows of sizes from 17
 /// on agree with this law within 5 %, smaller ones miss it by 20 to 50 %.
-double error_of_scaling(double size, int row_size) {
+double error_of_scaling(double size, double row_size) {
   constexpr double kRounding = 0.02;
   constexpr double kBetweenSizes = 0.05;
   constexpr double kSmallSizes = 0.3;
   if (std::abs(size / row_size - 1) < 1e-6) return kRounding;
-  return std::min(size, static_cast<double>(row_size)) < kLeastSimilarSize ? kSmallSizes
-                                                                           : kBetweenSizes;
+  return std::min(size, row_size) < kLeastSimilarSize ? kSmallSizes : kBetweenSizes;
 }
 
 /// The catalogue's row for a drive.

@@ -308,9 +308,7 @@ AssembledDrive AssembledDrive::with_deviations(const Deviations& deviations) con
   if (deviations.empty() && contents_->deviations.empty()) return *this;
   Contents contents = *contents_;
   contents.deviations = deviations;
-  // A drive without a cam cannot deviate; a fault of earlier deviations ends with them.
-  if (contents.sound_fails_because.empty() || !contents_->deviations.empty()) {
-    contents.sound_fails_because.clear();
+  if (contents.sound_fails_because.empty()) {
     contents.sound = contents_->sound.deviating(deviations);
     if (!contents.sound.assemble_on(contents_->sound.cam_amplitude()))
       contents.sound_fails_because = no_assembly(contents.sound);

@@ -33,11 +33,14 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 // Kind: input.  The numbers that tell how others vary cannot be drawn in a batch.
 TEST(Batch, InputNumbersOfAScatter) {
   GearSet gear = article();
-  gear.scatter.push_back({.path = "load.torque", .relative_standard_deviation = 0.1});
+  InputScatter scatter;
+  scatter.path = "load.torque";
+  scatter.relative_standard_deviation = 0.1;
+  gear.scatter.push_back(scatter);
+  const std::vector<std::string> paths = {"scatter[0].relative_standard_deviation"};
+  const std::vector<double> values = {0.03};
   EXPECT_EQ(test::broken_rule([&] {
-              (void)batch(gear, {.paths = {"scatter[0].relative_standard_deviation"},
-                                 .values = {0.03},
-                                 .outputs = kOutputs});
+              (void)batch(gear, {.paths = paths, .values = values, .outputs = kOutputs});
             }),
             "scatter[0].relative_standard_deviation: is not a number of the drive that can be "
             "drawn; name a number outside of range, scatter and correlation");

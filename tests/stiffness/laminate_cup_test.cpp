@@ -14,6 +14,7 @@
 #include "strainwave/drive_cracks/wall_laminate.hpp"
 #include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -80,7 +81,7 @@ TEST(LaminateCup, IdentitySeriesEndsWhereTheAnswerDoes) {
     GearSet gear = tube_gear({45, -45, -45, 45});
     gear.flexspline->crack = {WallThroughCrack{.half_length = share * limit, .angle = 45 * deg}};
     check(gear);
-    EXPECT_EQ(series_compliance(gear).usable, share < 1) << share;
+    EXPECT_EQ(series_compliance<double>(gear).usable, share < 1) << share;
     EXPECT_EQ(torsional_stiffness(gear).usable(), share < 1) << share;
   }
 }

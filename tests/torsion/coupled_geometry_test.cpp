@@ -397,8 +397,9 @@ TEST(CoupledGeometry, InputRulesBrokenOnce) {
        }},
       {"drive.ratio",  // more teeth than memory has room for
        [](GearSet& g) {
-         g.drive.ratio = 2e9;
-         g.drive.radial_displacement = g.drive.pitch_diameter / 4e9;
+         g.drive.ratio = 1500;
+         g.drive.radial_displacement = g.drive.pitch_diameter / 3000;
+         g.flexspline->rim->outer_diameter = g.drive.pitch_diameter * (1 - 2.4 / 3000);
        }},
       {"flexspline.rim.outer_diameter",
        [](GearSet& g) { g.flexspline->rim->outer_diameter = 63.5 * mm; }},

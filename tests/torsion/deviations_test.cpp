@@ -117,18 +117,6 @@ TEST(Deviations, LimitALostToothHoldsNothing) {
   for (std::size_t i = 0; i < 2; ++i) test::expect_relative(thick[i], right[i], 1e-9);
 }
 
-// Kind: behaviour.  A drive that does not assemble with its deviations does without them.
-TEST(Deviations, BehaviourAFaultEndsWithItsDeviations) {
-  const AssembledDrive drive(gear_25());
-  Deviations jammed;
-  jammed.balls.assign(23, -5e-3);  // no ball touches
-  const AssembledDrive fails = drive.with_deviations(jammed);
-  ASSERT_FALSE(fails.fails_because().empty());
-  const auto torques = test::conventional_torques(gear_25());
-  EXPECT_EQ(fails.with_deviations({}).fails_because(), "");
-  EXPECT_EQ(twists(fails.with_deviations({}), torques).size(), torques.size());
-}
-
 // Deviations take the place of those that the drive has, also with a cage phase and with cracks.
 // What makes another drive of it keeps them.
 TEST(Deviations, IdentityInPlaceOfOthers) {

@@ -117,7 +117,7 @@ class TurnResult(Result):
     large_rotations: bool
     """whether large rotations of the oval were computed"""
     largest_stress: Quantity
-    """largest stress of the sound wall normal to the crack [Pa]"""
+    """largest stress of the sound wall normal to the crack, at its middle [Pa]"""
     sizes: tuple[Sizes, ...]
     """the turn at each size of the crack"""
 
