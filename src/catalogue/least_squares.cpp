@@ -127,6 +127,7 @@ FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
   fit.residuals = problem.residuals(scaled.values(u));
   fit.jacobian = jacobian_at(problem, scaled, u, fit.residuals, progress, 0.0);
   double damping = 1e-3;
+  bool at_wall = false;  // whether the last steps ended where the drive has no equilibrium
   while (!fit.converged && fit.iterations < kMostSteps) {
     ++fit.iterations;
     // The share counts steps; most fits need far fewer than the maximum.
@@ -147,11 +148,14 @@ FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
       u = trial;
       fit.residuals = *residuals;
       damping = std::max(damping / 5, 1e-9);
-      fit.converged = moved < kSmallStep || slow || fit.residuals.squaredNorm() < 1e-16;
+      const bool ends = moved < kSmallStep || slow;
+      fit.converged = (ends && !at_wall) || fit.residuals.squaredNorm() < 1e-16;
+      if (ends && at_wall) break;  // a wall is no minimum
+      at_wall = false;
       fit.jacobian = jacobian_at(problem, scaled, u, fit.residuals, progress, done);
     } else {
-      // At a wall behind which the drive has no equilibrium the search ends without a minimum.
-      if (!residuals && moved < kSmallStep) break;
+      at_wall = at_wall || !residuals;
+      if (at_wall && moved < kSmallStep) break;
       fit.converged = moved < kSmallStep;
       damping *= 6;
     }

@@ -35,8 +35,13 @@ void walk(const Shape& shape, void* value, const Path& path, const Field* field,
       walk(*shape.alternatives[shape.index(value)], shape.at(value, 0), path, nullptr, f);
       return;
     case Shape::Kind::record:
-      for (const ShapeField& part : shape.fields)
-        walk(*part.shape, value_in(value, part), path / part.field.name, &part.field, f);
+      for (const ShapeField& part : shape.fields) {
+        void* const at = value_in(value, part);
+        if (part.shape->kind == Shape::Kind::number)  // most fields
+          f(path / part.field.name, part.field, *static_cast<double*>(at));
+        else
+          walk(*part.shape, at, path / part.field.name, &part.field, f);
+      }
       return;
     case Shape::Kind::whole:
     case Shape::Kind::flag:

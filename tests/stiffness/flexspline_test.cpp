@@ -711,7 +711,7 @@ TEST(WallThroughCrack, ReferenceEndsOfTheSection) {
   EXPECT_GT(of_K, std::hypot(0.12, 0.073));
   EXPECT_EQ(note_text(gear, "crack.near_ends"), "");
   (void)ends(6.1 * mm);
-  EXPECT_NE(note_text(gear, "crack.near_ends").find("0.71 of its section's length"),
+  EXPECT_NE(note_text(gear, "crack.near_ends").find("half of the crack is 0.71 of the distance"),
             std::string::npos)
       << note_text(gear, "crack.near_ends");
   const auto named = [&] {

@@ -57,7 +57,7 @@ struct Shape {
     alternatives,  ///< std::variant of records; `alternatives`, `kinds`, `index`, `at`, `take`
     record         ///< a described struct; `fields`, `kind_name`, `meaning`, `unset`
   };
-  Kind kind = Kind::record;
+  Kind kind = Kind::record;        ///< what the value is
   const Shape* element = nullptr;  ///< of the elements, or of the value of an optional
   std::span<const std::string_view> names = {};  ///< of a choice, in their order
   std::vector<ShapeField> fields = {};           ///< of a record, in the order of its description
@@ -238,9 +238,9 @@ const Shape& shape_of() {
   return shape;
 }
 
-/// Calls `f` for all numbers that a value holds now.
-/// @param value  has the shape; `f` may change its numbers
-/// @param path   of the value
+/// Calls `f` for all numbers that a value of this shape holds now.  `f` may change the numbers; it
+/// gets the path of each, below the path of the value, and the description of its field.
+///
 void walk_numbers(const Shape& shape, void* value, const FieldPath& path,
                   const std::function<void(const FieldPath&, const Field&, double&)>& f);
 /// The same without paths, which cost more than the walk.

@@ -290,7 +290,7 @@ struct NasgroLaw : Evidence {
 /// A law of crack growth, as a record states it.
 using GrowthLaw = std::variant<ParisLaw, NasgroLaw>;
 template <>
-inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";
+inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";  ///< in messages
 
 /// A steel in one condition, or a layer of fibres in a matrix.
 ///
