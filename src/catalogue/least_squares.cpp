@@ -80,6 +80,7 @@ Eigen::MatrixXd jacobian_at(const FactorProblem& problem, const ScaledFactors& s
     try {
       J.col(i) = difference(h);
     } catch (const SolverError&) {
+      if (at(i) - h < scaled.lower(i) || at(i) - h > scaled.upper(i)) throw;
       J.col(i) = difference(-h);
     }
   }

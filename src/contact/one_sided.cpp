@@ -19,8 +19,8 @@ OneSidedContact solve_one_sided(std::span<const double> compliance, std::span<co
   const auto n = static_cast<Eigen::Index>(gap.size());
   const Eigen::Map<const Eigen::MatrixXd> M(compliance.data(), n, n);
   const Eigen::Map<const Eigen::VectorXd> g(gap.data(), n);
-  if (!M.allFinite() || !g.allFinite())
-    throw InputError("gap", "and compliance must be finite numbers");
+  if (!M.allFinite()) throw InputError("compliance", "must be finite numbers");
+  if (!g.allFinite()) throw InputError("gap", "must be finite numbers");
   OneSidedContact result{.pressure = std::vector<double>(gap.size(), 0.0)};
   Eigen::Map<Eigen::VectorXd> x(result.pressure.data(), n);
   std::vector<Eigen::Index> touching;

@@ -67,9 +67,17 @@ bool is_required(const ShapeField& field) {
     case Shape::Kind::list:
     case Shape::Kind::map:
       return false;
-    default:
-      return field.field.fallback.empty();
+    case Shape::Kind::number:
+    case Shape::Kind::whole:
+    case Shape::Kind::flag:
+    case Shape::Kind::text:
+    case Shape::Kind::choice:
+    case Shape::Kind::pair:
+    case Shape::Kind::alternatives:
+    case Shape::Kind::record:
+      break;
   }
+  return field.field.fallback.empty();
 }
 
 bool is_always_required(const ShapeField& field) {

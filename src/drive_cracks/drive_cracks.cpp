@@ -53,7 +53,7 @@ const char* const kRim =
     "on the rim the wall's bending is not an upper bound, because membrane stress of the assembly "
     "and tooth forces are left out";
 const char* const kRimTeeth =
-    "the table of K over a turn leaves out the forces of the teeth on the rim";
+    "the table of K over a turn is not known to contain the forces of the teeth on the rim";
 const char* const kOrder =
     "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
 
@@ -368,8 +368,10 @@ class Maker {
     take_size(made, "half_length", {.size = crack.half_length},
               std::min(round / 2 - crack.half_length * sine,
                        std::min(place, wall.length - place) - crack.half_length * cosine));
+    sif::ThroughCrackInTube curved = loaded.solution;
+    if (made.moduli.anisotropic) curved.poissons_ratio = kMetalPoissonsRatio;
     const double shell = sif::ThroughCrackInTube::kMaxShellParameter /
-                         std::sqrt(loaded.solution.shell_parameter_squared(1.0));
+                         std::sqrt(curved.shell_parameter_squared(1.0));
     const double half_round = kNearlyAll * pi * wall.mean_radius / (2 * sine);
     const double length = kNearlyAll * std::min(place, wall.length - place) / cosine;
     made.range_end = std::min({shell, half_round, length});

@@ -321,7 +321,9 @@ class Growing {
       return std::ranges::any_of(strength.states, [&](const StrengthState& state) {
         const double of_state =
             state.sense == TorqueSense::positive ? std::abs(torque) : -std::abs(torque);
-        return state.with_assembly && reserve && state.reserve == reserve &&
+        const bool beyond = state.verdict == StrengthVerdict::fractures ||
+                            state.verdict == StrengthVerdict::collapses;
+        return !beyond && state.with_assembly && reserve && state.reserve == reserve &&
                table->covers(of_state) && *reserve > 0.999 * turn_load_range(*table, of_state)[1];
       });
     }

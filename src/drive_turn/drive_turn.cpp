@@ -74,9 +74,9 @@ void note_ends(DriveTurn& turn, const CrackOfWall& of, const TubeSection& sectio
                          longest.half_length > kLongAroundAxis * radius))
     turn.notes.push_back(
         {"turn.long_crack",
-         fmt::format("the crack is longer than {:g} of the barrel, or half of it than {:g} of the "
-                     "barrel's radius; K_I of the oval was up to 4.2 % too small in such cracks, "
-                     "and K_I of the torque up to 10 %",
+         fmt::format("the crack is longer than {:g} of the barrel, or its half length exceeds {:g} "
+                     "of the barrel's radius; K_max of such cracks was up to 4.2 % too small, and "
+                     "K_I in the middle of the wall under torque up to 10 %",
                      kLong, kLongAroundAxis),
          turn.path, "IN-2", Severity::care, "Compute K by strainwave fe turn too."});
   const bool in_rim = of.section() == WallSection::rim;

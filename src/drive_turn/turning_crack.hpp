@@ -14,6 +14,10 @@ namespace strainwave {
 /// K_I, K_II, K_III at a station [Pa*m^0.5].
 using StationFactors = std::array<double, 3>;
 
+/// Half length of a through crack over the radius of the barrel up to which K was judged (IN-2)
+/// [-].
+inline constexpr double kJudgedLength = 1.0 / 6;
+
 /// A crack of the wall at one size, in the stress of the sound wall.  Each kind of crack is one
 /// class.
 class TurningCrack {
@@ -39,11 +43,7 @@ class TurningCrack {
 /// @param shell   must outlive the result
 /// @param place   z of the middle of the crack [m]
 /// @param size    in place of that of the crack
-/// @throws InputError  beyond the range of the table
-/// Half length of a through crack over the radius of the barrel up to which K was judged (IN-2)
-/// [-].
-inline constexpr double kJudgedLength = 1.0 / 6;
-
+/// @throws InputError  beyond the range of the table, or of the judged cracks
 [[nodiscard]] std::unique_ptr<TurningCrack> turning_crack(const WallThroughCrack& crack,
                                                           const OvalShell& shell, double place,
                                                           const TurnSize& size);

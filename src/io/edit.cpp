@@ -215,7 +215,11 @@ class PathReader {
         const Shape* const record = &shape;
         return walk_field(std::span(&record, 1), rest, {});
       }
-      default:
+      case Shape::Kind::number:
+      case Shape::Kind::whole:
+      case Shape::Kind::flag:
+      case Shape::Kind::text:
+      case Shape::Kind::choice:
         refuse(fmt::format("goes too deep: {} has nothing below it", before(rest)));
     }
   }

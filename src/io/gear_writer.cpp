@@ -79,9 +79,7 @@ std::string key_text(std::string_view key) {
 }
 
 /// Whether a material takes this field from the library.
-bool from_library(const Shape& record, const void* value, const Field& field) {
-  if (&record != &shape_of<Material>()) return false;
-  const auto& material = *static_cast<const Material*>(value);
+bool from_library(const Material& material, const Field& field) {
   return material.based_on &&
          std::ranges::find(material.from_library, field.name) != material.from_library.end();
 }
@@ -96,17 +94,18 @@ class GearWriter {
   void body(const Shape& record, const void* value, const std::string& head,
             const FieldPath& path) {
     if (!record.kind_name.empty()) line("kind", toml_string(record.kind_name), path / "kind");
-    const bool material = &record == &shape_of<Material>();
+    const auto* const material =
+        &record == &shape_of<Material>() ? static_cast<const Material*>(value) : nullptr;
     for (const ShapeField& one : record.fields) {
       if (is_section(*one.shape)) continue;
       const Field& field = one.field;
       const FieldPath at = path / field.name;
       const std::string text = plain(*one.shape, value_in(value, one), field);
       const bool implied =
-          material ? from_library(record, value, field)
-                   : !field.fallback.empty() &&
-                         text == plain(*one.shape, value_in(record.unset, one), field) &&
-                         !comments_.contains(at.text());
+          material != nullptr ? from_library(*material, field)
+                              : !field.fallback.empty() &&
+                                    text == plain(*one.shape, value_in(record.unset, one), field) &&
+                                    !comments_.contains(at.text());
       if (!text.empty() && !implied) line(field.name, text, at);
     }
     for (const ShapeField& one : record.fields)
@@ -134,8 +133,13 @@ class GearWriter {
       case Shape::Kind::optional:
         return shape.size(value) == 1 ? plain(*shape.element, element_of(shape, value, 0), field)
                                       : std::string();
-      default:
+      case Shape::Kind::pair:
+      case Shape::Kind::list:
         break;
+      case Shape::Kind::map:
+      case Shape::Kind::alternatives:
+      case Shape::Kind::record:
+        return {};  // a section
     }
     std::string list;
     for (std::size_t i = 0; i < shape.size(value); ++i)
@@ -168,7 +172,7 @@ class GearWriter {
           body(*record, element, head, path[i]);
         }
         return;
-      default:
+      default:  // a record
         text_ += fmt::format("\n[{}]\n", head);
         body(shape, value, head, path);
     }

@@ -201,7 +201,9 @@ Meridian meridian_of(const ShellCup& cup, double band_width) {
     const double step = 0.35 * std::sqrt(at * thickness);
     const double wanted = std::ceil((to - from) / step);
     require(wanted <= kMostOfTube, "length", to - from, "m",
-            fmt::format("so short that the wall needs at most {} elements", kMostOfTube));
+            fmt::format("at most {} elements of 0.35 sqrt(r t); shorten the barrel or the rim, or "
+                        "give a thicker wall",
+                        kMostOfTube));
     const int count = std::max(2, static_cast<int>(wanted));
     for (int i = 0; i < count; ++i)
       elements.push_back(

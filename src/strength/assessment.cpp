@@ -188,8 +188,9 @@ class InDiagram {
   [[nodiscard]] std::optional<double> reserve() const {
     if (!(L_r(1.0) > 0)) return std::nullopt;
     const auto [least, most] = crack_.known_loads();
-    if (beyond(least) >= 0) return least;  // the load at which K begins to be known, or 0
     const double collapse = L_r_max_ / L_r(1.0);
+    // At `least` K begins to be known; it is 0 unless a table begins later.
+    if (beyond(least) >= 0) return std::min(least, collapse);
     const double end = std::min(collapse, most);
     // A load that presses the crack may reduce K_r at first, so search for the first crossing.
     constexpr int kSteps = 32;
@@ -220,7 +221,8 @@ CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyo
   constexpr double kSmallest = 1e-4;  // share of the range
   const double end = crack.range_end;
   const double smallest = std::max(kSmallest, crack.range_begin / end);
-  if (smallest >= 1) return {.text = "below the smallest size of the table"};
+  if (smallest >= 1)
+    return {.text = "not known, because the table begins beyond the range of the solution"};
   double inside = smallest * end;
   if (beyond(inside) >= 0)
     return {.text = smallest > kSmallest ? "below the smallest size of the table" : at_once};

@@ -75,7 +75,10 @@ void note_ends_of_table(CrackStrength& report, const TurnTable& table, double to
     if (!state.with_assembly || !state.reserve) continue;
     const auto [least, most] = turn_load_range(table, torque_of(state, torque));
     const char* const sense = state.sense == TorqueSense::positive ? "T > 0" : "T < 0";
-    if (!clearly_less(*state.reserve, most))
+    // With a table of one torque both ends are this torque.
+    const bool beyond =
+        state.verdict == StrengthVerdict::fractures || state.verdict == StrengthVerdict::collapses;
+    if (!beyond && !clearly_less(*state.reserve, most))
       report.notes.push_back({fmt::format("under {} the table {} ends at {:.3g} times the load, so "
                                           "the reserve of this sense is at least this",
                                           sense, shown(table.file), most),

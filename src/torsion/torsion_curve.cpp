@@ -161,7 +161,6 @@ Equilibrium state_at(const AssembledDrive& assembled, double torque) {
   const std::string fails =
       walk(contents, {&torque, 1}, {}, [&](const Equilibrium& found) { state = found; });
   if (!fails.empty()) throw SolverError(fails);
-  if (!contents.unusable_because.empty()) throw SolverError(contents.unusable_because);
   return state;
 }
 

@@ -790,7 +790,8 @@ const std::vector<Broken> kBroken = {
     {"ScatterOfScatter", coupled_gear,
      [](GearSet& g) { g.scatter[0].path = "scatter[1].relative_standard_deviation"; },
      "scatter[0].path", "",
-     "must be a number of the drive, not of its ranges, scatter or correlations"},
+     "must be a number of the drive, not of its ranges, scatter or correlations; name another "
+     "number or remove this entry"},
     {"ScatterOfNothing", coupled_gear, [](GearSet& g) { g.scatter[0].path = "load.axial_force"; },
      "scatter[0].path", "", "load.axial_force is 0, so a relative scatter has no effect; give a value other than 0 or remove the scatter"},
     {"ScatterTwice", coupled_gear, [](GearSet& g) { g.scatter[1].path = g.scatter[0].path; },

@@ -174,6 +174,34 @@ TEST(TurnTableStrength, BehaviourRimAgainstItsToughness) {  // GR-30, FR-20
   EXPECT_NE(answer.notes.back().text.find("other sense is not assessed"), std::string::npos);
 }
 
+// Kind: behaviour (FA-13, GR-30).  A table of small K over a turn does not make a wall crack of the
+// rim acceptable, because it is not known to contain the forces of the teeth.
+TEST(TurnTableStrength, BehaviourWallCrackOfTheRim) {
+  GearSet gear = wall_with_strength(200);
+  Flexspline& fs = *gear.flexspline;
+  fs.crack_free = CrackFree::sections;
+  fs.shape = FlexsplineShape::cylinder;
+  fs.rim = TubeSection{.outer_diameter = 160e-3, .wall_thickness = 3e-3, .length = 30e-3};
+  fs.barrel = TubeSection{.outer_diameter = 158e-3, .wall_thickness = 2e-3, .length = 100e-3};
+  const auto judged = [&](WallSection section) {
+    GearSet one = gear;
+    auto& crack = std::get<WallThroughCrack>(one.flexspline->crack.at(0));
+    crack.half_length = 2e-3;
+    crack.section = section;
+    test::give_turn_table<WallThroughCrack>(
+        one, test::turn_table_of(
+                 {.sizes = {1e-3, 4e-3}, .torques = {-400, 0, 400}, .stations = {0}, .angles = 36},
+                 "half_length", [](double a, double, double, std::size_t, double theta) {
+                   return Modes{1e6 * std::cos(2 * theta) * std::sqrt(pi * a), 0, 0};
+                 }));
+    return crack_strength(one).front();
+  };
+  EXPECT_EQ(judged(WallSection::barrel).verdict, StrengthVerdict::acceptable);
+  const CrackStrength rim = judged(WallSection::rim);
+  EXPECT_EQ(rim.verdict, StrengthVerdict::cannot_tell);
+  EXPECT_NE(rim.sentence.find("forces of the teeth"), std::string::npos) << rim.sentence;
+}
+
 TEST(TurnTableStrength, BehaviourEndsOfTheTable) {  // GR-30
   GearSet gear = wall_with_strength(2000);
   const GearSet plain = gear;
@@ -212,6 +240,23 @@ TEST(TurnTableStrength, BehaviourEndsOfTheTable) {  // GR-30
   test::expect_relative(with_assembly(answer, TorqueSense::positive).reserve.value(), 0.5, 1e-9);
   EXPECT_TRUE(
       note(answer, "begins at 0.5 times the load, so the reserve of this sense is at most"));
+  // A table of one torque bounds the reserve of a broken crack from above, not from below.
+  test::give_turn_table<WallThroughCrack>(brittle, bound_of_wall(plain, {2000}));
+  answer = crack_strength(brittle).front();
+  EXPECT_EQ(with_assembly(answer, TorqueSense::positive).verdict, StrengthVerdict::fractures);
+  EXPECT_FALSE(note(answer, "is at least this"));
+  EXPECT_TRUE(note(answer, "begins at 1 times the load"));
+  // The net section collapses before the table begins: this load is known.
+  GearSet soft = brittle;
+  for (auto& [name, material] : soft.material) {
+    material.yield_strength = 20e6;
+    material.ultimate_strength = 20e6;
+  }
+  test::give_turn_table<WallThroughCrack>(soft, bound_of_wall(plain, {1000, 60000}));
+  answer = crack_strength(soft).front();
+  const StrengthState& collapsed = with_assembly(answer, TorqueSense::positive);
+  ASSERT_GT(collapsed.L_r.value(), 2);
+  test::expect_relative(collapsed.reserve.value(), 1 / collapsed.L_r.value(), 1e-9);
   // Without torque 0, all of K counts as that of the load.
   test::give_turn_table<WallThroughCrack>(gear, bound_of_wall(plain, {1000, 60000}));
   answer = crack_strength(gear).front();

@@ -152,6 +152,18 @@ TEST(CompareCurves, LimitVanishingRingCracks) {
   }
 }
 
+// Kind: input.  The states of the rings are refused where the curve is: a ring crack of 60 % of the
+// wall is deeper than the model of a soft hinge (TC-22).
+TEST(CompareCurves, InputStatesOfADeepRingCrack) {
+  GearSet gear = rated_drive();
+  gear.flexspline->crack.push_back(
+      ring_crack<RimAxialCrack>(0.6 * gear.flexspline->rim->wall_thickness));
+  const AssembledDrive drive(gear);
+  const TorsionCurve curve = torsion_curve(drive, {{10.0}});
+  EXPECT_FALSE(curve.usable());
+  EXPECT_THROW((void)rim_states(drive, 10.0, 4), SolverError);
+}
+
 TEST(CompareCurves, IdentityRigidSplineHidesItsCrack) {
   GearSet gear = rated_drive();
   gear.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(3 * mm));

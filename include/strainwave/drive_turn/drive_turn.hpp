@@ -74,7 +74,7 @@ struct DriveTurn {
 ///
 /// Range: one crack of the barrel, or a surface crack of the rim, whose teeth are left out.  A
 /// through crack: nu from 0.25 to 0.35, R/t from 30 to 120, a/t
-/// from 0.5 to 16.  A surface crack: a/t up to 0.8, a/c from 0.2 to 1.  No friction.
+/// from 0.5 to 16, a to R/6.  A surface crack: a/t up to 0.8, a/c from 0.2 to 1.  No friction.
 /// Accuracy: the tables of (IN-2) and (IN-3).
 ///
 /// @throws InputError   as plan_turn; beyond the range; if the crack leaves its section, or the cam

@@ -912,7 +912,8 @@ void require_of_drive(const FieldPath& path, std::string_view named) {
   for (const std::string_view list : {"range[", "scatter[", "correlation["})
     if (named.starts_with(list))
       throw InputError((path / "path").text(),
-                       "must be a number of the drive, not of its ranges, scatter or correlations");
+                       "must be a number of the drive, not of its ranges, scatter or "
+                       "correlations; name another number or remove this entry");
 }
 
 void check_range(const GearSet& gear, const FieldPath& path, const InputRange& range) {
