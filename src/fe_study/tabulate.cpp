@@ -95,14 +95,14 @@ TablePoint tube_row(const RunResult& result) {
 }
 
 Family tube_family() {
-  Family family{
-      .order = kSolidOrder,
-      .equations = "FE-23 FE-24 FE-26 FE-28 FE-42",
-      .held =
-          "alone, at its distance along a tube that is clamped at one end and twisted at the "
-          "other; K of the tip toward +z, from the inner face to the outer",
-      .columns = {},
-      .row = tube_row};
+  Family family{.order = kSolidOrder,
+                .equations = "FE-23 FE-24 FE-26 FE-28 FE-42",
+                .held =
+                    "alone in a tube that is clamped at one end and twisted at the other, at its "
+                    "distance or halfway; K of the tip toward +z, from the inner face to the "
+                    "outer",
+                .columns = {},
+                .row = tube_row};
   const auto add = [&](const std::string& name, std::string_view unit) {
     family.columns.push_back({name, std::string(unit)});
   };
