@@ -149,11 +149,11 @@ void fill_from_own_row(MakersLimits& limits, const RatingRow& row) {
 void fill_by_similarity(MakersLimits& limits, const GearSet& gear) {
   const Transmission& drive = gear.drive;
   const double size = size_of(drive.pitch_diameter);
+  const auto cube = [size](const auto& row) { return std::pow(size / row.size, 3); };
   const auto scaled = [&](std::optional<MakersLimit>& limit, const auto* row, auto torque,
                           double weaker = 1.0) {
     if (row == nullptr) return;
-    const double ratio = size / row->size;
-    fill(limit, weaker * (row->*torque) * ratio * ratio * ratio,  // (LI-30)
+    fill(limit, weaker * (row->*torque) * cube(*row),  // (LI-30)
          fmt::format("similar: {} size {}, ratio {}, in proportion to d^3{}", row->series,
                      row->size, row->ratio, weaker < 1 ? " and to the rated torque" : ""),
          true);
@@ -161,8 +161,7 @@ void fill_by_similarity(MakersLimits& limits, const GearSet& gear) {
   const RatingRow* const rating = nearest_between(rating_rows(), size, drive.ratio, {});
   double weaker = 1.0;
   if (rating != nullptr && gear.rating && gear.rating->rated_torque)
-    weaker = std::min(
-        1.0, *gear.rating->rated_torque / (rating->rated * std::pow(size / rating->size, 3)));
+    weaker = std::min(1.0, *gear.rating->rated_torque / (rating->rated * cube(*rating)));
   scaled(limits.average_torque, rating, &RatingRow::average, weaker);
   scaled(limits.repeated_peak, rating, &RatingRow::repeated_peak, weaker);
   scaled(limits.momentary_peak, rating, &RatingRow::momentary_peak, weaker);

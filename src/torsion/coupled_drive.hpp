@@ -62,6 +62,13 @@ class CoupledDrive {
   /// Whether a contact belongs to a lost tooth, which holds nothing.
   [[nodiscard]] bool is_lost(int contact) const { return multiplier_[contact] == 0; }
 
+  /// Whether a flank that is not lost can resist the torque.
+  [[nodiscard]] bool can_carry(double torque) const {
+    for (int i = g_.balls; i < contacts(); ++i)
+      if (rotation_[i] * torque > 0 && !is_lost(i)) return true;
+    return torque == 0;
+  }
+
   [[nodiscard]] double largest_flank_force(const Equilibrium& state) const {
     return state.force.tail(contacts() - g_.balls).maxCoeff();
   }

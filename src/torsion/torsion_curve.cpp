@@ -84,6 +84,11 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
   const double most = pi * g.pitch_radius / g.teeth;
   for (std::size_t i = 0; i < torques.size(); ++i) {
     const double torque = torques[i];
+    if (!drive.can_carry(torque))
+      return fmt::format(
+          "no tooth is left that can carry {:.6g} N*m; remove a crack of mesh.crack "
+          "with a stiffness_loss of 1",
+          torque);
     // At zero torque the ring rests in its assembled position, independently of the path.
     state = torque == 0 ? drive.assembled() : drive.solve(torque, state);
     if (!state.converged)

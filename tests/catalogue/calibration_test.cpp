@@ -68,6 +68,20 @@ TEST(Calibration, BehaviourAWallIsNoMinimum) {
   test::expect_relative(fit(0.4).values[0], 0.4, 1e-4);
 }
 
+// Kind: behaviour.  Where the drive has no equilibrium a difference beyond the start, the
+// difference to the other side takes its place, and the search goes on to its minimum.
+TEST(Calibration, BehaviourDifferencesBesideAWall) {
+  const FactorFit fit =
+      fit_factors({.factors = {Factor::support},
+                   .start = {0.4999},
+                   .residuals = [](const std::vector<double>& at) -> Eigen::VectorXd {
+                     if (at[0] > 0.5) throw SolverError("no equilibrium");
+                     return Eigen::VectorXd::Constant(1, std::log(at[0] / 0.3));
+                   }});
+  EXPECT_TRUE(fit.converged);
+  test::expect_relative(fit.values[0], 0.3, 1e-4);
+}
+
 // While only a part of the face touches, coning and compliance of a pair act as one number.  No K
 // distinguishes them, so neither is called identified.
 TEST(Calibration, LimitInseparableFactorsAreNotIdentified) {
@@ -171,6 +185,37 @@ TEST(CalibrationTargets, BehaviourRowsOfOtherSeriesAreNoTarget) {
   EXPECT_EQ(catalogue_target(typical_drive_of_size(25, 100)).relative_uncertainty, 0.02);
   EXPECT_EQ(catalogue_target(typical_drive(0.16, 100)).relative_uncertainty, 0.05);
   test::expect_relative(target.values[0].stiffness, 4700 * std::pow(8.0 / 14, 3), 1e-12);
+}
+
+// Kind: crosscheck.  The stated error of a row that is scaled by d^3 bounds the root of the mean
+// square of the differences of K/d^3 between neighbouring sizes of the catalogue; from size 17 on
+// it is less than three times as large.  Source: the rows themselves.
+TEST(CalibrationTargets, CrosscheckErrorOfScaling) {
+  for (const auto& [ratio, ratio_class] :
+       {std::pair{30, RatioClass::thirty}, {50, RatioClass::fifty}, {100, RatioClass::eighty_up}}) {
+    std::vector<const StiffnessRow*> rows;
+    for (const StiffnessRow& row : stiffness_rows())
+      if (row.ratio_class == ratio_class && row.form == FlexsplineForm::cup &&
+          row.size >= kLeastSimilarSize)
+        rows.push_back(&row);
+    ASSERT_GE(rows.size(), 4U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double squares = 0;
+      int count = 0;
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        const auto K = rows[i]->K()[k];
+        const auto before = rows[i - 1]->K()[k];
+        if (!K || !before) continue;
+        squares += std::pow(*K / *before * std::pow(rows[i - 1]->size / rows[i]->size, 3) - 1, 2);
+        ++count;
+      }
+      const double rms = std::sqrt(squares / count);
+      const double stated =
+          catalogue_target(typical_drive(pitch_diameter_of(28), ratio)).relative_uncertainty;
+      EXPECT_LT(rms, stated) << ratio << " K" << k + 1;
+      EXPECT_GT(3 * rms, stated) << ratio << " K" << k + 1;
+    }
+  }
 }
 
 // A drive is fitted to a row of its own form and length only; the one row of a hat is that of size

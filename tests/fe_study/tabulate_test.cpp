@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "along_front.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -27,6 +28,27 @@
 
 namespace strainwave {
 namespace {
+
+// Kind: reference (FE-23).  The mean along segments of a front on which K is a parabola: 1, 4, 1 at
+// the ends and the middle has the mean 3; 1 + s^2 over two segments of unlike length that of its
+// integral.
+TEST(AlongFront, ReferenceParabolas) {
+  const auto front = [](const std::vector<std::pair<double, double>>& values) {
+    fem::CrackFront made;
+    for (const auto& [position, K] : values) {
+      made.stations.emplace_back();
+      made.stations.back().position = position;
+      made.stations.back().K_I = K;
+    }
+    return fe_study::along(made, [](const fem::FrontStation& s) { return s.K_I; });
+  };
+  const fe_study::AlongFront one = front({{0, 1}, {0.5, 4}, {1, 1}});
+  EXPECT_NEAR(one.mean, 3, 1e-14);
+  EXPECT_EQ(one.least, 1);
+  EXPECT_EQ(one.largest, 4);
+  const auto f = [](double s) { return std::pair(s, 1 + s * s); };
+  EXPECT_NEAR(front({f(0), f(0.5), f(1), f(2), f(3)}).mean, 1 + 9.0 / 3, 1e-14);
+}
 
 class FeTable : public testing::Test {
  protected:

@@ -792,6 +792,18 @@ const std::vector<Broken> kBroken = {
      "scatter[0].path", "",
      "must be a number of the drive, not of its ranges, scatter or correlations; name another "
      "number or remove this entry"},
+    {"ScatterOfCorrelation", coupled_gear,
+     [](GearSet& g) {
+       g.correlation = {{.path = g.scatter[0].path, .with = g.scatter[1].path, .rank_correlation = 0.5, .source = ""}};
+       g.scatter.push_back(g.scatter[0]);
+       g.scatter.back().path = "correlation[0].rank_correlation";
+     },
+     "scatter[2].path", "", "must be a number of the drive, not of its ranges, scatter or correlations; name another "
+     "number or remove this entry"},
+    {"RangeOfScatter", coupled_gear,
+     [](GearSet& g) { g.range[0].path = "scatter[0].relative_standard_deviation"; },
+     "range[0].path", "", "must be a number of the drive, not of its ranges, scatter or correlations; name another "
+     "number or remove this entry"},
     {"ScatterOfNothing", coupled_gear, [](GearSet& g) { g.scatter[0].path = "load.axial_force"; },
      "scatter[0].path", "", "load.axial_force is 0, so a relative scatter has no effect; give a value other than 0 or remove the scatter"},
     {"ScatterTwice", coupled_gear, [](GearSet& g) { g.scatter[1].path = g.scatter[0].path; },

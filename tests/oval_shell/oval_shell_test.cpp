@@ -210,6 +210,7 @@ TEST(OvalShell, InputOfRanges) {
     EXPECT_NE(message.find(field), std::string::npos) << message;
   };
   names(cup_rule([](ShellCup& cup) { cup.barrel.length = 0; }), "length");
+  names(cup_rule([](ShellCup& cup) { cup.barrel.length = 1e7; }), "at most 2000 elements");
   names(cup_rule([](ShellCup& cup) { cup.rim.wall_thickness = -1; }), "wall_thickness");
   names(cup_rule([](ShellCup& cup) { cup.barrel.wall_thickness = 16 * mm; }), "outer_diameter");
   names(cup_rule([](ShellCup& cup) { cup.youngs_modulus = 0; }), "youngs_modulus");

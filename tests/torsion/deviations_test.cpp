@@ -117,6 +117,17 @@ TEST(Deviations, LimitALostToothHoldsNothing) {
   for (std::size_t i = 0; i < 2; ++i) test::expect_relative(thick[i], right[i], 1e-9);
 }
 
+// Kind: limit.  A drive without teeth carries nothing, and the answer says why.
+TEST(Deviations, LimitAllTeethLost) {
+  GearSet gear = gear_25();
+  for (int j = 0; j < 200; ++j)
+    gear.mesh->crack.emplace_back(
+        ToothCrack{.stiffness_loss = 1.0, .position = (j + 0.5) * 2 * std::numbers::pi / 200});
+  const TorsionCurve curve = torsion_curve(AssembledDrive(gear), {{10.0}});
+  EXPECT_EQ(curve.unusable_because.rfind("no tooth is left that can carry 10 N*m", 0), 0U)
+      << curve.unusable_because;
+}
+
 // Deviations take the place of those that the drive has, also with a cage phase and with cracks.
 // What makes another drive of it keeps them.
 TEST(Deviations, IdentityInPlaceOfOthers) {

@@ -26,7 +26,7 @@ namespace strainwave {
 
 struct Shape;
 
-/// Name of the alternatives of a variant in messages; specialise it beside a variant of others.
+/// Name of the alternatives of a variant in messages; specialise it if they are no cracks.
 template <class Variant>
 inline constexpr std::string_view kKindsOf = "crack that this member can have";
 
@@ -239,8 +239,8 @@ const Shape& shape_of() {
 }
 
 /// Calls `f` for all numbers that a value of this shape holds now.  `f` may change the numbers; it
-/// gets the path of each, below the path of the value, and the description of its field.
-///
+/// gets the path of each number, which begins with `path`, and the description of its field.  A
+/// number that is no field of a record has no description, and is left out.
 void walk_numbers(const Shape& shape, void* value, const FieldPath& path,
                   const std::function<void(const FieldPath&, const Field&, double&)>& f);
 /// The same without paths, which cost more than the walk.
