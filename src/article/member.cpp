@@ -169,6 +169,8 @@ Cracks treatable_cracks(const GearSet& gear, Method method) {
     if (fs.crack_free != CrackFree::factor)
       refuse("flexspline.crack_free", method, "the article treats only \"factor\"");
     cracks.wall = only_crack<WallThroughCrack>(fs.crack, "flexspline", method);
+    if (cracks.wall != nullptr && cracks.wall->count > 1)
+      refuse("flexspline.crack[0].count", method, "the article treats only one crack in a member");
   }
   if (gear.output_shaft)
     cracks.shaft = only_crack<AnnularCrack>(gear.output_shaft->crack, "output_shaft", method);

@@ -6,67 +6,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "dislocations.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
 namespace {
-
-using Complex = std::complex<double>;
-using std::numbers::pi;
-
-constexpr Complex kI{0.0, 1.0};
-
-/// Sums over the row of 1/w and 1/w^2, or these numbers themselves (CG-2).
-struct Sums {
-  Complex first;
-  Complex second;
-};
-
-Sums sums_of(const Complex& w, const std::optional<double>& period) {
-  if (!period) return {1.0 / w, 1.0 / (w * w)};
-  const double k = pi / *period;
-  // Far above or below the row the sine overflows; cot tends to -i or i there.
-  if (std::abs(w.imag()) * k > 300) return {w.imag() > 0 ? -kI * k : kI * k, 0.0};
-  const Complex s = std::sin(k * w);
-  return {k * std::cos(k * w) / s, k * k / (s * s)};
-}
-
-/// Points and weights of Gauss-Chebyshev quadrature (CG-3).
-struct Points {
-  explicit Points(int n) : density(n), force(n - 1) {
-    for (int k = 0; k < n; ++k) density[k] = std::cos((2 * k + 1) * pi / (2 * n));
-    for (int r = 1; r < n; ++r) force[r - 1] = std::cos(r * pi / n);
-  }
-  Eigen::VectorXd density;  ///< where the densities are unknown
-  Eigen::VectorXd force;    ///< where the tractions are given
-};
-
-/// Value at the end +1 of a polynomial from its values at the density points (CG-5).
-double at_end(const Eigen::VectorXd& values) {
-  const auto n = values.size();
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double angle = static_cast<double>(2 * k + 1) * pi / static_cast<double>(4 * n);
-    sum += std::sin(static_cast<double>(2 * n - 1) * angle) / std::sin(angle) * values[k];
-  }
-  return sum / static_cast<double>(n);
-}
-
-/// The stress in the axes of a crack: normal and shear in the plane, and out of the plane (CG-1).
-struct Tractions {
-  double normal = 0.0;
-  double shear = 0.0;
-  double out = 0.0;
-};
-
-Tractions tractions_of(const SheetStress& s, double angle) {
-  const Complex turned = std::exp(2.0 * kI * angle) * Complex(s.yy - s.xx, 2 * s.xy);
-  return {.normal = (s.xx + s.yy + turned.real()) / 2,
-          .shear = turned.imag() / 2,
-          .out = s.yz * std::cos(angle) - s.xz * std::sin(angle)};
-}
 
 /// Solves a system whose blocks on the diagonal are those of single cracks.
 ///
@@ -255,25 +200,9 @@ class Densities {
     return opening;
   }
 
-  /// Influence of a unit real and a unit imaginary density of a crack on the traction of
-  /// another at t: normal + i shear (CG-2).
-  struct Influence {
-    Complex of_normal;
-    Complex of_shear;
-    double out = 0.0;
-  };
   /// @param w  from the place of the density to that of the traction
   [[nodiscard]] Influence influence(std::size_t on, std::size_t by, const Complex& w) const {
-    const Sums sums = sums_of(w, period_);
-    const Complex twice = turn_[on] * turn_[on];
-    const auto plane = [&](const Complex& gamma) {  // conj(density) is normal + i shear
-      const Complex first = gamma * sums.first;
-      return 2 * first.real() + twice * ((std::conj(gamma) - gamma) * sums.first +
-                                         2.0 * kI * w.imag() * gamma * sums.second);
-    };
-    return {.of_normal = plane(turn_[by]),
-            .of_shear = plane(-kI * turn_[by]),
-            .out = (turn_[on] * sums.first).real()};
+    return influence_of(turn_[on], turn_[by], w, sums_of(w, period_));
   }
 
   void solve_plane(const SheetStress& stress) {

@@ -16,6 +16,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/crack_group/crack_row.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/drive_cracks/reference_stress.hpp"
@@ -103,7 +104,12 @@ template <class Solution>
 std::vector<FrontIntensity> along(const Solution& solution, double a,
                                   std::initializer_list<double> places) {
   std::vector<FrontIntensity> front;
-  for (const double s : places) front.push_back({solution.stress_intensity(a, s), {}});
+  if constexpr (LinearFront<Solution>) {
+    const auto k = solution.family().linear_stress_intensity(a);
+    for (const double s : places) front.push_back({k.at(s), {}});
+  } else {
+    for (const double s : places) front.push_back({solution.stress_intensity(a, s), {}});
+  }
   return front;
 }
 
@@ -352,10 +358,17 @@ class Maker {
     made.front = [states = BothStates(loaded.solution), bending](const CrackSize& size,
                                                                  Faces faces) {
       const double root = std::sqrt(pi * size.size);
-      auto front = along(states.with(faces), size.size, {-1.0, 0.0, 1.0});
-      // (FA-14): the full stress of the outer fibre.
+      const sif::ThroughCrackInTube& solution = states.with(faces);
+      auto front = along(solution, size.size, {-1.0, 0.0, 1.0});
+      // (FA-14): the full stress of the outer fibre, and in a row the neighbours under the same
+      // stress (CG-7).
+      RowFactors row{1.0, 0.0, 0.0, 1.0};
+      if (solution.count > 1) row = row_factors(solution.row_share(size.size), solution.angle);
       for (FrontIntensity& at : front)
-        at.assembly = {bending.normal * root, bending.shear * root, 0.0};
+        at.assembly = {
+            (row.opening_by_normal * bending.normal + row.opening_by_shear * bending.shear) * root,
+            (row.sliding_by_normal * bending.normal + row.sliding_by_shear * bending.shear) * root,
+            0.0};
       return front;
     };
     made.bending = tube_bending(made, wall.mean_radius);
@@ -378,6 +391,8 @@ class Maker {
     made.range_text = made.range_end == shell
                           ? "a shell parameter of 4"
                           : "the length of the tube, or half of its circumference";
+    if (crack.count > 1)
+      in_row(made, {crack.count, crack.angle}, wall, gear_.flexspline->stress_nonuniformity);
     use(made, {"FA-6", "FA-8"});
     if (made.assembly) {
       use(made, {"FA-14"});
@@ -436,6 +451,24 @@ class Maker {
     made.range_text = "0.8 of the wall, the range of the stress intensity";
     use(made, {"FA-6", "FA-9"});
     if (made.assembly) use(made, {"SP-3"});
+    if (crack.count > 1) {
+      made.count = crack.count;
+      made.length_end = longest_in_row(crack, wall);
+      use(made, {"CG-7"});
+    }
+  }
+
+  /// Half length at which the influence of surface cracks of a row on each other is no longer small
+  /// [m].
+  [[nodiscard]] double longest_in_row(WallSurfaceCrack crack, const LongWall& wall) const {
+    constexpr int kHalvings = 40;
+    double known = 0.0;
+    double beyond = largest_row_share(crack.angle) * pi * wall.mean_radius / crack.count;
+    for (int i = 0; i < kHalvings; ++i) {
+      crack.half_length = (known + beyond) / 2;
+      (loads_.row_bound(crack) <= kLargestRowBound ? known : beyond) = crack.half_length;
+    }
+    return known;
   }
 
   void fill(DriveCrack& made, const DiaphragmArcCrack& crack,
@@ -446,17 +479,20 @@ class Maker {
     made.front = [states = BothStates(loaded.solution)](const CrackSize& size, Faces faces) {
       return along(states.with(faces), size.size, {0.0});
     };
-    // Only the torque stresses the arc.
     through_section(made, pi / 2,
                     {r, loaded.solution.wall_thickness, std::numeric_limits<double>::infinity()},
                     1.0);
+    take_size(made, "half_length", {.size = crack.half_length}, pi * r - crack.half_length);
+    made.range_end = r / 2;
+    made.range_text = "half of the arc's radius";
+    if (crack.count > 1)
+      in_row(made, {crack.count, pi / 2},
+             {r, loaded.solution.wall_thickness, std::numeric_limits<double>::infinity()}, 1.0);
+    // Only the torque stresses the arc.
     made.reference_stress = [of_both = made.reference_stress](const CrackSize& size, double,
                                                               double T) {
       return of_both(size, 0.0, T);
     };
-    take_size(made, "half_length", {.size = crack.half_length}, pi * r - crack.half_length);
-    made.range_end = r / 2;
-    made.range_text = "half of the arc's radius";
     leave_unknown(made, kDiaphragm, kNoField);
     use(made, {"FA-6", "FA-8"});
     const bool at_station = std::ranges::any_of(
@@ -529,6 +565,41 @@ class Maker {
       const double section = 2 * pi * wall.mean_radius * wall.thickness;
       return von_mises(P / section, K_u * T / (section * wall.mean_radius)) / *share;  // (FA-8)
     };
+  }
+
+  /// Equal cracks of a row and their angle from its normal.
+  struct RowOfCracks {
+    int count = 1;
+    double angle = 0.0;
+  };
+  /// Gives a crack its neighbours (CG-7), which end the range of its sizes, and the reference
+  /// stress of their row.
+  static void in_row(DriveCrack& made, RowOfCracks row, const LongWall& wall, double K_u) {
+    const double round = pi * wall.mean_radius;  // 2 a/p = a count/(pi r)
+    const double pitch = 2 * round / row.count;
+    made.count = row.count;
+    made.gap = [=](const CrackSize& size) {
+      return size.size * row_gap(2 * size.size / pitch, row.angle);
+    };
+    made.reference_stress = [=, field = made.path + ".half_length"](const CrackSize& size, double P,
+                                                                    double T) {
+      const double section = 2 * pi * wall.mean_radius * wall.thickness;
+      const double sigma = P / section;
+      const double tau = K_u * T / (section * wall.mean_radius);
+      const auto of_row = row_reference_stress(
+          {.half_length = size.size, .angle = row.angle, .pitch = pitch}, sigma, tau);
+      // One crack in the length of the tube, as for a crack alone.
+      const double along = 1 - 2 * size.size * std::abs(std::cos(row.angle)) / wall.length;
+      require(of_row.has_value() && along > 0, field, size.size, "m",
+              "the cracks of a row must not touch, and 2 half_length |cos(angle)| < length of the "
+              "tube");
+      return std::max(*of_row, von_mises(sigma, tau) / along);  // (FA-8), (FA-16)
+    };
+    const double end = kNearlyAll * largest_row_share(row.angle) * pitch / 2;
+    use(made, {"CG-7", "FA-16"});
+    if (end >= made.range_end) return;
+    made.range_end = end;
+    made.range_text = "where the gap to the next crack of the row is a fifth of the half length";
   }
 
   [[nodiscard]] bool on_rim(WallSection section) const {

@@ -96,6 +96,35 @@ std::optional<double> through_wall_share(const ThroughWall& crack) {
   return share;
 }
 
+std::optional<double> row_reference_stress(const RowThroughWall& row, double normal_stress,
+                                           double shear_stress) {
+  const double sine = std::sin(row.angle);
+  const double cosine = std::cos(row.angle);
+  const double sound = von_mises(normal_stress, shear_stress);
+  const double overlap = 2 * row.half_length - row.pitch * std::abs(sine);
+  // Force of one pitch over the thickness, round the axis and along it.
+  const double round = row.pitch * shear_stress;
+  const double along = row.pitch * normal_stress;
+  constexpr double kNothing = 1e-9;
+  if (overlap <= 0) {
+    // From the tip of a crack to the nearest tip of the next one.
+    const double to_round = row.pitch - 2 * row.half_length * std::abs(sine);
+    const double to_along = std::copysign(2 * row.half_length * cosine, sine * cosine);
+    const double length = std::hypot(to_round, to_along);
+    if (length <= kNothing * row.half_length) return std::nullopt;
+    const double square = length * length;
+    return std::max(sound, von_mises((round * to_along - along * to_round) / square,
+                                     (round * to_round + along * to_along) / square));  // (FA-16)
+  }
+  const double width = row.pitch * std::abs(cosine);
+  if (width <= kNothing * row.half_length) return std::nullopt;
+  const double axial = (along * cosine - round * sine) / width;
+  const double shear = (along * sine + round * cosine) / width;
+  const double bending = 2 * std::abs(shear) * overlap / width;  // 4 M/(w^2 t), M = V overlap/2
+  const double normal = bending / 2 + std::hypot(bending / 2, axial);
+  return std::max(sound, von_mises(normal, shear));  // (FA-16)
+}
+
 double ligament_reference_stress(SectionLoading loading, double stress, double depth_ratio) {
   require(depth_ratio >= 0 && depth_ratio < 1, "depth_ratio", depth_ratio, "1",
           "0 <= depth_ratio < 1");

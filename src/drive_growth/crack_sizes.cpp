@@ -48,7 +48,8 @@ bool break_through(GearSet& gear, std::size_t index) {
                                    .angle = surface->angle,
                                    .section = surface->section,
                                    .distance = surface->distance,
-                                   .position = surface->position};
+                                   .position = surface->position,
+                                   .count = surface->count};
           broken = true;
         }
     }

@@ -108,6 +108,13 @@ std::vector<Note> notes_of(const GearSet& gear, const CrackOfWall& of) {
          of.path, "IN-3", Severity::care,
          "Raise K by the notch factor of the tooth root if the crack is shallower than its "
          "radius."});
+  if (const int count = of.count(); count > 1)
+    notes.push_back({"turn.row",
+                     fmt::format("K is that of one crack, although the file gives a row of {}; the "
+                                 "answer of strainwave stiffness states what the neighbours change "
+                                 "under torque",
+                                 count),
+                     of.path, "CG-7", Severity::care});
   if (of.mouth_unknown())
     notes.push_back({"turn.mouth_outside",
                      "the mouth of the surface crack is assumed on the outer surface, because the "

@@ -140,6 +140,9 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
       continue;
     }
     require(order <= 4, "order", order, "1", "<= 4 for a crack of the flexspline's wall");
+    const int count = through != nullptr ? through->count : surface->count;
+    require(count == 1, wall_crack_path(n) + ".count", count, "1",
+            "1, because the mesh contains one crack");
     if (through != nullptr)
       work.wall_cracks.push_back(
           wall_crack(n, tube_of(gear, *through, order, options.surroundings)));

@@ -87,6 +87,8 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
                        "the crack is alone; the cam is rigid and has no friction; the torque acts "
                        "evenly round the rim, not in the zones of the teeth",
                        run.path, "FE-52", Severity::care});
+  require(plan.crack.count() == 1, run.path + ".count", plan.crack.count(), "1",
+          "1, because the mesh contains one crack");
   if (plan.crack.mouth_unknown())
     run.notes.push_back({"fe.mouth_outside",
                          "the mouth of the surface crack is assumed on the outer surface, because "

@@ -258,6 +258,7 @@ std::string size_of(const CrackPlace& at) {
 
 std::string size_and_place(const CrackPlace& at) {
   std::string text = size_of(at);
+  if (at.count > 1) text = fmt::format("{} cracks, each {}", at.count, text);
   if (at.angle)
     text += ", β = " + degrees(*at.angle) + (at.part == CrackedPart::rim ? ", rim" : ", barrel");
   if (at.part == CrackedPart::diaphragm)

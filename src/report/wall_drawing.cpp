@@ -120,8 +120,9 @@ std::string wall_drawing(const GearSet& gear) {
     }
   };
   for (const NumberedCrack& c : cracks)
-    say(fmt::format("{}: 2a = {}, β = {:.4g}°", c.number, in_mm(2 * c.place.half_length),
-                    *c.place.angle / units::deg));
+    say(fmt::format("{}: {}2a = {}, β = {:.4g}°", c.number,
+                    c.place.count > 1 ? fmt::format("{} cracks, ", c.place.count) : std::string(),
+                    in_mm(2 * c.place.half_length), *c.place.angle / units::deg));
   double end = std::max(bottom + 4, line + 2);
   for (std::size_t i = 0; i < small.size(); ++i)
     enlarged(sheet, *small[i], {2 + static_cast<double>(i) * (kDetailWidth + 4), end});

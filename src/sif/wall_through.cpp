@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/crack_group/crack_row.hpp"
+#include "strainwave/sif/tube/shell_row.hpp"
+
 namespace strainwave::sif {
 
 namespace {
@@ -33,6 +36,29 @@ BasicShellFactors<Real> flat_sheet() {
           .sliding_by_normal = {},
           .opening_by_shear = {},
           .sliding_by_shear = {.mean = 1.0, .linear = 0.0}};
+}
+
+/// The stress on the plane of a crack of a row that acts like its stress and its neighbours.
+template <class Real>
+BasicCrackPlaneStress<Real> with_neighbours(const BasicThroughCrackInTube<Real>& crack,
+                                            const Real& a,
+                                            const BasicCrackPlaneStress<Real>& stress) {
+  const Real share = crack.row_share(a);
+  BasicCrackPlaneStress<Real> result;
+  if (!crack.open) {
+    const BasicPressedRow<Real> row = pressed_row(share, crack.row_angle());
+    for (const std::size_t i : {kAxial, kTorsion})
+      result.shear[i] = row.sliding_by_shear * stress.shear[i];  // (CG-7)
+    return result;
+  }
+  const BasicRowFactors<Real> row = row_factors(share, crack.row_angle());
+  for (const std::size_t i : {kAxial, kTorsion}) {
+    result.normal[i] = row.opening_by_normal * stress.normal[i] +
+                       row.opening_by_shear * stress.shear[i];  // (CG-7)
+    result.shear[i] = row.sliding_by_normal * stress.normal[i] +
+                      row.sliding_by_shear * stress.shear[i];  // (CG-7)
+  }
+  return result;
 }
 
 template <class Real>
@@ -106,17 +132,32 @@ LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::linear_stress_inte
     return shell_->at(value_of(lambda) < kShellTableEnd ? lambda : Real(kShellTableEnd));
   };
   const BasicShellFactors<Real> f = factors();
+  const bool in_row = crack_.count > 1;
+  const BasicCrackPlaneStress<Real> plane = in_row ? with_neighbours(crack_, a, stress_) : stress_;
+  BasicShellFactors<Real> between{};  // what the curvature between the cracks adds
+  if (in_row && shell_ && crack_.open)
+    between = shell_row_excess(Real(sqrt(crack_.shell_parameter_squared(a))), crack_.row_share(a),
+                               crack_.angle);
   const Real root = sqrt(pi * a);
   LinearStressIntensity<2, Real> k;
   const auto fill = [&](UnitStressIntensity<2, Real>& part, Real BasicWallIntensity<Real>::*which) {
     for (const std::size_t i : {kAxial, kTorsion}) {
-      const Real& normal = stress_.normal[i];
-      const Real& shear = stress_.shear[i];
+      const Real& normal = plane.normal[i];
+      const Real& shear = plane.shear[i];
+      const Real& sound_normal = stress_.normal[i];
+      const Real& sound_shear = stress_.shear[i];
       part.II[i] = f.sliding_by_shear.*which * shear * root;  // (FR-7)
       if (!crack_.open) continue;  // the faces carry the stress that presses them
       part.I[i] = (f.opening_by_normal.*which * normal + f.opening_by_shear.*which * shear) *
                   root;                                          // (FR-7, FR-9)
       part.II[i] += f.sliding_by_normal.*which * normal * root;  // (FR-9)
+      if (!in_row) continue;
+      part.I[i] += (between.opening_by_normal.*which * sound_normal +
+                    between.opening_by_shear.*which * sound_shear) *
+                   root;  // (CG-9)
+      part.II[i] += (between.sliding_by_normal.*which * sound_normal +
+                     between.sliding_by_shear.*which * sound_shear) *
+                    root;  // (CG-9)
     }
   };
   fill(k.mean, &BasicWallIntensity<Real>::mean);
@@ -128,6 +169,7 @@ template <class Real>
 Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
   BasicThroughCrackInTube crack = *this;
   crack.open = true;
+  crack.count = 1;
   const auto release = [&](bool shell) {
     crack.shell_correction = shell;
     const auto [mean, slope] = crack.family().linear_stress_intensity(a);

@@ -33,7 +33,9 @@ PlacedCracks placed_cracks(const Flexspline& fs, WallSection section, double rad
   PlacedCracks placed;
   for (std::size_t i = 0; i < fs.crack.size(); ++i) {
     const auto* const crack = std::get_if<WallThroughCrack>(&fs.crack[i]);
-    if (crack == nullptr || crack->section != section || !crack->position) continue;
+    // A row contains the influence of its own cracks.
+    if (crack == nullptr || crack->section != section || !crack->position || crack->count > 1)
+      continue;
     placed.paths.push_back((FieldPath("flexspline") / "crack")[i].text());
     // x runs round the axis and y along it; beta counts from +y toward -x.
     placed.cracks.push_back(

@@ -15,6 +15,7 @@
 #include "member_support.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/section_materials.hpp"
+#include "strainwave/sif/tube/shell_row.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -205,6 +206,8 @@ class FlexsplineCracks : public CrackAdder {
   }
 
   void note_range(const std::string& path, double lambda, const EndsOfSection& ends);
+  void note_row(const std::string& path, const LoadedCrack<sif::ThroughCrackInTube>& row);
+  ModelAccuracy note_row(const std::string& path, const WallSurfaceCrack& crack);
   ThroughCrackAccuracy accuracy_of(const std::string& path, const WallThroughCrack& crack,
                                    const sif::ThroughCrackInTube& solution, double lambda);
   void add_flat_plate(const std::string& path, const sif::ThroughCrackInTube& solution,
@@ -296,6 +299,127 @@ void FlexsplineCracks::add_flat_plate(const std::string& path,
        .next_step = "Leave shell_correction at its default, true."});
 }
 
+/// Compliance and K of a row over those of its cracks alone, in one state of the faces.
+struct RowEffect {
+  double compliance = 1.0;  ///< [-]
+  double intensity = 1.0;   ///< root of the energy release rate [-]
+};
+
+/// @return  empty if the torque neither opens nor shears the crack
+std::optional<RowEffect> row_effect(const sif::ThroughCrackInTube& row, const CrackModuli& moduli,
+                                    const QuadratureOptions& quadrature) {
+  sif::ThroughCrackInTube alone = row;
+  alone.count = 1;
+  const auto compliance = [&](const sif::ThroughCrackInTube& crack) {
+    return added_compliance(crack, moduli, quadrature).matrix(kTorsion, kTorsion);
+  };
+  const auto intensity = [](const sif::ThroughCrackInTube& crack) {
+    const auto k = crack.stress_intensity(crack.half_length, 0.0);
+    return std::hypot(k.I[kTorsion], k.II[kTorsion]);
+  };
+  if (!(intensity(alone) > 0)) return std::nullopt;
+  return RowEffect{.compliance = compliance(row) / (row.count * compliance(alone)),
+                   .intensity = intensity(row) / intensity(alone)};
+}
+
+/// Uncertainty of the compliance of a row whose curvature between the cracks is left out (CG-9).
+ModelAccuracy without_curvature(const sif::ThroughCrackInTube& row) {
+  constexpr double kFull = 0.8;   // shell parameter of the full uncertainty
+  constexpr double kLong = 2.0;   // beyond, twice as much
+  constexpr double kClose = 0.5;  // share 2 a/p of the full uncertainty
+  const double lambda = std::sqrt(row.shell_parameter_squared(row.half_length));
+  const double near = std::min(1.0, row.row_share(row.half_length) / kClose);
+  return {accuracy::kRowInFlatSheet * (lambda > kLong ? 2 : 1) * std::min(1.0, lambda / kFull) *
+              near * near,
+          accuracy::kRowInFlatSheet.source};
+}
+
+/// Whether the table of (CG-9) contains the row.
+bool in_table_of_rows(const sif::ThroughCrackInTube& row) {
+  return row.shell_correction &&
+         row.row_share(row.half_length) <= sif::largest_tabulated_share(row.angle);
+}
+
+/// Notes what the neighbours of a row of through cracks change.
+void FlexsplineCracks::note_row(const std::string& path,
+                                const LoadedCrack<sif::ThroughCrackInTube>& row) {
+  use({"CG-7"});
+  const bool curved = !row.solution.in_line && row.solution.shell_correction;
+  if (curved) use({"CG-9"});
+  std::string text;
+  const auto say = [&](const char* when, Faces faces) {
+    const auto effect = row_effect(row.with_faces(faces), row.moduli, options.quadrature);
+    if (!effect) return;
+    text += fmt::format(
+        "; {} they add {:.4g} times the sum of their compliances, and K is {:.4g} "
+        "times that of a crack alone",
+        when, effect->compliance, effect->intensity);
+  };
+  const auto state = [](Faces faces) {
+    return faces == Faces::pressed ? "with pressed faces" : "with open faces";
+  };
+  say(state(row.faces.positive), row.faces.positive);
+  if (row.faces.differ()) say(state(row.faces.negative), row.faces.negative);
+  member.notes.push_back(
+      {.code = "crack.row",
+       .text = fmt::format("the {} cracks of the row influence each other{}, and this answer "
+                           "contains their influence{}",
+                           row.solution.count, curved ? "" : " as in a flat sheet", text),
+       .path = path,
+       .equation = "CG-7",
+       .severity = Severity::information});
+}
+
+/// Notes that the influence of surface cracks on each other is left out, with its bound.
+/// @return  the bound, as a share of the compliance
+ModelAccuracy FlexsplineCracks::note_row(const std::string& path, const WallSurfaceCrack& crack) {
+  use({"CG-7"});
+  const double bound = model.loads().row_bound(crack);
+  if (bound > kLargestRowBound)
+    member.unusable_because = fmt::format(
+        "{}: the {} surface cracks lie so close that through cracks of their length would change "
+        "each other's compliance by more than {:g} %; give a smaller count or shorter cracks",
+        path, crack.count, 100 * kLargestRowBound);
+  else
+    member.notes.push_back(
+        {.code = "crack.row_of_surface_cracks",
+         .text = fmt::format(
+             "the compliances of the {} surface cracks of the row are added; through cracks of "
+             "their length would change each other's compliance by {:.2g} %, and surface cracks "
+             "influence each other less",
+             crack.count, 100 * bound),
+         .path = path,
+         .equation = "CG-7",
+         .severity = bound > 0.05 ? Severity::care : Severity::information});
+  return {std::min(bound, kLargestRowBound),
+          "the influence of surface cracks on each other is left out"};
+}
+
+/// The reason why a row has no usable answer; empty if it has one.
+std::string row_fault(CrackLoads<double>::RowState state, const std::string& path) {
+  using RowState = CrackLoads<double>::RowState;
+  switch (state) {
+    case RowState::holds:
+      break;
+    case RowState::too_close:
+      return fmt::format(
+          "{}: the gap between neighbours of the row is less than {:g} of the half length, where "
+          "the cracks are about to grow together; give shorter cracks or a smaller count",
+          path, kLeastRowGap);
+    case RowState::laminate:
+      return fmt::format(
+          "{}: the influence of cracks on each other is not derived for a laminate; give count = 1",
+          path);
+    case RowState::faces:
+      return fmt::format(
+          "{}: the neighbours of the row open faces that the load presses together, or press faces "
+          "that the load opens, and no model tells which part of them touches; give a smaller "
+          "count or leave out the axial force",
+          path);
+  }
+  return {};
+}
+
 ThroughCrackAccuracy FlexsplineCracks::accuracy_of(const std::string& path,
                                                    const WallThroughCrack& crack,
                                                    const sif::ThroughCrackInTube& solution,
@@ -338,12 +462,26 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
     return;
   }
   use({"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"});
-  if (!loaded.in_range)
+  const std::string in_row = row_fault(model.loads().row_state(crack), report.path);
+  if (!in_row.empty())
+    member.unusable_because = in_row;
+  else if (!loaded.in_range)
     member.unusable_because = fmt::format(
         "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}; "
         "compute so long a crack by strainwave fe",
         report.path, lambda, kMaxShellParameter);
-  const ThroughCrackAccuracy accuracy = accuracy_of(report.path, crack, loaded.solution, lambda);
+  ThroughCrackAccuracy accuracy = accuracy_of(report.path, crack, loaded.solution, lambda);
+  if (crack.count > 1) {
+    note_row(report.path, loaded);
+    const ModelAccuracy flat = without_curvature(loaded.solution);
+    const ModelAccuracy row = in_table_of_rows(loaded.solution) ? accuracy::kRowOfCracks : flat;
+    accuracy.compliance_rests_on.push_back(row);
+    for (double* const of : {&accuracy.wall.axial, &accuracy.wall.torsion})
+      *of = accuracy::combined(*of, row);
+    accuracy.wall.intensity = accuracy::combined(accuracy.wall.intensity, row / 2);
+    // The table is that of open faces.
+    accuracy.wall.pressed = accuracy::combined(accuracy.wall.pressed, flat);
+  }
   for (const ModelAccuracy& basis : accuracy.compliance_rests_on)
     rest_on(member, report.path, basis);
   add_wall_crack(std::move(report), loaded, accuracy.wall);
@@ -362,7 +500,10 @@ void FlexsplineCracks::add_in_laminate(CrackReport report, const WallThroughCrac
   const double curvature =
       isotropic.shell_release(crack.half_length * std::min(1.0, kMaxShellParameter / lambda)) - 1;
   const double uncertainty = accuracy::combined(accuracy::kLaminateCrack, curvature);
-  if (!loaded.in_range)
+  const std::string in_row = row_fault(model.loads().row_state(crack), report.path);
+  if (!in_row.empty())
+    member.unusable_because = in_row;
+  else if (!loaded.in_range)
     member.unusable_because = fmt::format(
         "{}: the crack is too long for the solution of a flat sheet; shorten its half length to "
         "{}, where the shell parameter is {:g}",
@@ -442,9 +583,15 @@ void FlexsplineCracks::add(CrackReport report, const WallSurfaceCrack& crack,
                             .severity = Severity::care});
   }
   note_thick_wall(member, wall, report.path);
-  add_wall_crack(
-      std::move(report), loaded,
-      {.axial = sheared, .torsion = stress.shear[kTorsion] != 0 ? sheared : double{fit}});
+  WallCrackAccuracy accuracy{.axial = sheared,
+                             .torsion = stress.shear[kTorsion] != 0 ? sheared : double{fit}};
+  if (crack.count > 1) {
+    const ModelAccuracy row = note_row(report.path, crack);
+    rest_on(member, report.path, row);
+    for (double* const of : {&accuracy.axial, &accuracy.torsion})
+      *of = accuracy::combined(*of, row);
+  }
+  add_wall_crack(std::move(report), loaded, accuracy);
 }
 
 void FlexsplineCracks::add(CrackReport report, const DiaphragmArcCrack& crack,
@@ -458,6 +605,9 @@ void FlexsplineCracks::add(CrackReport report, const DiaphragmArcCrack& crack,
                             .equation = "TC-19",
                             .severity = Severity::care});
   rest_on(member, report.path, accuracy::kDiaphragmArc);
+  if (!loaded.in_range)
+    member.unusable_because = row_fault(CrackLoads<double>::RowState::too_close, report.path);
+  if (crack.count > 1) note_row(report.path, loaded);
   add_wall_crack(std::move(report), loaded,
                  {.axial = accuracy::kDiaphragmArc, .torsion = accuracy::kDiaphragmArc});
 }

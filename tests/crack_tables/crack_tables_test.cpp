@@ -81,10 +81,18 @@ std::vector<Case> cases() {
          g.material.at("steel").shear_modulus.reset();
          g.flexspline->stress_nonuniformity = dice.uniform(1, 1.3);
        }});
+  WallThroughCrack row = through;
+  row.count = 60;
+  all.push_back({"through: row", with_wall_crack(row), [](GearSet& g, test::Dice& dice) {
+                   auto& crack = std::get<WallThroughCrack>(g.flexspline->crack[0]);
+                   crack.half_length = dice.uniform(2.5, 3.5) * mm;
+                   crack.angle = dice.uniform(0.75, 0.85);
+                 }});
   WallSurfaceCrack surface;
   surface.depth = 0.5 * mm;
   surface.half_length = 1 * mm;
   surface.angle = 0.6;
+  surface.count = 3;
   all.push_back(
       {"surface: both senses", with_wall_crack(surface), [](GearSet& g, test::Dice& dice) {
          auto& crack = std::get<WallSurfaceCrack>(g.flexspline->crack[0]);

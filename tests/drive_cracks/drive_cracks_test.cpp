@@ -12,6 +12,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/crack_group/crack_row.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/drive_cracks/reference_stress.hpp"
@@ -347,6 +348,60 @@ TEST(DriveCracks, IdentityBendingAndTensionOfAWallAreTheSameStress) {
     test::expect_relative(crack.reference_stress(crack.size, std::sqrt(3.0) * 1.1 * T / r, 0.0),
                           crack.reference_stress(crack.size, 0.0, T), 1e-12);
   }
+}
+
+// --- Rows
+// -----------------------------------------------------------------------------------------------
+
+GearSet with_row_in_wall(int count) {
+  GearSet gear = test::article_gear();
+  auto& crack = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+  crack.half_length = 4 * units::mm;
+  crack.count = count;
+  return gear;
+}
+
+// Kind: identity (CG-7).  The stress of the assembly acts on the neighbours too, so its K has the
+// factors of the row as well as that of the load; the faces of the crack alone have neither.
+TEST(DriveCracks, IdentityAssemblyOfARow) {
+  const int count = 50;
+  const double path = std::numbers::pi * (160 - 2.24) / 2 * units::mm;
+  const DriveCrack alone = crack_of(with_row_in_wall(1), "flexspline.crack[0]");
+  const DriveCrack row = crack_of(with_row_in_wall(count), "flexspline.crack[0]");
+  EXPECT_FALSE(alone.gap);
+  ASSERT_TRUE(row.gap);
+  for (const double a : {2 * units::mm, 4 * units::mm}) {
+    const RowFactors F = row_factors(a * count / path, std::numbers::pi / 4);
+    const Modes one = alone.front({.size = a}, Faces::open).at(1).assembly;
+    const Modes all = row.front({.size = a}, Faces::open).at(1).assembly;
+    test::expect_relative(all[0], F.opening_by_normal * one[0] + F.opening_by_shear * one[1],
+                          1e-12);
+    test::expect_relative(all[1], F.sliding_by_normal * one[0] + F.sliding_by_shear * one[1],
+                          1e-12);
+    test::expect_relative(row.gap({.size = a}), a * row_gap(a * count / path, std::numbers::pi / 4),
+                          1e-12);
+  }
+}
+
+// Kind: limit (CG-7).  The range ends where the gap is a fifth of the half length; that of a
+// surface crack where its neighbours would matter.
+TEST(DriveCracks, LimitRangeOfARow) {
+  const DriveCrack alone = crack_of(with_row_in_wall(1), "flexspline.crack[0]");
+  const DriveCrack row = crack_of(with_row_in_wall(100), "flexspline.crack[0]");
+  EXPECT_LE(row.range_end, alone.range_end);
+  GearSet steep = with_row_in_wall(100);
+  std::get<WallThroughCrack>(steep.flexspline->crack[0]).angle = 1.5;
+  std::get<WallThroughCrack>(steep.flexspline->crack[0]).half_length = 1 * units::mm;
+  const DriveCrack in_line = crack_of(steep, "flexspline.crack[0]");
+  EXPECT_NEAR(in_line.gap({.size = in_line.range_end}) / in_line.range_end, kLeastRowGap, 1e-4);
+  EXPECT_NE(in_line.range_text.find("next crack"), std::string::npos);
+  GearSet surface = with_row_in_wall(1);
+  surface.flexspline->crack = {
+      WallSurfaceCrack{.depth = 0.5 * units::mm, .half_length = 1 * units::mm, .count = 40}};
+  const DriveCrack shallow = crack_of(surface, "flexspline.crack[0]");
+  auto longest = std::get<WallSurfaceCrack>(surface.flexspline->crack[0]);
+  longest.half_length = shallow.length_end;
+  EXPECT_NEAR(CrackLoads<double>(surface).row_bound(longest), kLargestRowBound, 1e-6);
 }
 
 }  // namespace

@@ -404,6 +404,11 @@ TEST(DriveTurn, BehaviourOfTorque) {
               (void)drive_turn(breathing(), {.half_lengths = {5.5 * mm}});
             }).find("at most a sixth of the barrel's radius"),
             std::string::npos);
+  EXPECT_EQ(test::count_notes(turn.notes, "turn.row"), 0);
+  GearSet row = breathing();
+  crack_of(row).count = 4;
+  EXPECT_EQ(test::count_notes(drive_turn(row).notes, "turn.row"), 1);
+  EXPECT_EQ(drive_turn(row).largest(), turn.largest());  // each crack alone
   GearSet pulled = breathing();
   pulled.load.axial_force = 5;
   pulled.flexspline->stress_nonuniformity = 1.1;

@@ -152,6 +152,9 @@ TEST(FeTurn, InputRefused) {
   refused(gear, {.request = {.crack = "flexspline.crack[1]"}},
           "must be a through or surface crack of the barrel");
   gear = good;
+  std::get<WallThroughCrack>(gear.flexspline->crack.front()).count = 3;
+  refused(gear, {}, "flexspline.crack[0].count = 3");
+  gear = good;
   gear.flexspline->rim.reset();
   refused(gear, {}, "flexspline.rim");
   gear = good;

@@ -527,6 +527,37 @@ const std::vector<Broken> kBroken = {
      },
      "flexspline.crack[0].half_length", "2 half_length |sin(angle)| < circumference of the tube",
      ""},
+    {"RowThatTouches", article,
+     [](GearSet& g) {
+       through_crack(g).angle = pi / 2;
+       through_crack(g).half_length = 25 * mm;
+       through_crack(g).count = 10;
+     },
+     "flexspline.crack[0].count",
+     "2 half_length count < 495.6 mm, the circumference, or the cracks touch", ""},
+    {"ArcsThatTouch", hat_gear,
+     [](GearSet& g) {
+       flexspline(g).crack = {
+           DiaphragmArcCrack{.half_length = 70 * mm, .radius = 100 * mm, .count = 5}};
+     },
+     "flexspline.crack[0].count",
+     "2 half_length count < 628.3 mm, the circumference, or the cracks touch", ""},
+    {"RowWithoutCracks", article, [](GearSet& g) { through_crack(g).count = 0; },
+     "flexspline.crack[0].count", ">= 1 and <= 2000", ""},
+    {"ComplianceTableOfOneCrackForARow", article,
+     [](GearSet& g) {
+       through_crack(g).count = 3;
+       through_crack(g).compliance_table = "table.csv";
+     },
+     "flexspline.crack[0].compliance_table", "",
+     "is of one crack, but count is 3; leave out the table or give count = 1"},
+    {"TurnTableOfOneCrackForARow", article,
+     [](GearSet& g) {
+       through_crack(g).count = 2;
+       through_crack(g).turn_table = "turn.csv";
+     },
+     "flexspline.crack[0].turn_table", "",
+     "is of one crack, but count is 2; leave out the table or give count = 1"},
     {"SurfaceCrackThroughTheWall", sections_gear,
      [](GearSet& g) {
        rim_crack(g).half_length = 5 * mm;
@@ -1023,6 +1054,12 @@ TEST(Check, InputCracksOfTheWallThatTouch) {
   EXPECT_EQ(refused(pair(20 * degree, 50 * mm, pi / 4)), "");    // 27 mm round the axis
   EXPECT_EQ(refused(pair(0, 80 * mm, pi / 4)), "");              // one above the other
   EXPECT_NE(refused(pair(359 * degree, 50 * mm, -pi / 4)), "");  // across the mark
+  GearSet row = pair(60 * degree, 50 * mm, -pi / 4);
+  EXPECT_EQ(refused(row), "");
+  std::get<WallThroughCrack>(row.flexspline->crack[0]).count = 6;  // one at 60 degrees
+  EXPECT_NE(refused(row), "");
+  std::get<WallThroughCrack>(row.flexspline->crack[0]).count = 4;
+  EXPECT_EQ(refused(row), "");
   GearSet somewhere = pair(0, 50 * mm, pi / 4);
   std::get<WallThroughCrack>(somewhere.flexspline->crack[1]).position.reset();
   EXPECT_EQ(refused(somewhere), "");  // far apart

@@ -202,6 +202,48 @@ TEST(ReferenceStress, ReferenceThroughWall) {
   EXPECT_TRUE(share(0.0499, 0.0, 0.1).has_value());
 }
 
+// Kind: reference (FA-16).  Cracks in one line leave 1 - 2a/p; a row of short cracks is sound;
+// where the tips of neighbours are level, the line between them and the strip are the same section.
+TEST(ReferenceStress, ReferenceRowThroughWall) {
+  const double half_pi = std::numbers::pi / 2;
+  const auto row = [](double a, double angle, double sigma, double tau) {
+    return *row_reference_stress({.half_length = a, .angle = angle, .pitch = 1.0}, sigma, tau);
+  };
+  test::expect_relative(row(0.3, half_pi, 0, 1), std::sqrt(3.0) / 0.4, 1e-12);
+  test::expect_relative(row(0.3, half_pi, 2, 0), 2 / 0.4, 1e-12);
+  for (const double angle : {0.0, 0.4, -1.1})
+    test::expect_relative(row(1e-9, angle, 0.7, 1), von_mises(0.7, 1), 1e-8);
+  for (const double angle : {0.3, -0.8, 1.2})
+    for (const double tau : {1.0, -1.0}) {
+      const double level = std::abs(std::sin(angle)) / 2;
+      test::expect_relative(row(level * (1 - 1e-9), angle, 0.5, tau),
+                            row(level * (1 + 1e-9), angle, 0.5, tau), 1e-7);
+    }
+  // Axial cracks: a beam of width p and length 2a with the shear tau p; long ones bend alone, with
+  // M = tau p^2 a/p = sigma p^2/4.
+  const double a = 20;
+  const double shear = 1.0;
+  test::expect_relative(row(a, 0.0, 0, shear), std::hypot(4 * a, std::sqrt(3.0)), 1e-12);
+  // A strip along its own pull: sigma round a 45 degree row, the other sense presses it alike.
+  const double strip = std::numbers::sqrt2 / 2;
+  const double h = 2 * 0.8 - strip;
+  const double bend = 2 * 1.0 * h / strip;  // F_m = tau p/sqrt(2), w = p/sqrt(2)
+  test::expect_relative(row(0.8, std::numbers::pi / 4, 0, 1),
+                        von_mises(bend / 2 + std::hypot(bend / 2, 1.0), 1.0), 1e-12);
+  test::expect_relative(row(0.8, std::numbers::pi / 4, 0, -1), row(0.8, std::numbers::pi / 4, 0, 1),
+                        1e-12);
+  // Between the tips, by hand: from tip to tip (1 - 2a/sqrt(2), 2a/sqrt(2)) at 45 degrees.
+  const double to_round = 1 - 0.3 * std::numbers::sqrt2;
+  const double to_along = 0.3 * std::numbers::sqrt2;
+  const double square = to_round * to_round + to_along * to_along;
+  test::expect_relative(row(0.3, std::numbers::pi / 4, 0, 1),
+                        std::max(std::sqrt(3.0), von_mises(to_along / square, to_round / square)),
+                        1e-12);
+  // The sense counts where an axial force acts too.
+  EXPECT_NE(row(0.3, std::numbers::pi / 4, 1.5, 1), row(0.3, std::numbers::pi / 4, 1.5, -1));
+  EXPECT_FALSE(row_reference_stress({.half_length = 0.5, .angle = half_pi, .pitch = 1.0}, 0, 1));
+}
+
 TEST(ReferenceStress, ReferenceLigament) {
   // FA-9: the net thickness.  FA-10: the plastic moment sigma_Y B (t-a)^2/4 against sigma B t^2/6.
   const double Y = 900e6;

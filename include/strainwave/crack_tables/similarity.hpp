@@ -58,7 +58,9 @@ struct Similarity<sif::ThroughCrackInTube> {
     return {std::log(p.half_length / p.wall_thickness), std::log(p.wall_thickness / p.mean_radius),
             p.angle, p.poissons_ratio};
   }
-  static auto fixed(const Parameters& p) { return std::tuple(p.shell_correction, p.thin_sheet); }
+  static auto fixed(const Parameters& p) {
+    return std::tuple(p.shell_correction, p.thin_sheet, p.count, p.in_line);
+  }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {p.stress_nonuniformity * p.stress_nonuniformity * size_of(p) / moduli.opening};
   }
@@ -101,7 +103,9 @@ struct Similarity<sif::SurfaceCrack<N>> {
             p.half_width ? std::log(*p.half_width / p.thickness) : 0.0,
             kSheared ? p.poissons_ratio : 0.0};
   }
-  static auto fixed(const Parameters& p) { return std::tuple(p.loading, p.half_width.has_value()); }
+  static auto fixed(const Parameters& p) {
+    return std::tuple(p.loading, p.half_width.has_value(), p.count);
+  }
   static std::array<double, kParts.size()> weights(const Parameters& p, const CrackModuli& moduli,
                                                    Faces faces) {
     const double normal = p.normal_stress[N - 1] * p.normal_stress[N - 1] * size_of(p);

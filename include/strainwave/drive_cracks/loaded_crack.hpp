@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -13,6 +17,7 @@
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/lift.hpp"
+#include "strainwave/crack_group/crack_row.hpp"
 #include "strainwave/drive_cracks/faces.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/drive_cracks/wall_laminate.hpp"
@@ -37,6 +42,13 @@ namespace strainwave {
 /// Poisson's ratio of the isotropic wall that tells at which size of a crack in a laminate the
 /// curvature counts [-].
 inline constexpr double kMetalPoissonsRatio = 0.3;
+
+/// Share 2 a/p up to which torsion alone leaves open faces of a row open and pressed ones pressed
+/// [-].
+inline constexpr double kTorsionKeepsFaces = 1.5;
+
+/// Largest `CrackLoads::row_bound` at which a row of surface cracks has a usable answer [-].
+inline constexpr double kLargestRowBound = 0.25;
 
 /// The numbers that define a solution: its `Parameters`, or the whole of a plain struct.
 template <class Solution>
@@ -299,14 +311,16 @@ class CrackLoads {
                        .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
                        .poissons_ratio = steel.nu,
                        .shell_correction = crack.shell_correction,
-                       .thin_sheet = false},
+                       .thin_sheet = false,
+                       .count = crack.count},
         .moduli = plane_stress(steel),
         .constraint = sif::Constraint::plane_stress,
         .faces = faces_of(crack),
         .table = table_of(crack)};
     const auto& tube = result.parameters;
     result.in_range = std::sqrt(value_of(tube.shell_parameter_squared(tube.half_length))) <=
-                      tube.kMaxShellParameter;
+                          tube.kMaxShellParameter &&
+                      row_state(crack) == RowState::holds;
     return result;
   }
   /// A surface crack of the wall.
@@ -319,10 +333,12 @@ class CrackLoads {
                            .thickness = thickness,
                            .poissons_ratio = steel.nu,
                            .normal_stress = stress.normal,
-                           .shear_stress = stress.shear},
+                           .shear_stress = stress.shear,
+                           .count = crack.count},
             .moduli = plane_strain(steel),
             .faces = faces_of(crack),
-            .in_range = not_too_deep(crack.depth, value_of(thickness))};
+            .in_range = not_too_deep(crack.depth, value_of(thickness)) &&
+                        row_bound(crack) <= kLargestRowBound};
   }
   /// An arc crack of the diaphragm slides under torque, so it is a through crack of a flat plate in
   /// pure mode II.
@@ -338,11 +354,57 @@ class CrackLoads {
                                diaphragm_thickness(lift_, *gear_.flexspline->diaphragm, r),
                            .angle = Real(0.0),
                            .poissons_ratio = steel.nu,
-                           .shell_correction = false},
+                           .shell_correction = false,
+                           .count = crack.count,
+                           .in_line = true},
             .moduli = plane_stress(steel),
             .constraint = sif::Constraint::plane_stress,
-            .faces = {}};
+            .faces = {},
+            .in_range = row_gap_of(crack, value_of(r), std::numbers::pi / 2) >= kLeastRowGap};
   }
+  /// Whether the solution of a row of through cracks holds (CG-7).
+  enum class RowState {
+    holds,      ///< the crack is alone, or its row is known
+    too_close,  ///< the gaps are too narrow
+    laminate,   ///< the interaction is known in an isotropic wall only
+    faces,      ///< the neighbours open or press faces that the load alone presses or opens
+  };
+  [[nodiscard]] RowState row_state(const WallThroughCrack& crack) const {
+    if (crack.count == 1) return RowState::holds;
+    const Material& of =
+        material_of(gear_, material_name(*gear_.flexspline, crack.section), "flexspline.material");
+    if (of.is_laminate()) return RowState::laminate;
+    const double r = value_of(wall_of(crack.section).mean_radius);
+    if (row_gap_of(crack, r, crack.angle) < kLeastRowGap) return RowState::too_close;
+    const double share = crack.half_length * crack.count / (std::numbers::pi * r);
+    if (share <= kTorsionKeepsFaces && gear_.load.axial_force == 0) return RowState::holds;
+    return neighbours_keep_faces(crack, share) ? RowState::holds : RowState::faces;
+  }
+
+  /// Largest change of the compliance of a row of surface cracks that through cracks of the same
+  /// length would cause, as a share of it [-]; infinite if their row is not known.  Surface cracks
+  /// influence each other less than these.
+  [[nodiscard]] double row_bound(const WallSurfaceCrack& crack) const {
+    if (crack.count == 1) return 0.0;
+    const double r = value_of(wall_of(crack.section).mean_radius);
+    if (row_gap_of(crack, r, crack.angle) < kLeastRowGap)
+      return std::numeric_limits<double>::infinity();
+    const double share = crack.half_length * crack.count / (std::numbers::pi * r);
+    const RowFactors apart = row_factors(share, crack.angle);
+    const double pressed = pressed_row(share, crack.angle).sliding_by_shear;
+    double largest = std::abs(pressed * pressed - 1);
+    const auto stress = value_of_plane(crack);
+    for (const std::size_t i : {kAxial, kTorsion}) {
+      const double N = stress.normal[i];
+      const double S = stress.shear[i];
+      const double K_I = apart.opening_by_normal * N + apart.opening_by_shear * S;
+      const double K_II = apart.sliding_by_normal * N + apart.sliding_by_shear * S;
+      if (N != 0 || S != 0)
+        largest = std::max(largest, std::abs((K_I * K_I + K_II * K_II) / (N * N + S * S) - 1));
+    }
+    return largest;
+  }
+
   /// A groove has no solution that sweeps an area.
   [[nodiscard]] static LoadedGroove numbers(const DiaphragmGroove&) { return {}; }
 
@@ -418,6 +480,38 @@ class CrackLoads {
   /// @}
 
  private:
+  /// Stress on the plane of a crack without derivatives.
+  template <class Crack>
+  [[nodiscard]] sif::CrackPlaneStress value_of_plane(const Crack& crack) const {
+    const Wall<Real> wall = wall_of(crack.section);
+    return sif::crack_plane_stress(value_of(wall.mean_radius), value_of(wall.thickness),
+                                   crack.angle, gear_.flexspline->stress_nonuniformity);
+  }
+  /// Whether faces that the load opens alone stay open beside their neighbours, and pressed ones
+  /// pressed.
+  [[nodiscard]] bool neighbours_keep_faces(const WallThroughCrack& crack, double share) const {
+    const auto stress = value_of_plane(crack);
+    const double P = gear_.load.axial_force;
+    const double T = std::abs(gear_.load.torque);
+    const BothSenses state = faces_of(crack);
+    const RowFactors apart = row_factors(share, crack.angle);
+    const PressedRow pressed = pressed_row(share, crack.angle);
+    const auto kept = [&](double torque, Faces of) {
+      const double N = stress.normal[kAxial] * P + stress.normal[kTorsion] * torque;
+      const double S = stress.shear[kAxial] * P + stress.shear[kTorsion] * torque;
+      const double rounding = 1e-9 * (std::abs(N) + std::abs(S));
+      if (of == Faces::pressed) return N + pressed.pull_by_shear * S <= rounding;
+      return apart.opening_by_normal * N + apart.opening_by_shear * S >= -rounding;
+    };
+    return kept(T, state.positive) && kept(-T, state.negative);
+  }
+  /// Gap between the neighbours of a row over the half length of a crack [-]; infinite for a crack
+  /// alone.
+  template <class Crack>
+  [[nodiscard]] static double row_gap_of(const Crack& crack, double radius, double angle) {
+    if (crack.count == 1) return std::numeric_limits<double>::infinity();
+    return row_gap(crack.half_length * crack.count / (std::numbers::pi * radius), angle);
+  }
   template <class Solution>
   [[nodiscard]] static LoadedCrack<Solution> with_solution(const Numbers<Solution>& numbers) {
     return LoadedCrack<Solution>(numbers);
@@ -444,7 +538,8 @@ class CrackLoads {
                        .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
                        .poissons_ratio = Real(0.0),
                        .shell_correction = false,
-                       .thin_sheet = true},
+                       .thin_sheet = true,
+                       .count = crack.count},
         .moduli = crack_moduli(laminate, angle),
         .constraint = sif::Constraint::plane_stress,
         .faces = faces_of(crack)};
@@ -452,8 +547,9 @@ class CrackLoads {
     auto isotropic = result.parameters;
     isotropic.poissons_ratio = Real(kMetalPoissonsRatio);
     result.in_range =
+        crack.count == 1 &&
         std::sqrt(value_of(isotropic.shell_parameter_squared(isotropic.half_length))) <=
-        isotropic.kMaxShellParameter;
+            isotropic.kMaxShellParameter;
     return result;
   }
   static Moduli plane_strain(const Elastic& steel) {

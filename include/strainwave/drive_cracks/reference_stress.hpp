@@ -60,6 +60,27 @@ struct ThroughWall {
 /// crack cuts half of the circumference.
 [[nodiscard]] std::optional<double> through_wall_share(const ThroughWall& crack);
 
+/// A row of equal cracks through a wall, evenly spaced along one direction.
+struct RowThroughWall {
+  double half_length = 0.0;  ///< a [m]; > 0
+  double angle = 0.0;        ///< from the normal of the row, as (FR-6) [rad]
+  double pitch = 0.0;        ///< p, distance between the cracks' middles [m]; > 0
+};
+
+/// Reference stress of a row of cracks through a wall under the stresses of the sound wall [Pa].
+///
+/// Implements theory manual eq. (FA-16).  While the tips do not pass each other, the line from tip
+/// to tip carries the force of one pitch.  Beyond, the strips between the cracks carry it, with the
+/// moment that the shear causes at their ends.  The result is at least the equivalent stress of the
+/// sound wall.  The forces are in equilibrium, but the field round the ends of the strips was not
+/// worked out, so this is an estimate and not a bound.
+///
+/// @param normal_stress  along the normal of the row, as by an axial force [Pa]
+/// @param shear_stress   as by a torque; its sign counts as in (FR-6) [Pa]
+/// @return  empty if neighbours touch
+[[nodiscard]] std::optional<double> row_reference_stress(const RowThroughWall& row,
+                                                         double normal_stress, double shear_stress);
+
 /// Distribution of the stress over the thickness of a part.
 enum class SectionLoading {
   membrane,  ///< stress uniform over the thickness

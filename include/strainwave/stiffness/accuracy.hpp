@@ -101,6 +101,13 @@ inline constexpr ModelAccuracy kThroughCrackAxial{
 /// the other uncertainties.
 inline constexpr ModelAccuracy kThroughCrackPressed{
     0.02, "pressed faces slide without friction: 1 % of compliance, 2 % of G in finite elements"};
+/// Uncertainty of the compliance of a row of open through cracks (CG-9), in its table [-].
+inline constexpr ModelAccuracy kRowOfCracks{
+    0.03, "row of cracks in a curved wall: within 2 % of solid elements at r/t = 30"};
+/// Uncertainty of the compliance of a row whose curvature between the cracks is left out, for close
+/// cracks and shell parameters from 0.8 to 2; beyond, twice as much [-].
+inline constexpr ModelAccuracy kRowInFlatSheet{
+    0.20, "neighbours as in a flat sheet: the curvature between the cracks is left out"};
 /// Uncertainty of K of a through crack (FR-7) [-].
 inline constexpr ModelAccuracy kThroughCrackIntensity{
     0.12, "K of a sheet: finite elements differ by up to 12 % of K for Poisson's ratios up to 0.3"};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <variant>
@@ -314,6 +315,28 @@ void check_crack(const FieldPath& at, const GearSet& gear, const CircularSplineR
 void check_crack(const FieldPath&, const GearSet&, const ToothCrack&) {
 }  // its Ranges are its only rules
 
+/// Refuses a row whose cracks touch: they lie on one line, and each is as long as the pitch.
+/// @param round  length of the row [m]
+void check_row(const FieldPath& at, double half_length, double angle, int count, double round) {
+  require(kCrackCountField.range.contains(count), at / "count", count, "1",
+          rule_text(kCrackCountField.range));
+  if (count == 1) return;
+  constexpr double kOneLine = 1e-9;  // cosine of a crack along the row [-]
+  const bool in_line = std::abs(std::cos(angle)) < kOneLine;
+  require(!in_line || 2 * half_length * count < round, at / "count", count, "1", [&] {
+    return fmt::format("2 half_length count < {:.4g} mm, the circumference, or the cracks touch",
+                       round / units::mm);
+  });
+}
+
+/// Refuses a table of one crack for a row.
+void require_alone(const FieldPath& at, bool given, int count) {
+  if (given && count > 1)
+    throw InputError(at.text(), fmt::format("is of one crack, but count is {}; leave out the table "
+                                            "or give count = 1",
+                                            count));
+}
+
 // A crack of the diaphragm must lie on it, and must not be deeper or longer than it.
 
 const Diaphragm& diaphragm_for(const FieldPath& at, const GearSet& gear) {
@@ -326,6 +349,8 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmArcCra
   const double radius = crack.radius.value_or(diaphragm.inner_diameter / 2);
   require(radius >= diaphragm.inner_diameter / 2 && radius < diaphragm.outer_diameter / 2,
           at / "radius", radius, "m", "on the diaphragm");
+  check_row(at, crack.half_length, std::numbers::pi / 2, crack.count,
+            2 * std::numbers::pi * radius);
   require(crack.half_length < std::numbers::pi * radius, at / "half_length", crack.half_length, "m",
           "2 half_length < circumference at its radius");
 }
@@ -379,10 +404,13 @@ double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& c
                   "cos(angle), that is, between {:.4g} mm and {:.4g} mm",
                   reach / units::mm, (length - reach) / units::mm);
             });
-  require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
-              std::numbers::pi * (diameter - wall),
-          at / "half_length", crack.half_length, "m",
-          "2 half_length |sin(angle)| < circumference of the tube");
+  const double round = std::numbers::pi * (diameter - wall);
+  require(2 * crack.half_length * std::abs(std::sin(crack.angle)) < round, at / "half_length",
+          crack.half_length, "m", "2 half_length |sin(angle)| < circumference of the tube");
+  check_row(at, crack.half_length, crack.angle, crack.count, round);
+  if constexpr (requires { crack.compliance_table; })
+    require_alone(at / "compliance_table", crack.compliance_table.has_value(), crack.count);
+  require_alone(at / "turn_table", crack.turn_table.has_value(), crack.count);
   return wall;
 }
 
@@ -464,6 +492,7 @@ struct UnrolledCrack {
   double along;   ///< and along it [m]
   double across;  ///< from the middle to its end, round the axis [m]
   double up;      ///< and along it [m]
+  int count;      ///< equal cracks of its row [-]
 };
 
 /// The place of a crack of a wall; absent if it is of another kind or its position is not given.
@@ -480,7 +509,8 @@ std::optional<UnrolledCrack> unrolled(const GearSet& gear, const FlexsplineCrack
               .round = angle * mean_radius(tube),
               .along = one.distance.value_or(tube.length / 2),
               .across = -one.half_length * std::sin(one.angle),  // the angle runs toward -theta
-              .up = one.half_length * std::cos(one.angle)};
+              .up = one.half_length * std::cos(one.angle),
+              .count = one.count};
         } else {
           return std::nullopt;
         }
@@ -558,10 +588,11 @@ void check_apart(const FieldPath& path, const GearSet& gear) {
       const auto here = unrolled(gear, cracks[i]);
       const auto there = unrolled(gear, cracks[other]);
       if (!here || !there || here->section != there->section) continue;
-      // The wall closes round the axis.
+      // The wall closes round the axis, and a row repeats its crack.
       const double round = 2 * std::numbers::pi * mean_radius(wall_of(gear, here->section));
-      for (const double shift : {-round, 0.0, round})
-        if (touch(*here, *there, shift))
+      const int images = std::lcm(here->count, there->count);
+      for (int image = -images; image <= images; ++image)
+        if (touch(*here, *there, round * image / images))
           throw InputError((path[i] / "position").text(),
                            fmt::format("the crack touches or crosses {}; place the two apart, or "
                                        "give one crack",

@@ -96,6 +96,10 @@ bool CrackOfWall::mouth_unknown() const {
   return surface != nullptr && !surface->mouth;
 }
 
+int CrackOfWall::count() const {
+  return std::visit([](const auto& of) { return of.count; }, crack);
+}
+
 TurnPlan plan_turn(const GearSet& gear, const TurnRequest& request, RimCracks rim) {
   check(gear);
   require_turning_cup(gear);

@@ -47,6 +47,7 @@ struct CrackPlace {
   std::optional<double> radius = {};    ///< radius on the diaphragm; absent: at the boss [m]
   std::optional<double> position = {};  ///< angle from the major axis [rad]
   double stiffness_loss = 0.0;          ///< lost share of the stiffness of a softer part [-]
+  int count = 1;                        ///< equal cracks evenly spaced round the axis [-]
 };
 
 /// A crack that acts through the contacts of balls and teeth, and moves relative to the wave.  Only
@@ -183,6 +184,16 @@ inline constexpr Field kTurnTableField{
     .example = R"("turn.csv")",
     .in_template = InTemplate::commented};
 
+/// The field of the number of equal cracks, evenly spaced round the axis.
+inline constexpr Field kCrackCountField{
+    .name = "count",
+    .unit = "1",
+    .doc = "equal cracks, evenly spaced round the axis; stiffness and K are those of this row",
+    .range = {.lower = 1.0, .lower_open = false, .upper = 2000.0, .upper_open = false},
+    .example = "4",
+    .fallback = "1",
+    .in_template = InTemplate::commented};
+
 /// The part of a flexspline's wall that contains a crack, if sections are given.
 enum class WallSection { barrel, rim };
 template <>
@@ -215,6 +226,7 @@ struct WallThroughCrack {
   std::optional<double> distance = {};
   /// angle of the crack's middle round the axis [rad]; absent: far from other cracks
   std::optional<double> position = {};
+  int count = 1;  ///< equal cracks, evenly spaced round the axis [-]; 1 to 2000
   /// file of a table (FE-41) that replaces the closed form
   std::optional<std::string> compliance_table = {};
   /// file of a table of K over a turn (GR-30)
@@ -225,7 +237,8 @@ struct WallThroughCrack {
     return {.part = part_of(section),
             .shape = CrackShape::through,
             .half_length = half_length,
-            .angle = angle};
+            .angle = angle,
+            .count = count};
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -284,6 +297,7 @@ struct WallThroughCrack {
                 .example = R"("0 deg")",
                 .in_template = InTemplate::commented},
           &Crack::position);
+    field(kCrackCountField, &Crack::count);
   }
 };
 
@@ -297,6 +311,7 @@ struct WallSurfaceCrack {
   WallSection section = WallSection::barrel;   ///< as in WallThroughCrack
   std::optional<double> distance = {};         ///< as in WallThroughCrack
   std::optional<double> position = {};         ///< as in WallThroughCrack
+  int count = 1;                               ///< as in WallThroughCrack
   std::optional<Mouth> mouth = {};             ///< absent: not known, taken as outer
   std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
 
@@ -307,7 +322,8 @@ struct WallSurfaceCrack {
             .depth = depth,
             .half_length = half_length,
             .from_inside = mouth == Mouth::inner,
-            .angle = angle};
+            .angle = angle,
+            .count = count};
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -503,13 +519,15 @@ struct DiaphragmArcCrack {
       "crack through the diaphragm along an arc round the boss";
   double half_length = 0.0;      ///< a, along the arc [m]; > 0
   std::optional<double> radius;  ///< radius of the arc [m]; absent: the diaphragm's inner radius
+  int count = 1;                 ///< as in WallThroughCrack
 
   /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::diaphragm,
             .shape = CrackShape::through,
             .half_length = half_length,
-            .radius = radius};
+            .radius = radius,
+            .count = count};
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -526,6 +544,7 @@ struct DiaphragmArcCrack {
                 .example = R"("42 mm")",
                 .in_template = InTemplate::commented},
           &DiaphragmArcCrack::radius);
+    field(kCrackCountField, &DiaphragmArcCrack::count);
   }
 };
 

@@ -76,6 +76,8 @@ struct CrackOfWall {
   [[nodiscard]] WallSection section() const;  ///< barrel or rim
   /// A surface crack whose file does not say from which surface it starts.
   [[nodiscard]] bool mouth_unknown() const;
+  /// Equal cracks of the row [-]; 1 for a crack alone.
+  [[nodiscard]] int count() const;
 };
 
 /// A request with all that the file and the defaults give.

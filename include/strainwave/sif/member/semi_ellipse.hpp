@@ -45,6 +45,7 @@ class SurfaceCrack {
     /// cracked surface.
     StripLoading loading = StripLoading::tension;
     bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
+    int count = 1;     ///< equal cracks, each taken alone [-]; >= 1
   };
 
   /// Computes what depends on aspect ratio and Poisson's ratio alone.
@@ -72,8 +73,10 @@ class SurfaceCrack {
   [[nodiscard]] Real aspect_ratio() const { return p_.aspect_ratio; }
   [[nodiscard]] Real size() const { return p_.depth; }
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// dA = c da dphi on each half of the front [m]; (FR-3).
-  [[nodiscard]] Real swept_area(const Real& a, double) const { return 2 * a / p_.aspect_ratio; }
+  /// dA = c da dphi on each half of the front, times the number of cracks [m]; (FR-3).
+  [[nodiscard]] Real swept_area(const Real& a, double) const {
+    return p_.count * (2 * a / p_.aspect_ratio);
+  }
 
   [[nodiscard]] UnitStressIntensity<N, Real> stress_intensity(const Real& a, double phi) const {
     using std::sqrt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <optional>
 
 #include "strainwave/fracture/crack_compliance.hpp"
@@ -51,6 +52,7 @@ class BasicThroughCrackFamily;
 /// 0.45: 19 %).  Near 0 and 90 degrees, K_II at the inner face is too small by up to 28 % of the
 /// largest K in the wall.  As a thin sheet, the added compliance is 9 % too large at a = 0.05 t,
 /// and 5 % too small at a shell parameter of 4.
+/// In a row of cracks, the flat sheet tells what the neighbours change (CG-7).
 template <class Real>
 struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
@@ -66,6 +68,9 @@ struct BasicThroughCrackInTube {
   bool shell_correction = true;    ///< false: flat plate
   bool thin_sheet = true;          ///< plane stress at every size; false: (FR-21)
   bool open = true;                ///< false: the faces touch, K_I = 0 (FR-17)
+  int count = 1;                   ///< equal cracks, evenly spaced round the axis (CG-7) [-]; >= 1
+  /// Whether the neighbours lie on the line of the crack, as arcs on a circle do, whatever `angle`
+  bool in_line = false;
 
   /// The same crack with its faces pressed together (FR-17).
   [[nodiscard]] BasicThroughCrackInTube pressed() const {
@@ -79,15 +84,21 @@ struct BasicThroughCrackInTube {
   [[nodiscard]] BasicThroughCrackFamily<Real> family() const;
   /// K of the sheet at one place, s in [-1, 1] [Pa*m^0.5 per unit of load].
   [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
-  /// Swept area of two tips; its integral over s is 2 t [m].
-  [[nodiscard]] Real swept_area(const Real&, double) const { return wall_thickness; }
+  /// Swept area of two tips of each crack; its integral over s is 2 t times their number [m].
+  [[nodiscard]] Real swept_area(const Real&, double) const { return count * wall_thickness; }
+  /// Length of a crack over the pitch of the row, 2 a/p = a n/(pi r) [-].
+  [[nodiscard]] Real row_share(const Real& a) const {
+    return a * count / (std::numbers::pi * mean_radius);
+  }
+  /// Angle of the cracks from the normal of the row [rad].
+  [[nodiscard]] Real row_angle() const { return in_line ? Real(std::numbers::pi / 2) : angle; }
   /// Factor of the wall's thickness on the energy release rate of the sheet [-]; eq. (FR-21).
   [[nodiscard]] Real wall_factor(const Real& a) const;
 
   /// Shell parameter squared, lambda^2 = sqrt(12(1-nu^2)) a^2/(r t) [-]; eq. (FR-8).
   [[nodiscard]] Real shell_parameter_squared(const Real& a) const;
-  /// Factor of the shell on the energy release rate of an open crack under torque, whether the
-  /// correction is on or off [-]; eq. (FR-9).
+  /// Factor of the shell on the energy release rate of an open crack alone under torque, whether
+  /// the correction is on or off [-]; eq. (FR-9).
   [[nodiscard]] Real shell_release(const Real& a) const;
 };
 using ThroughCrackInTube = BasicThroughCrackInTube<double>;

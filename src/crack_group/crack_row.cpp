@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/crack_group/crack_row.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dislocations.hpp"
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Even number of points whose error is below 1e-9, from the distance to the neighbours (CG-3).
+int order_of(double gap) {
+  constexpr double kDigits = 19.0;
+  constexpr int kLeast = 8;
+  constexpr int kMost = 160;
+  const double rate = std::log10(gap + std::hypot(1.0, gap));
+  const double points = std::ceil(kDigits / (2 * rate));
+  return std::clamp(2 * static_cast<int>(points / 2) + 4, kLeast, kMost);
+}
+
+/// The equations of a crack and its images in a row of pitch 1 (CG-7).
+///
+/// Turned half round, the row is the same, so the densities are odd: half of the points suffice.
+class Row {
+ public:
+  Row(double share, double angle) : a_(share / 2), turn_(std::exp(kI * (pi / 2 + angle))) {
+    const double gap = row_gap(share, angle);
+    require(gap > 0, "cracks", share, "1", "the cracks of a row must not touch");
+    n_ = order_of(gap);
+    half_ = n_ / 2;
+    const Points points(n_);
+    matrix_.resize(n_, n_);
+    for (int r = 0; r < half_; ++r)
+      for (int k = 0; k < half_; ++k) {
+        const double t = points.force[r];
+        const double s = points.density[k];
+        const Influence near = at(t - s);
+        const Influence far = at(t + s);  // of the opposite density
+        const double weight = pi / n_ * a_;
+        const Complex normal = weight * (near.of_normal - far.of_normal);
+        const Complex shear = weight * (near.of_shear - far.of_shear);
+        matrix_(r, k) = normal.real();
+        matrix_(r, half_ + k) = shear.real();
+        matrix_(half_ + r, k) = normal.imag();
+        matrix_(half_ + r, half_ + k) = shear.imag();
+      }
+  }
+
+  [[nodiscard]] RowFactors apart() const {
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n_, 2);
+    right.col(0).head(half_).setConstant(-1.0);
+    right.col(1).tail(half_).setConstant(-1.0);
+    const Eigen::MatrixXd densities = matrix_.partialPivLu().solve(right);
+    const auto factor = [&](int mode, int load) {
+      return at_tip(densities.col(load).segment(Eigen::Index{mode} * half_, half_));
+    };
+    // A positive shear of (FR-6) has the opposite sense of S.
+    return {.opening_by_normal = factor(0, 0),
+            .sliding_by_normal = -factor(1, 0),
+            .opening_by_shear = -factor(0, 1),
+            .sliding_by_shear = factor(1, 1)};
+  }
+
+  [[nodiscard]] PressedRow pressed() const {
+    const Eigen::VectorXd shear = matrix_.bottomRightCorner(half_, half_)
+                                      .partialPivLu()
+                                      .solve(Eigen::VectorXd::Constant(half_, -1.0));
+    // The last of the points with a traction is the middle.
+    const double pull = matrix_.row(half_ - 1).tail(half_).dot(shear);
+    return {.sliding_by_shear = at_tip(shear), .pull_by_shear = -pull};
+  }
+
+ private:
+  /// @param distance  from the density to the traction, over a
+  [[nodiscard]] Influence at(double distance) const {
+    const Complex w = a_ * distance * turn_;
+    return influence_of(turn_, turn_, w, sums_of(w, 1.0));
+  }
+  /// K over sqrt(pi a) from the densities of one half (CG-5).
+  [[nodiscard]] double at_tip(const Eigen::VectorXd& half) const {
+    Eigen::VectorXd whole(n_);
+    whole.head(half_) = half;
+    whole.tail(half_) = -half.reverse();
+    return 2 * pi * at_end(whole);
+  }
+
+  double a_;
+  Complex turn_;
+  int n_ = 0;
+  int half_ = 0;
+  Eigen::MatrixXd matrix_;  ///< rows: normal, then shear stress; columns likewise
+};
+
+/// f(share, angle) with its derivatives, by differences of fourth order.  f is even and smooth in
+/// the share.
+template <std::size_t N, class F>
+std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& angle, const F& f) {
+  constexpr double kStep = 1e-3;
+  const auto slopes = [&](double along_share, double along_angle) {
+    const auto at = [&](double steps) -> std::array<double, N> {
+      return f(std::abs(share.value + steps * along_share), angle.value + steps * along_angle);
+    };
+    const auto far_ahead = at(2.0);
+    const auto ahead = at(1.0);
+    const auto behind = at(-1.0);
+    const auto far_behind = at(-2.0);
+    std::array<double, N> slope{};
+    for (std::size_t i = 0; i < N; ++i)
+      slope[i] = (8 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) / (12 * kStep);
+    return slope;
+  };
+  const std::array<double, N> value = f(share.value, angle.value);
+  const auto by_share = slopes(kStep, 0.0);
+  const auto by_angle = slopes(0.0, kStep);
+  std::array<DualReal, N> result;
+  for (std::size_t i = 0; i < N; ++i)
+    result[i] = chain(share, value[i], by_share[i]) + chain(angle, 0.0, by_angle[i]);
+  return result;
+}
+
+}  // namespace
+
+RowFactors row_factors(double share, double angle) {
+  if (share == 0) return {1.0, 0.0, 0.0, 1.0};
+  return Row(share, angle).apart();
+}
+
+BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& angle) {
+  const auto f = with_derivatives<4>(share, angle, [](double x, double beta) {
+    const RowFactors row = row_factors(x, beta);
+    return std::array{row.opening_by_normal, row.sliding_by_normal, row.opening_by_shear,
+                      row.sliding_by_shear};
+  });
+  return {f[0], f[1], f[2], f[3]};
+}
+
+PressedRow pressed_row(double share, double angle) {
+  if (share == 0) return {1.0, 0.0};
+  return Row(share, angle).pressed();
+}
+
+BasicPressedRow<DualReal> pressed_row(const DualReal& share, const DualReal& angle) {
+  const auto f = with_derivatives<2>(share, angle, [](double x, double beta) {
+    const PressedRow row = pressed_row(x, beta);
+    return std::array{row.sliding_by_shear, row.pull_by_shear};
+  });
+  return {f[0], f[1]};
+}
+
+double row_gap(double share, double angle) {
+  const StraightCrack crack{.centre = 0.0, .half_length = share / 2, .angle = pi / 2 + angle};
+  StraightCrack next = crack;
+  next.centre = 1.0;
+  const double gap = 2 * distance(crack, next) / share;
+  constexpr double kRounding = 1e-12;
+  return gap > kRounding ? gap : 0.0;
+}
+
+double largest_row_share(double angle, double gap) {
+  // Beyond a share of |sin| the tips pass each other, and the gap is that between the lines.
+  const double sine = std::abs(std::sin(angle));
+  const double cosine = std::abs(std::cos(angle));
+  const double between_lines = 2 * cosine / gap;
+  if (between_lines >= sine) return between_lines;
+  // (sin/x - 1)^2 + (cos/x)^2 = (gap/2)^2 for the share x.
+  return 1 / (sine + std::sqrt(std::max(0.0, gap * gap / 4 - cosine * cosine)));
+}
+
+}  // namespace strainwave
