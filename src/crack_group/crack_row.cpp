@@ -5,18 +5,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
 
 #include "dislocations.hpp"
+#include "strainwave/core/chebyshev_cells.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
 namespace {
 
-/// Even number of points whose error is below 1e-9, from the distance to the neighbours (CG-3).
+/// Even number of points whose error is about 1e-13, from the distance to the neighbours (CG-3).
 int order_of(double gap) {
-  constexpr double kDigits = 19.0;
+  constexpr double kDigits = 28.0;
   constexpr int kLeast = 8;
-  constexpr int kMost = 160;
+  constexpr int kMost = 200;
   const double rate = std::log10(gap + std::hypot(1.0, gap));
   const double points = std::ceil(kDigits / (2 * rate));
   return std::clamp(2 * static_cast<int>(points / 2) + 4, kLeast, kMost);
@@ -95,6 +100,92 @@ class Row {
   Eigen::MatrixXd matrix_;  ///< rows: normal, then shear stress; columns likewise
 };
 
+/// The factors of rows of one angle over the share, as polynomials that fill themselves.  A crack
+/// is integrated over its size, so that the same angle is asked for many times.
+class RowTable {
+ public:
+  explicit RowTable(double angle)
+      : by_normal_(
+            [angle](const ChebyshevCells::Place& at, ChebyshevCells::Values& values) {
+              const RowFactors row = apart_at(std::expm1(at[0]), angle);
+              values = {row.opening_by_normal, row.sliding_by_normal};
+              return true;
+            },
+            options()),
+        by_shear_(
+            [angle](const ChebyshevCells::Place& at, ChebyshevCells::Values& values) {
+              const RowFactors row = apart_at(std::expm1(at[0]), angle);
+              values = {row.opening_by_shear, row.sliding_by_shear};
+              return true;
+            },
+            options()),
+        pressed_(
+            [angle](const ChebyshevCells::Place& at, ChebyshevCells::Values& values) {
+              const PressedRow row = pressed_at(std::expm1(at[0]), angle);
+              values = {row.sliding_by_shear, row.pull_by_shear};
+              return true;
+            },
+            options()),
+        angle_(angle),
+        // A box must not reach the cracks that touch.
+        end_(std::expm1(std::log1p(largest_row_share(angle, kTouching)) - kWidth)) {}
+
+  [[nodiscard]] RowFactors apart(double share) {
+    ChebyshevCells::Values normal{};
+    ChebyshevCells::Values shear{};
+    const ChebyshevCells::Place at{std::log1p(share)};
+    if (share > end_ || !ChebyshevCells::Reader(by_normal_)(at, normal) ||
+        !ChebyshevCells::Reader(by_shear_)(at, shear))
+      return apart_at(share, angle_);
+    return {normal[0], normal[1], shear[0], shear[1]};
+  }
+  [[nodiscard]] PressedRow pressed(double share) {
+    ChebyshevCells::Values values{};
+    if (share > end_ || !ChebyshevCells::Reader(pressed_)({std::log1p(share)}, values))
+      return pressed_at(share, angle_);
+    return {values[0], values[1]};
+  }
+
+  [[nodiscard]] static RowFactors apart_at(double share, double angle) {
+    return share == 0 ? RowFactors{1.0, 0.0, 0.0, 1.0} : Row(share, angle).apart();
+  }
+  [[nodiscard]] static PressedRow pressed_at(double share, double angle) {
+    return share == 0 ? PressedRow{1.0, 0.0} : Row(share, angle).pressed();
+  }
+
+ private:
+  static constexpr double kTouching = 0.05;  ///< least gap in a box, over the half length
+  static constexpr double kWidth = 0.125;    ///< of the boxes, in ln(1 + share)
+  static ChebyshevCells::Options options() {
+    return {.widths = {kWidth}, .values = 2, .tolerance = 1e-12};
+  }
+
+  ChebyshevCells by_normal_;
+  ChebyshevCells by_shear_;
+  ChebyshevCells pressed_;
+  double angle_;
+  double end_;
+};
+
+/// The table of an angle.  Tables of the last angles are kept: they save time and do not change the
+/// answer, which depends on the angle and the share alone.
+std::shared_ptr<RowTable> table_of(double angle) {
+  constexpr std::size_t kKept = 64;
+  static std::mutex mutex;
+  static std::map<double, std::shared_ptr<RowTable>> kept;
+  const std::lock_guard lock(mutex);
+  auto& table = kept[angle];
+  if (table) return table;
+  auto made = std::make_shared<RowTable>(angle);
+  if (kept.size() > kKept) {
+    kept.clear();
+    kept[angle] = made;
+  } else {
+    table = made;
+  }
+  return made;
+}
+
 /// f(share, angle) with its derivatives, by differences of fourth order.  f is even and smooth in
 /// the share.
 template <std::size_t N, class F>
@@ -124,10 +215,7 @@ std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& 
 
 }  // namespace
 
-RowFactors row_factors(double share, double angle) {
-  if (share == 0) return {1.0, 0.0, 0.0, 1.0};
-  return Row(share, angle).apart();
-}
+RowFactors row_factors(double share, double angle) { return table_of(angle)->apart(share); }
 
 BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& angle) {
   const auto f = with_derivatives<4>(share, angle, [](double x, double beta) {
@@ -138,10 +226,7 @@ BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& ang
   return {f[0], f[1], f[2], f[3]};
 }
 
-PressedRow pressed_row(double share, double angle) {
-  if (share == 0) return {1.0, 0.0};
-  return Row(share, angle).pressed();
-}
+PressedRow pressed_row(double share, double angle) { return table_of(angle)->pressed(share); }
 
 BasicPressedRow<DualReal> pressed_row(const DualReal& share, const DualReal& angle) {
   const auto f = with_derivatives<2>(share, angle, [](double x, double beta) {

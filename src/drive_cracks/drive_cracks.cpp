@@ -578,9 +578,6 @@ class Maker {
     const double round = pi * wall.mean_radius;  // 2 a/p = a count/(pi r)
     const double pitch = 2 * round / row.count;
     made.count = row.count;
-    made.gap = [=](const CrackSize& size) {
-      return size.size * row_gap(2 * size.size / pitch, row.angle);
-    };
     made.reference_stress = [=, field = made.path + ".half_length"](const CrackSize& size, double P,
                                                                     double T) {
       const double section = 2 * pi * wall.mean_radius * wall.thickness;

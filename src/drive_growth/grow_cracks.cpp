@@ -201,9 +201,6 @@ class Growing {
       if (factor > cracks_[k].largest_factor()) return End{CrackEvent::range, k};
       if (cracks_[k].breaks(size_of(state, k), factor)) return End{CrackEvent::breaks, k};
       if (severed) return End{CrackEvent::severed, k};
-      if (options_.coalescence == Coalescence::zones &&
-          cracks_[k].zones_touch(size_of(state, k), factor))
-        return End{CrackEvent::merges, k};
       const bool too_long = cracks_[k].tips().size() == 2 &&
                             std::exp(state[first_[k] + 1]) >= cracks_[k].crack().length_end;
       if (a >= cracks_[k].crack().range_end || too_long || leaves_shapes(state, k))
@@ -730,7 +727,6 @@ class Path {
     report_.governing = path;
     report_.end = end.event == CrackEvent::breaks    ? DriveEnd::breaks
                   : end.event == CrackEvent::severed ? DriveEnd::severed
-                  : end.event == CrackEvent::merges  ? DriveEnd::merges
                                                      : DriveEnd::until;
     if (report_.end != DriveEnd::until) report_.life = state.back() * growing_.duration();
     stop_at(state);

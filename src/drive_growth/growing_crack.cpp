@@ -11,7 +11,6 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/drive_growth/turn_cycles.hpp"
-#include "strainwave/growth/load_interaction.hpp"
 #include "strainwave/materials/library_law.hpp"
 #include "strainwave/materials/material_library.hpp"
 
@@ -308,15 +307,6 @@ bool GrowingCrack::breaks(const CrackSize& size, double factor) const {
       if (growth_rate(law_, reached, size.size, limits_).state == TipState::breaks) return true;
     }
   return false;
-}
-
-bool GrowingCrack::zones_touch(const CrackSize& size, double factor) const {
-  if (!crack_.gap || !yield_strength_) return false;
-  double K_max = 0.0;
-  for (const std::vector<TipLoad>& at_tip : loads(size, factor))
-    K_max = std::max(K_max, governing(at_tip).largest);
-  const PlasticZone whole{.yield_strength = *yield_strength_, .factor = 1.0};
-  return 2 * whole.size(K_max) >= crack_.gap(size);  // (CG-8)
 }
 
 double GrowingCrack::largest_factor() const {

@@ -287,16 +287,6 @@ std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
                      .path = of.path,
                      .equation = "FA-12",
                      .severity = Severity::care});
-  if (!crack.knows_zones())
-    notes.push_back(
-        {.code = "growth.unknown_zones",
-         .text = "whether the cracks of the row grow together is not known, because the plastic "
-                 "zone of their tips depends on the yield strength",
-         .path = of.path,
-         .equation = "CG-8",
-         .severity = Severity::care,
-         .next_step = fmt::format(
-             "Give {}.", (FieldPath("material") / of.material / "yield_strength").text())});
   const MaterialRecord* const record = record_of(gear, crack, choice);
   if (record == nullptr || confidence_of(*record) != Confidence::unverified) return notes;
   std::string text =
@@ -382,7 +372,7 @@ void cite_models(GrowthReport& report, const GrowingCrack& crack, const Interact
   };
   std::visit([&](const auto& law) { cite(report, law.kEquations); }, crack.law());
   use({"GR-12"});
-  if (crack.crack().gap) use({"CG-7", "CG-8"});
+  if (crack.crack().count > 1) use({"CG-7"});
   switch (crack.mixed_mode()) {
     case MixedMode::energy:
       use({"GR-13"});
@@ -483,10 +473,6 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
     }
     case DriveEnd::severed:
       report.sentence = fmt::format("{} leaves less than 1 % of the stiffness {}{}.",
-                                    report.governing, after(report.time), size_at_end());
-      break;
-    case DriveEnd::merges:
-      report.sentence = fmt::format("The cracks of {} grow together and sever their part {}{}.",
                                     report.governing, after(report.time), size_at_end());
       break;
     case DriveEnd::until:

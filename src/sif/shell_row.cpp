@@ -35,53 +35,62 @@ std::array<Real, N> polynomials(Real place) {
   return T;
 }
 
+/// The larger of a place and the least one, without a kink, at which a quadrature over the size of
+/// a crack would stop.
 template <class Real>
-BasicShellFactors<Real> excess(const Real& lambda, const Real& share, const Real& angle) {
-  // A mirror changes the sign of what one mode causes in the other.
-  const double side = value_of(angle) < 0 ? -1.0 : 1.0;
-  const Real beta = side * angle;
-  const auto over_angle = polynomials<kRowAngles, Real>(beta / (pi / 2));
-  const auto over_lambda = polynomials<kRowLambdas, Real>(lambda / kShellRowTableEnd);
-  const Real end = end_of_share(beta);
-  const auto over_share =
-      polynomials<kRowShares, Real>((share / end - kRowLeastShare) / (1 - kRowLeastShare));
-  std::array<Real, kRowColumns> sum;
-  sum.fill(0.0);
-  for (std::size_t i = 0; i < kRowAngles; ++i) {
-    std::array<Real, kRowColumns> of_angle;
-    of_angle.fill(0.0);
-    for (std::size_t j = 0; j < kRowLambdas; ++j) {
-      std::array<Real, kRowColumns> of_lambda;
-      of_lambda.fill(0.0);
-      for (std::size_t k = 0; k < kRowShares; ++k)
-        for (std::size_t c = 0; c < kRowColumns; ++c)
-          of_lambda[c] += kRowTable[i][j][k][c] * over_share[k];
-      for (std::size_t c = 0; c < kRowColumns; ++c) of_angle[c] += of_lambda[c] * over_lambda[j];
-    }
-    for (std::size_t c = 0; c < kRowColumns; ++c) sum[c] += of_angle[c] * over_angle[i];
-  }
-  // The table is over the square of the share; beyond its end, the factors stay.
-  const Real within = value_of(share) < value_of(end) ? share : end;
-  for (Real& column : sum) column *= within * within;
-  // In the order nn, tn, bn, cn, nt, tt, bt, ct.  The bending in the table is positive if the inner
-  // face opens more.
-  return {.opening_by_normal = {.mean = sum[0], .linear = -sum[2]},
-          .sliding_by_normal = {.mean = side * sum[1], .linear = side * sum[3]},
-          .opening_by_shear = {.mean = side * sum[4], .linear = -side * sum[6]},
-          .sliding_by_shear = {.mean = sum[5], .linear = sum[7]}};  // (CG-9)
+Real not_below(const Real& place, double least) {
+  constexpr double kRound = 0.03;
+  using std::sqrt;
+  const Real above = place - least;
+  return least + (above + sqrt(above * above + kRound * kRound)) / 2;
 }
 
 }  // namespace
 
 double largest_tabulated_share(double angle) { return end_of_share(angle); }
 
-ShellFactors shell_row_excess(double lambda, double share, double angle) {
-  return excess(lambda, share, angle);
+template <class Real>
+BasicShellRowAtAngle<Real>::BasicShellRowAtAngle(const Real& angle)
+    : angle_(angle), table_(kRowLambdas * kRowShares * kRowColumns, Real(0.0)) {
+  const Real beta = value_of(angle) < 0 ? Real(-angle) : angle;
+  const auto over_angle = polynomials<kRowAngles, Real>(beta / (pi / 2));
+  for (std::size_t i = 0; i < kRowAngles; ++i) {
+    Real* entry = table_.data();
+    for (const auto& of_lambda : kRowTable[i])
+      for (const auto& of_share : of_lambda)
+        for (const double coefficient : of_share) *entry++ += coefficient * over_angle[i];
+  }
 }
 
-BasicShellFactors<DualReal> shell_row_excess(const DualReal& lambda, const DualReal& share,
-                                             const DualReal& angle) {
-  return excess(lambda, share, angle);
+template <class Real>
+BasicShellFactors<Real> BasicShellRowAtAngle<Real>::at(const Real& lambda,
+                                                       const Real& share) const {
+  const Real beta = value_of(angle_) < 0 ? Real(-angle_) : angle_;
+  const Real end = end_of_share(beta);
+  const auto over_lambda = polynomials<kRowLambdas, Real>(lambda / kShellRowTableEnd);
+  const auto over_share = polynomials<kRowShares, Real>(
+      (not_below(Real(share / end), kRowLeastShare) - kRowLeastShare) / (1 - kRowLeastShare));
+  std::array<Real, kRowColumns> sum;
+  sum.fill(0.0);
+  const Real* entry = table_.data();
+  for (std::size_t j = 0; j < kRowLambdas; ++j)
+    for (std::size_t k = 0; k < kRowShares; ++k) {
+      const Real weight = over_lambda[j] * over_share[k];
+      for (Real& column : sum) column += *entry++ * weight;
+    }
+  // The table is over the square of the share; beyond its end, the factors stay.
+  const Real within = value_of(share) < value_of(end) ? share : end;
+  for (Real& column : sum) column *= within * within;
+  // A mirror changes the sign of what one mode causes in the other.  The columns are nn, tn, bn,
+  // cn, nt, tt, bt, ct; the bending in the table is positive if the inner face opens more.
+  const double side = value_of(angle_) < 0 ? -1.0 : 1.0;
+  return {.opening_by_normal = {.mean = sum[0], .linear = -sum[2]},
+          .sliding_by_normal = {.mean = side * sum[1], .linear = side * sum[3]},
+          .opening_by_shear = {.mean = side * sum[4], .linear = -side * sum[6]},
+          .sliding_by_shear = {.mean = sum[5], .linear = sum[7]}};  // (CG-8)
 }
+
+template class BasicShellRowAtAngle<double>;
+template class BasicShellRowAtAngle<DualReal>;
 
 }  // namespace strainwave::sif

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "strainwave/crack_group/crack_row.hpp"
-#include "strainwave/sif/tube/shell_row.hpp"
 
 namespace strainwave::sif {
 
@@ -118,7 +117,9 @@ BasicThroughCrackFamily<Real>::BasicThroughCrackFamily(const BasicThroughCrackIn
     : crack_(crack),
       stress_(crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle,
                                  crack.stress_nonuniformity)) {
-  if (crack.shell_correction) shell_.emplace(crack.angle);
+  if (!crack.shell_correction) return;
+  shell_.emplace(crack.angle);
+  if (crack.count > 1 && crack.open) row_.emplace(crack.angle);
 }
 
 template <class Real>
@@ -135,9 +136,7 @@ LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::linear_stress_inte
   const bool in_row = crack_.count > 1;
   const BasicCrackPlaneStress<Real> plane = in_row ? with_neighbours(crack_, a, stress_) : stress_;
   BasicShellFactors<Real> between{};  // what the curvature between the cracks adds
-  if (in_row && shell_ && crack_.open)
-    between = shell_row_excess(Real(sqrt(crack_.shell_parameter_squared(a))), crack_.row_share(a),
-                               crack_.angle);
+  if (row_) between = row_->at(Real(sqrt(crack_.shell_parameter_squared(a))), crack_.row_share(a));
   const Real root = sqrt(pi * a);
   LinearStressIntensity<2, Real> k;
   const auto fill = [&](UnitStressIntensity<2, Real>& part, Real BasicWallIntensity<Real>::*which) {
@@ -151,13 +150,13 @@ LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::linear_stress_inte
       part.I[i] = (f.opening_by_normal.*which * normal + f.opening_by_shear.*which * shear) *
                   root;                                          // (FR-7, FR-9)
       part.II[i] += f.sliding_by_normal.*which * normal * root;  // (FR-9)
-      if (!in_row) continue;
+      if (!row_) continue;
       part.I[i] += (between.opening_by_normal.*which * sound_normal +
                     between.opening_by_shear.*which * sound_shear) *
-                   root;  // (CG-9)
+                   root;  // (CG-8)
       part.II[i] += (between.sliding_by_normal.*which * sound_normal +
                      between.sliding_by_shear.*which * sound_shear) *
-                    root;  // (CG-9)
+                    root;  // (CG-8)
     }
   };
   fill(k.mean, &BasicWallIntensity<Real>::mean);

@@ -322,7 +322,7 @@ std::optional<RowEffect> row_effect(const sif::ThroughCrackInTube& row, const Cr
                    .intensity = intensity(row) / intensity(alone)};
 }
 
-/// Uncertainty of the compliance of a row whose curvature between the cracks is left out (CG-9).
+/// Uncertainty of the compliance of a row whose curvature between the cracks is left out (CG-8).
 ModelAccuracy without_curvature(const sif::ThroughCrackInTube& row) {
   constexpr double kFull = 0.8;   // shell parameter of the full uncertainty
   constexpr double kLong = 2.0;   // beyond, twice as much
@@ -334,7 +334,7 @@ ModelAccuracy without_curvature(const sif::ThroughCrackInTube& row) {
           accuracy::kRowInFlatSheet.source};
 }
 
-/// Whether the table of (CG-9) contains the row.
+/// Whether the table of (CG-8) contains the row.
 bool in_table_of_rows(const sif::ThroughCrackInTube& row) {
   return row.shell_correction &&
          row.row_share(row.half_length) <= sif::largest_tabulated_share(row.angle);
@@ -345,7 +345,7 @@ void FlexsplineCracks::note_row(const std::string& path,
                                 const LoadedCrack<sif::ThroughCrackInTube>& row) {
   use({"CG-7"});
   const bool curved = !row.solution.in_line && row.solution.shell_correction;
-  if (curved) use({"CG-9"});
+  if (curved) use({"CG-8"});
   std::string text;
   const auto say = [&](const char* when, Faces faces) {
     const auto effect = row_effect(row.with_faces(faces), row.moduli, options.quadrature);

@@ -22,7 +22,7 @@ constexpr double kOneHour = 3600.0;  // [s]
 
 bool ends_life(DriveEnd end) {
   return end == DriveEnd::breaks || end == DriveEnd::assessment || end == DriveEnd::severed ||
-         end == DriveEnd::range || end == DriveEnd::merges;
+         end == DriveEnd::range;
 }
 
 /// Whether a sense of the torque opens a crack.

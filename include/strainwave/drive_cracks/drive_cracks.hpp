@@ -91,9 +91,7 @@ struct DriveCrack {
   /// `range_end`, where no section is left.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
 
-  /// Distance to the next crack of the row at a size [m] (CG-7); empty: the crack is alone.
-  std::function<double(const CrackSize&)> gap;
-  int count = 1;  ///< equal cracks of the row [-]
+  int count = 1;  ///< equal cracks of the row (CG-7) [-]
   /// Largest half length of a surface crack at a depth, both [m]; empty: no such limit.
   std::function<double(double depth)> longest;
   /// half length of a surface crack at which its solution ends [m]

@@ -28,13 +28,11 @@ enum class DriveEnd {
   range,       ///< a crack leaves the range of its solution: the rest is not known
   too_slow,    ///< the longest duty that this version computes ends before anything else
   not_known,   ///< no crack could be computed
-  merges,      ///< the cracks of a row grow together and sever their part
 };
 template <>
 struct EnumNames<DriveEnd> {
-  static constexpr std::array<std::string_view, 9> names = {"until",      "arrested",  "breaks",
-                                                            "assessment", "severed",   "range",
-                                                            "too_slow",   "not_known", "merges"};
+  static constexpr std::array<std::string_view, 8> names = {
+      "until", "arrested", "breaks", "assessment", "severed", "range", "too_slow", "not_known"};
 };
 
 /// Something that happens to a crack on its way.
@@ -46,23 +44,11 @@ enum class CrackEvent {
   severed,       ///< the crack leaves less than 1 % of the stiffness of the drive
   range,         ///< the solution of the stress intensity ends
   wanted_size,   ///< the size that was asked for
-  merges,        ///< the plastic zones of neighbours in a row touch
 };
 template <>
 struct EnumNames<CrackEvent> {
-  static constexpr std::array<std::string_view, 8> names = {"arrested",    "through_wall", "breaks",
-                                                            "assessment",  "severed",      "range",
-                                                            "wanted_size", "merges"};
-};
-
-/// The rule by which the cracks of a row grow together (CG-8).
-enum class Coalescence {
-  zones,  ///< the plastic zones of neighbouring tips touch
-  none,   ///< the cracks grow on until the range of their solution ends
-};
-template <>
-struct EnumNames<Coalescence> {
-  static constexpr std::array<std::string_view, 2> names = {"zones", "none"};
+  static constexpr std::array<std::string_view, 7> names = {
+      "arrested", "through_wall", "breaks", "assessment", "severed", "range", "wanted_size"};
 };
 
 /// When the computation stops, if nothing else ends it before.
@@ -75,12 +61,11 @@ struct GrowthStop {
 
 /// Choices of grow_cracks and life_trace.
 struct GrowthOptions {
-  RateChoice rate;                               ///< law of growth and rule of mixed modes
-  Interaction interaction;                       ///< how overloads slow the growth
-  Coalescence coalescence = Coalescence::zones;  ///< when the cracks of a row grow together
-  GrowthStop stop;                               ///< where the computation stops at the latest
-  double tolerance = 1e-9;                       ///< of each step, relative [-]
-  int points = 60;                               ///< largest number of rows of a series [-]; >= 2
+  RateChoice rate;          ///< law of growth and rule of mixed modes
+  Interaction interaction;  ///< how overloads slow the growth
+  GrowthStop stop;          ///< where the computation stops at the latest
+  double tolerance = 1e-9;  ///< of each step, relative [-]
+  int points = 60;          ///< largest number of rows of a series [-]; >= 2
 };
 
 /// An event of one crack.

@@ -126,12 +126,6 @@ class GrowingCrack {
   /// Whether K_max of any phase and point reaches the toughness of law or material.
   [[nodiscard]] bool breaks(const CrackSize& size, double factor = 1.0) const;
 
-  /// Whether the plastic zones of this crack and its neighbours touch: twice the zone
-  /// (K/sigma_y)^2/pi of K_max reaches the gap (CG-8).  False without neighbours or yield strength.
-  [[nodiscard]] bool zones_touch(const CrackSize& size, double factor = 1.0) const;
-  /// Whether `zones_touch` can be told: the crack is alone, or its yield strength is given.
-  [[nodiscard]] bool knows_zones() const { return !crack_.gap || yield_strength_.has_value(); }
-
   /// Largest factor on the loads of the duty at which K is known: up to the end of the table of K
   /// over a turn; infinite without a table [-].
   [[nodiscard]] double largest_factor() const;

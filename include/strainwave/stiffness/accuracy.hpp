@@ -101,7 +101,7 @@ inline constexpr ModelAccuracy kThroughCrackAxial{
 /// the other uncertainties.
 inline constexpr ModelAccuracy kThroughCrackPressed{
     0.02, "pressed faces slide without friction: 1 % of compliance, 2 % of G in finite elements"};
-/// Uncertainty of the compliance of a row of open through cracks (CG-9), in its table [-].
+/// Uncertainty of the compliance of a row of open through cracks (CG-8), in its table [-].
 inline constexpr ModelAccuracy kRowOfCracks{
     0.03, "row of cracks in a curved wall: within 2 % of solid elements at r/t = 30"};
 /// Uncertainty of the compliance of a row whose curvature between the cracks is left out, for close

@@ -24,7 +24,6 @@ struct GrowOptions {
   std::optional<std::string> law;
   MixedMode mixed_mode = MixedMode::energy;
   InteractionRule interaction = InteractionRule::none;
-  Coalescence coalescence = Coalescence::zones;
   std::optional<double> zone_factor;
   std::optional<double> wheeler_exponent;
   std::optional<double> constraint;
@@ -78,12 +77,6 @@ struct GrowOptions {
            .doc = "largest stress over the flow stress of Newman's opening, with --constraint",
            .range = {.lower = 0.0, .upper = 1.0}},
           &GrowOptions::stress_level);
-    field({.name = "coalescence",
-           .unit = "",
-           .doc = "when the cracks of a row (count) grow together: zones, if the plastic zones of "
-                  "neighbours touch; none, never",
-           .fallback = "zones"},
-          &GrowOptions::coalescence);
     field({.name = "points",
            .unit = "",
            .doc = "largest number of rows of a series",
@@ -121,15 +114,15 @@ Interaction interaction_of(const GrowOptions& o) {
   return interaction;
 }
 
-constexpr std::string_view kCheckpointFormat = "strainwave-growth/3";
+constexpr std::string_view kCheckpointFormat = "strainwave-growth/2";
 
 /// First line of a checkpoint: the program and all that the result depends on.
 std::string checkpoint_head(const Request& request, const GrowOptions& o) {
   const std::string asked = fmt::format(
-      "{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
-      enum_name(o.mixed_mode), enum_name(o.interaction), enum_name(o.coalescence),
-      o.zone_factor.value_or(0), o.wheeler_exponent.value_or(-1), o.constraint.value_or(-1),
-      o.stress_level.value_or(-1), request.drive.text, numbers_beside(request.drive.gear));
+      "{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", o.until, o.law.value_or(""),
+      enum_name(o.mixed_mode), enum_name(o.interaction), o.zone_factor.value_or(0),
+      o.wheeler_exponent.value_or(-1), o.constraint.value_or(-1), o.stress_level.value_or(-1),
+      request.drive.text, numbers_beside(request.drive.gear));
   return fmt::format("{} {} {}", kCheckpointFormat, version(), sha256_hex(asked));
 }
 
@@ -216,7 +209,6 @@ Command grow_command() {
             GrowthOptions options;
             options.rate = {.mixed_mode = o.mixed_mode, .law = o.law.value_or("")};
             options.interaction = interaction_of(o);
-            options.coalescence = o.coalescence;
             options.points = o.points;
             options.stop = from_option([&] { return stop_of(gear, o.until); });
             if (o.law) from_option([&] { (void)rate_law(require_material(*o.law)); });

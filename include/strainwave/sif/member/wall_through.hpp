@@ -7,6 +7,7 @@
 
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/sif/tube/shell_factors.hpp"
+#include "strainwave/sif/tube/shell_row.hpp"
 
 namespace strainwave::sif {
 
@@ -117,6 +118,7 @@ class BasicThroughCrackFamily {
   BasicThroughCrackInTube<Real> crack_;
   BasicCrackPlaneStress<Real> stress_;
   std::optional<BasicShellFactorsAtAngle<Real>> shell_;  ///< nothing: flat plate
+  std::optional<BasicShellRowAtAngle<Real>> row_;        ///< nothing: alone, pressed or flat
 };
 
 template <class Real>
