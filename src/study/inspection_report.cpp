@@ -550,6 +550,15 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   report.sentence += ".";
   if (report.method && report.method->change_at_end) {
     report.sentence += " The crack " + measurement_words(*report.method);
+    if (report.method->method != InspectionMeans::resonance)
+      report.notes.push_back(
+          {.code = "inspection.series",
+           .text = "the change of the stiffness is that of the members in series; the contacts of "
+                   "the teeth and other parts make the change of the whole drive smaller",
+           .path = "inspection.method",
+           .equation = "IR-10",
+           .severity = Severity::care,
+           .next_step = "Compare with the coupled drive, strainwave torsion --compare."});
     if (!report.method->a90)
       report.notes.push_back(
           {.code = "inspection.not_found",

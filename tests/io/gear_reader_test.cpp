@@ -477,7 +477,7 @@ TEST(GearReader, InputAnInspectionThatFalls) {
       test::broken_rule([&] { return read_gear_set(text, "gear.toml").name; });
   EXPECT_TRUE(message.starts_with("gear.toml:")) << message;
   EXPECT_NE(
-      message.find("inspection.a90 = 1 mm violates: > a50: a larger crack is found more often"),
+      message.find("inspection.a90 = \"1 mm\" violates: > a50: a larger crack is found more often"),
       std::string::npos)
       << message;
 }

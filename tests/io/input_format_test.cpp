@@ -948,7 +948,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 67);
+  EXPECT_EQ(tables, 70);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

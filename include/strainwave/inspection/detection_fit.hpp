@@ -34,7 +34,7 @@ struct FittedDetection {
 
 /// A curve of detection that makes trials most likely.
 struct DetectionFit {
-  DetectionForm form = DetectionForm::log_logistic;
+  DetectionForm form = DetectionForm::log_logistic;  ///< of the curve
   double a50 = 0.0;  ///< size that is found in half of the cases [m]
   double a90 = 0.0;  ///< size that is found in nine of ten cases [m]
   /// the size a50 on the lower bound with 95 % confidence [m]; absent: not bounded

@@ -218,6 +218,31 @@ std::optional<Inspection> asked_method(const Request& request, const InspectOpti
   return method;
 }
 
+/// The fault of a field of [inspection] at the option that stands in its place; the same fault if
+/// the file gives the field.
+void throw_at_option(const InputError& error, const InspectOptions& o, bool has_table) {
+  constexpr std::string_view kTable = "inspection.";
+  if (!error.field().starts_with(kTable)) return;
+  const std::string key =
+      error.field().substr(kTable.size(), error.field().find('[') - kTable.size());
+  const std::array<std::pair<std::string_view, bool>, 9> given = {
+      {{"method", o.method.has_value()},
+       {"a50", o.a50.has_value()},
+       {"a90", o.a90.has_value()},
+       {"detection", o.detection.has_value()},
+       {"noise", o.noise.has_value()},
+       {"false_calls", o.false_calls.has_value()},
+       {"find", o.find.has_value()},
+       {"repaired_to", o.repaired_to.has_value()},
+       {"place", !o.see.empty()}}};
+  for (const auto& [name, is_given] : given)
+    if (name == key && (is_given || !has_table))
+      throw OptionError(name == "place" ? "see" : name,
+                        error.rule().empty()
+                            ? std::string(error.what()).substr(error.field().size() + 2)
+                            : fmt::format("{} violates: {}", error.value(), error.rule()));
+}
+
 InspectionReport inspect(const Request& request, const InspectOptions& o) {
   InspectionOptions options;
   options.growth.tolerance = 1e-6;
@@ -237,7 +262,12 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   options.seed = o.seed;
   options.threads = o.threads;
   options.shared = request.shared;
-  return inspection_report(request.drive.gear, options, request.progress);
+  try {
+    return inspection_report(request.drive.gear, options, request.progress);
+  } catch (const InputError& error) {
+    throw_at_option(error, o, request.drive.gear.inspection.has_value());
+    throw;
+  }
 }
 
 }  // namespace
