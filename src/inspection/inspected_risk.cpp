@@ -250,11 +250,15 @@ InspectionPlan least_plan(std::span<const DrawnPart> placing, std::span<const Dr
   for (const DrawnPart& part : placing)
     if (part.failure <= until) failing.push_back(part);
   const double share = static_cast<double>(failing.size()) / static_cast<double>(placing.size());
-  const auto of = [&](std::vector<double> times) {
+  // A new time stands last until the end, and a course needs them in their order.
+  const auto risk_at = [&](std::span<const DrawnPart> parts, std::vector<double> times) {
     std::ranges::sort(times);
-    return failing.empty() ? 0.0 : share * risk_of(failing, until, times, search);
+    return risk_of(parts, until, times, search);
   };
-  const auto judged = [&] { return risk_of(judging, until, plan.times, search); };
+  const auto of = [&](const std::vector<double>& times) {
+    return failing.empty() ? 0.0 : share * risk_at(failing, times);
+  };
+  const auto judged = [&] { return risk_at(judging, plan.times); };
   while (!failing.empty() && plan.times.size() < most && judged() > wanted) {
     plan.times.push_back(until / 2);
     double risk = of(plan.times);

@@ -375,6 +375,26 @@ TEST(InspectedRisk, CrosscheckRepairsPlayedOneByOne) {
   EXPECT_LT(expected, failure_risk(parts, 150e3).probability);
 }
 
+// Kind: behaviour (IR-5), (IR-6), (IR-9).  Plans with repairs, whose order matters: they stop at
+// the first number of inspections that reaches the risk, and free times need no more than equal
+// ones.
+TEST(InspectedRisk, BehaviourPlansOfRepairs) {
+  const std::vector<DrawnPart> parts = drawn(60, 0.4);
+  CrackSearch search = kSearch;
+  search.repaired_to = 1.4e-3;
+  const double end = 150e3;
+  for (const double wanted : {0.25, 0.08}) {
+    const InspectionPlan equal = equal_plan(parts, end, wanted, 20, search);
+    const InspectionPlan least = least_plan(parts, parts, end, wanted, 20, search);
+    ASSERT_TRUE(equal.reached && least.reached);
+    EXPECT_LE(least.times.size(), equal.times.size());
+    const InspectionPlan fewer =
+        least_plan(parts, parts, end, wanted, least.times.size() - 1, search);
+    EXPECT_FALSE(fewer.reached);
+    EXPECT_GT(fewer.risk.probability, wanted);
+  }
+}
+
 // Kind: identity (IR-1).  A curve through points: linear in the logarithm of the size.
 TEST(InspectedRisk, IdentityCurveThroughPoints) {
   const DetectionCurve curve({1e-3, 4e-3}, {0.2, 0.6});
