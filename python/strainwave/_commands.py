@@ -463,10 +463,14 @@ class DriveCommands:
         answer: results.grow.GrowResult = self._run("grow", given, texts, progress)
         return answer
 
-    def inspect(self, *, until: Optional[Named] = None, a50: Optional[Named] = None,
-                a90: Optional[Named] = None,
+    def inspect(self, *, until: Optional[Named] = None,
+                method: Optional[Literal["curve", "stiffness", "one_sided_stiffness", "resonance"]] = None,
+                a50: Optional[Named] = None, a90: Optional[Named] = None,
                 detection: Optional[Literal["log_logistic", "log_normal"]] = None,
-                false_calls: Optional[float] = None, see: Optional[Sequence[Named]] = None,
+                noise: Optional[float] = None, false_calls: Optional[float] = None,
+                find: Optional[Literal["out", "repair"]] = None,
+                repaired_to: Optional[Named] = None, detection_data: Optional[Named] = None,
+                threshold: Optional[float] = None, see: Optional[Sequence[Named]] = None,
                 at: Optional[Sequence[Named]] = None, every: Optional[Named] = None,
                 first: Optional[Named] = None, risk: Optional[float] = None,
                 most: Optional[int] = None, draws: Optional[int] = None, seed: Optional[int] = None,
@@ -477,13 +481,26 @@ class DriveCommands:
         Args:
             until: end of service, a time of duty with its unit; the life at the values of the file
                 if left out
+            method: what an inspection looks at: the cracks, with a curve of detection over their
+                size, or a measurement of the drive; as [inspection] of the file says, or a curve,
+                if left out
             a50: size of a crack that one inspection finds in half of the cases, a number with its
-                unit: the depth, or the half length of a crack through the wall; no inspections if
-                left out
+                unit: the depth, or the half length of a crack through the wall; as [inspection] of
+                the file says if left out
             a90: size that is found in nine of ten cases, a number with its unit
             detection: form of the probability of detection over the size; log_logistic if left out
+            noise: of a measurement: standard deviation of the measured change over the measured
+                value
             false_calls: probability that an inspection finds a crack that is not there; 0 if left
-                out
+                out of a curve; the threshold of a measurement follows from it
+            find: what a find leads to: the drive goes out of service, or the repair of its cracks;
+                out if left out
+            repaired_to: size of a crack after its repair, a number with its unit
+            detection_data: CSV of trials on cracks of known size, from which the curve is fitted,
+                in place of a50 and a90: the columns size [mm] and hit (1 or 0), or size [mm] and
+                signal with `threshold`
+            threshold: signal of `detection_data` from which on a crack counts as found, in the unit
+                of the signal
             see: path of a crack that the inspections can see, once for each; all cracks if left out
             at: time of an inspection, with its unit, once for each
             every: interval of the inspections, a time with its unit
@@ -499,8 +516,10 @@ class DriveCommands:
             progress: True for a line of progress, or a function that receives the completed
                 fraction
         """
-        given: dict[str, Any] = {"until": until, "a50": a50, "a90": a90, "detection": detection,
-                                 "false_calls": false_calls, "see": see, "at": at, "every": every,
+        given: dict[str, Any] = {"until": until, "method": method, "a50": a50, "a90": a90,
+                                 "detection": detection, "noise": noise, "false_calls": false_calls,
+                                 "find": find, "repaired_to": repaired_to, "detection_data": detection_data,
+                                 "threshold": threshold, "see": see, "at": at, "every": every,
                                  "first": first, "risk": risk, "most": most, "draws": draws, "seed": seed,
                                  "threads": threads}
         answer: results.inspect.InspectResult = self._run("inspect", given, texts, progress)

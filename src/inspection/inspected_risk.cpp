@@ -5,6 +5,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/uncertainty/normal.hpp"
@@ -17,22 +18,83 @@ constexpr double kTail = 0.025;
 constexpr std::size_t kPlaces = 48;
 constexpr int kMostRounds = 40;
 
-/// Share of the failures of a part that inspections leave.
-double missed(const DrawnPart& part, std::span<const double> inspections,
-              const DetectionCurve& curve, const std::vector<bool>& seen) {
-  double left = 1.0;
-  for (const double time : inspections)
-    if (time < part.failure) left *= 1 - part.found_at(time, curve, seen);
-  return left;
-}
-
 /// The risk alone, for searches.
 double risk_of(std::span<const DrawnPart> parts, double until, std::span<const double> inspections,
-               const DetectionCurve& curve, const std::vector<bool>& seen) {
+               const CrackSearch& search) {
   double sum = 0.0;
   for (const DrawnPart& part : parts)
-    if (part.failure <= until) sum += missed(part, inspections, curve, seen);
+    if (part.failure <= until) sum += inspected_course(part, until, inspections, search).failed;
   return sum / static_cast<double>(parts.size());
+}
+
+/// One part whose cracks are repaired; the state is the last inspection that repaired.
+class RepairedPart {
+ public:
+  RepairedPart(const DrawnPart& part, const CrackSearch& search) : part_(part), search_(search) {
+    bool any = false;
+    for (std::size_t k = 0; k < part.sizes.size(); ++k) {
+      repaired_age_.push_back(search.seen[k] ? part.time_of(k, *search.repaired_to)
+                                             : std::numeric_limits<double>::infinity());
+      ends_.push_back(part.sizes[k].back() > part.sizes[k].front());
+      any = any || ends_.back();
+    }
+    if (!any) ends_.assign(ends_.size(), true);
+  }
+
+  /// Age of a crack at a time, after a repair at another one; absent: none.
+  [[nodiscard]] double age(std::size_t crack, double time, std::optional<double> repair) const {
+    return repair ? time - *repair + std::min(*repair, repaired_age_[crack]) : time;  // (IR-9)
+  }
+  [[nodiscard]] double failure(std::optional<double> repair) const {
+    if (!repair) return part_.failure;
+    double first = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < ends_.size(); ++k)
+      if (ends_[k])
+        first = std::min(first, *repair + part_.failure - std::min(*repair, repaired_age_[k]));
+    return first;
+  }
+  [[nodiscard]] double found(double time, std::optional<double> repair) const {
+    double none = 1.0;
+    for (std::size_t k = 0; k < ends_.size(); ++k)
+      if (search_.seen[k]) none *= 1 - search_.curve.at(part_.size_at(k, age(k, time, repair)));
+    return 1 - none;
+  }
+
+ private:
+  const DrawnPart& part_;
+  const CrackSearch& search_;
+  std::vector<double> repaired_age_;  ///< time at which each crack has the size of a repair [s]
+  std::vector<bool> ends_;            ///< whether the path of each crack ends with the part
+};
+
+InspectedCourse repaired_course(const DrawnPart& part, double until,
+                                std::span<const double> inspections, const CrackSearch& search) {
+  InspectedCourse course;
+  const RepairedPart repaired(part, search);
+  struct State {
+    std::optional<double> repair;
+    double failure;
+    double weight;
+  };
+  std::vector<State> states = {{std::nullopt, part.failure, 1.0}};
+  for (const double time : inspections) {
+    if (!(time < until)) break;
+    double in_service = 0.0;
+    double found = 0.0;
+    for (State& state : states) {
+      if (state.weight == 0 || !(time < state.failure)) continue;
+      const double here = state.weight * repaired.found(time, state.repair);
+      in_service += state.weight;
+      found += here;
+      state.weight -= here;
+    }
+    states.push_back({time, repaired.failure(time), found});
+    course.in_service.push_back(in_service);
+    course.found.push_back(found);
+  }
+  for (const State& state : states)
+    if (state.failure <= until) course.failed += state.weight;
+  return course;
 }
 
 }  // namespace
@@ -47,8 +109,28 @@ DetectionCurve::DetectionCurve(DetectionForm form, double half, double ninety) :
   width_ = (std::log(ninety) - log_half_) / ninety_of_form;
 }
 
+DetectionCurve::DetectionCurve(std::vector<double> sizes, std::vector<double> probabilities)
+    : sizes_(std::move(sizes)), at_sizes_(std::move(probabilities)) {
+  if (sizes_.empty() || sizes_.size() != at_sizes_.size())
+    throw InputError("sizes", "must be as many as the probabilities, and at least one");
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    require(std::isfinite(sizes_[i]) && sizes_[i] > (i == 0 ? 0.0 : sizes_[i - 1]), "sizes",
+            sizes_[i], "m", "> 0 and larger than the one before");
+    require(at_sizes_[i] >= (i == 0 ? 0.0 : at_sizes_[i - 1]) && at_sizes_[i] <= 1, "probabilities",
+            at_sizes_[i], "1", "in [0, 1] and not smaller than the one before");
+  }
+}
+
 double DetectionCurve::at(double size) const {
   if (!(size > 0)) return 0.0;
+  if (!sizes_.empty()) {
+    const auto above = std::ranges::upper_bound(sizes_, size);
+    if (above == sizes_.begin()) return 0.0;
+    if (above == sizes_.end()) return at_sizes_.back();
+    const auto i = static_cast<std::size_t>(above - sizes_.begin());
+    return std::lerp(at_sizes_[i - 1], at_sizes_[i],
+                     std::log(size / sizes_[i - 1]) / std::log(sizes_[i] / sizes_[i - 1]));
+  }
   const double x = (std::log(size) - log_half_) / width_;
   return form_ == DetectionForm::log_logistic ? 1 / (1 + std::exp(-x))
                                               : normal_probability(x);  // (IR-1)
@@ -65,12 +147,40 @@ double DrawnPart::size_at(std::size_t crack, double time) const {
   return size[i - 1] * std::pow(size[i] / size[i - 1], share);
 }
 
+double DrawnPart::time_of(std::size_t crack, double wanted) const {
+  const std::vector<double>& size = sizes[crack];
+  const auto reached = std::ranges::find_if(size, [&](double a) { return a >= wanted; });
+  if (reached == size.end()) return std::numeric_limits<double>::infinity();
+  const auto i = static_cast<std::size_t>(reached - size.begin());
+  if (i == 0) return 0.0;
+  if (!(size[i - 1] > 0)) return times[i];
+  const double share = std::log(wanted / size[i - 1]) / std::log(size[i] / size[i - 1]);
+  return std::lerp(times[i - 1], times[i], share);
+}
+
 double DrawnPart::found_at(double time, const DetectionCurve& curve,
                            const std::vector<bool>& seen) const {
   double none = 1.0;
   for (std::size_t k = 0; k < sizes.size(); ++k)
     if (seen[k]) none *= 1 - curve.at(size_at(k, time));
   return 1 - none;  // (IR-2)
+}
+
+InspectedCourse inspected_course(const DrawnPart& part, double until,
+                                 std::span<const double> inspections, const CrackSearch& search) {
+  if (search.repaired_to) return repaired_course(part, until, inspections, search);
+  InspectedCourse course;
+  double left = 1.0;
+  for (const double time : inspections) {
+    if (!(time < until)) break;
+    const bool whole = time < part.failure;
+    course.in_service.push_back(whole ? left : 0.0);
+    const double found = whole ? part.found_at(time, search.curve, search.seen) : 0.0;
+    course.found.push_back(left * found);
+    left *= 1 - found;
+  }
+  if (part.failure <= until) course.failed = left;  // (IR-4)
+  return course;
 }
 
 RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
@@ -85,15 +195,14 @@ RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
 }
 
 RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
-                            std::span<const double> inspections, const DetectionCurve& curve,
-                            const std::vector<bool>& seen) {
+                            std::span<const double> inspections, const CrackSearch& search) {
   using ChiSquared = boost::math::chi_squared;
   const auto n = static_cast<double>(parts.size());
   double sum = 0.0;
   double squares = 0.0;
   for (const DrawnPart& part : parts) {
     if (part.failure > until) continue;
-    const double left = missed(part, inspections, curve, seen);  // (IR-4)
+    const double left = inspected_course(part, until, inspections, search).failed;  // (IR-4)
     sum += left;
     squares += left * left;
   }
@@ -119,34 +228,37 @@ std::vector<double> equal_inspections(double first, double interval, double unti
 }
 
 InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until, double wanted,
-                          std::size_t most, const DetectionCurve& curve,
-                          const std::vector<bool>& seen) {
+                          std::size_t most, const CrackSearch& search) {
   InspectionPlan plan;
   for (std::size_t n = 0; n <= most; ++n) {
     const double interval = until / static_cast<double>(n + 1);
     plan.times.clear();
     for (std::size_t i = 1; i <= n; ++i) plan.times.push_back(interval * static_cast<double>(i));
-    plan.reached = risk_of(parts, until, plan.times, curve, seen) <= wanted;
+    plan.reached = risk_of(parts, until, plan.times, search) <= wanted;
     if (plan.reached) break;  // (IR-5)
   }
-  plan.risk = inspected_risk(parts, until, plan.times, curve, seen);
+  plan.risk = inspected_risk(parts, until, plan.times, search);
   return plan;
 }
 
 InspectionPlan least_plan(std::span<const DrawnPart> placing, std::span<const DrawnPart> judging,
                           double until, double wanted, std::size_t most,
-                          const DetectionCurve& curve, const std::vector<bool>& seen) {
+                          const CrackSearch& search) {
   InspectionPlan plan;
   // Only parts that fail matter, so the search looks at them alone.
   std::vector<DrawnPart> failing;
   for (const DrawnPart& part : placing)
     if (part.failure <= until) failing.push_back(part);
   const double share = static_cast<double>(failing.size()) / static_cast<double>(placing.size());
-  const auto of = [&](std::vector<double> times) {
+  // A new time stands last until the end, and a course needs them in their order.
+  const auto risk_at = [&](std::span<const DrawnPart> parts, std::vector<double> times) {
     std::ranges::sort(times);
-    return failing.empty() ? 0.0 : share * risk_of(failing, until, times, curve, seen);
+    return risk_of(parts, until, times, search);
   };
-  const auto judged = [&] { return risk_of(judging, until, plan.times, curve, seen); };
+  const auto of = [&](const std::vector<double>& times) {
+    return failing.empty() ? 0.0 : share * risk_at(failing, times);
+  };
+  const auto judged = [&] { return risk_at(judging, plan.times); };
   while (!failing.empty() && plan.times.size() < most && judged() > wanted) {
     plan.times.push_back(until / 2);
     double risk = of(plan.times);
@@ -178,7 +290,7 @@ InspectionPlan least_plan(std::span<const DrawnPart> placing, std::span<const Dr
   }
   std::ranges::sort(plan.times);
   plan.reached = judged() <= wanted;  // (IR-6)
-  plan.risk = inspected_risk(judging, until, plan.times, curve, seen);
+  plan.risk = inspected_risk(judging, until, plan.times, search);
   return plan;
 }
 

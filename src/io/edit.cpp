@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -759,16 +760,17 @@ std::string with_paths_after(std::string text, const toml::table& before, const 
                              bool removes) {
   const toml::node* const changes = node_at(before, change);
   if (changes == nullptr || changes->is_value()) return text;
-  const GearSet lists;
-  for_each_path_list(lists, [&]<class Entry>(std::string_view list, const std::vector<Entry>&) {
+  const auto adapt = [&](const Steps& list, std::span<const std::string_view> keys) {
     const toml::table now = parse_toml(text, "text");
-    const auto* const entries = now.get(list) != nullptr ? now.get(list)->as_array() : nullptr;
+    const toml::node* const node = node_at(now, list);
+    const auto* const entries = node != nullptr ? node->as_array() : nullptr;
     for (std::size_t i = entries != nullptr ? entries->size() : 0; i-- > 0;)
-      for (const std::string_view key : Entry::kPathKeys) {
+      for (const std::string_view key : keys) {
         const Steps named = named_steps(entries->get(i), key);
         if (named.empty() || node_at(before, named) == nullptr) continue;
         const std::optional<Steps> follows = removes ? after_removal(named, change) : named;
-        Steps at = {key_step(std::string(list)), index_step(i)};
+        Steps at = list;
+        at.push_back(index_step(i));
         if (!follows || node_at(now, *follows) == nullptr) {
           text = with_change(text, known_path(at), nullptr);
           break;
@@ -778,7 +780,12 @@ std::string with_paths_after(std::string text, const toml::table& before, const 
         const NewValue path = value_of(fmt::format("\"{}\"", printed_path(*follows)));
         text = with_change(text, known_path(at), &path);
       }
+  };
+  const GearSet lists;
+  for_each_path_list(lists, [&]<class Entry>(std::string_view list, const std::vector<Entry>&) {
+    adapt({key_step(std::string(list))}, Entry::kPathKeys);
   });
+  adapt({key_step("inspection"), key_step("place")}, std::array<std::string_view, 1>{"crack"});
   return text;
 }
 

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "strainwave/chart/chart.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -56,6 +58,62 @@ TitledTable share_table(const InspectionReport& report) {
           .table = std::move(table)};
 }
 
+TitledTable method_table(const MethodOfInspection& method) {
+  Table table{.head = {"method of the inspections", "value"}};
+  const auto row = [&](std::string_view words, std::string value) {
+    table.rows.push_back(cells(words, std::move(value)));
+  };
+  const auto length = [](const std::optional<double>& size) {
+    return size ? fmt::format("{:.4g} mm", 1e3 * *size) : std::string("none before the end");
+  };
+  const auto percent = [](double share) { return fmt::format("{:.3g} %", 100 * share); };
+  std::string what(enum_name(method.method));
+  std::ranges::replace(what, '_', ' ');
+  row("looks at", method.method == InspectionMeans::curve ? "the cracks" : "the " + what);
+  row("size found in half of the cases, a50", length(method.a50));
+  row("size found in nine of ten, a90", length(method.a90));
+  if (method.trials) {
+    const auto bound = [&](const std::optional<double>& size) {
+      return size ? length(size) : std::string("not bounded");
+    };
+    row("trials behind the curve", fmt::format("{}", *method.trials));
+    row("a50 with 95 % confidence", bound(method.a50_bound));
+    row("a90 with 95 % confidence", bound(method.a90_bound));
+  }
+  row("probability of a false call", share_text(method.false_calls));
+  if (method.change_at_end) {
+    row("noise of a measured change", percent(*method.noise));
+    row("change that counts as a find", percent(*method.threshold));
+    row("change found in nine of ten", percent(*method.change_ninety));
+    row("crack that ends the life", method.crack);
+    row("its size at the end", length(method.size_at_end));
+    row("change by it at the end", percent(*method.change_at_end));
+    row("probability that this is found", share_text(*method.found_at_end));
+  }
+  row("a find leads to", method.repaired_to ? "a repair to " + length(method.repaired_to)
+                                            : std::string("the end of service of the drive"));
+  return {.title = method.change_at_end ? "Method (IR-10), (IR-11)"
+                   : method.trials      ? "Method (IR-1), (IR-13)"
+                                        : "Method (IR-1)",
+          .table = std::move(table)};
+}
+
+TitledTable cost_table(const ExpectedCost& cost) {
+  Table table{.head = {"expected cost of one drive", "cost"}};
+  const auto row = [&](std::string_view words, double value) {
+    table.rows.push_back(cells(words, shown_number(value, 4)));
+  };
+  row("without inspections", cost.without);
+  if (cost.inspected) {
+    row("with inspections", *cost.inspected);
+    row("of this, inspections", *cost.inspections);
+    row("of this, finds and false calls", *cost.calls);
+    row("of this, failures", *cost.failures);
+  }
+  return {.title = "Cost up to the end of service, in the currency of the file (IR-15)",
+          .table = std::move(table)};
+}
+
 TitledTable inspection_table(const InspectionReport& report) {
   Table table{.head = {with_unit("time", hours()), "in service", "finds a crack", "false call",
                        "risk if it is the last"},
@@ -75,6 +133,11 @@ TitledTable plan_table(const InspectionReport& report) {
   Table table{.head = {"plan", "inspections", "risk", "upper limit", "reached",
                        with_unit("times", hours())},
               .align = "lrrrll"};
+  const bool costs = report.cost.has_value();
+  if (costs) {
+    table.head.insert(table.head.begin() + 4, "cost");
+    table.align = "lrrrrll";
+  }
   for (const PlannedInspections& plan : report.plans) {
     std::vector<std::string> times;
     for (const double time : plan.times) times.push_back(time_text(time));
@@ -82,6 +145,9 @@ TitledTable plan_table(const InspectionReport& report) {
                                fmt::format("{}", plan.inspections), share_text(plan.risk),
                                share_text(plan.risk_high), plan.reached ? "yes" : "no",
                                fmt::format("{}", fmt::join(times, ", "))));
+    if (costs)
+      table.rows.back().insert(table.rows.back().begin() + 4,
+                               shown_number(plan.cost.value_or(0.0), 4));
   }
   return {.title = "Fewest inspections for the wanted risk (IR-5), (IR-6)",
           .table = std::move(table)};
@@ -92,8 +158,10 @@ TitledTable plan_table(const InspectionReport& report) {
 std::vector<TitledTable> inspection_tables(const InspectionReport& report) {
   std::vector<TitledTable> tables = {outcome_table(report), percentile_table(report)};
   if (!report.shares.empty()) tables.push_back(share_table(report));
+  if (report.method) tables.push_back(method_table(*report.method));
   if (!report.inspections.empty()) tables.push_back(inspection_table(report));
   if (!report.plans.empty()) tables.push_back(plan_table(report));
+  if (report.cost) tables.push_back(cost_table(*report.cost));
   return tables;
 }
 
@@ -119,10 +187,9 @@ std::string inspection_csv(const InspectionReport& report) {
   return csv_table(table);
 }
 
-std::string inspection_plot(const InspectionReport& report, const GearSet& gear) {
+std::vector<PlotPanel> inspection_panels(const InspectionReport& report) {
   const DisplayUnit unit = hours();
   PlotPanel panel{.title = "Probability of failure",
-                  .subtitle = gear.name,
                   .x_label = axis_label("time of duty", unit),
                   .y_label = "probability of failure",
                   .y_scale = AxisScale::logarithmic};
@@ -143,7 +210,31 @@ std::string inspection_plot(const InspectionReport& report, const GearSet& gear)
   curve("upper limit, without", [&](const RiskPoint& p) { return some(p.without_high); });
   if (report.at_end.inspected)
     curve("upper limit, with", [](const RiskPoint& p) { return p.inspected_high; });
-  return svg_plot(std::array{panel});
+  std::vector<PlotPanel> panels = {std::move(panel)};
+  if (report.method && !report.method->points.empty()) {
+    PlotPanel detection{.title = "Probability of detection",
+                        .x_label = "size of the crack [mm]",
+                        .y_label = "probability that one inspection finds it"};
+    PlotSeries found{.label = "one inspection"};
+    PlotSeries bound{.label = "95 % bound of the trials"};
+    for (const DetectionPoint& point : report.method->points) {
+      found.x.push_back(1e3 * point.size);
+      found.y.push_back(point.probability);
+      if (!point.bound) continue;
+      bound.x.push_back(1e3 * *point.bound);
+      bound.y.push_back(point.probability);
+    }
+    detection.series.push_back(std::move(found));
+    if (!bound.x.empty()) detection.series.push_back(std::move(bound));
+    panels.push_back(std::move(detection));
+  }
+  return panels;
+}
+
+std::string inspection_plot(const InspectionReport& report, const GearSet& gear) {
+  std::vector<PlotPanel> panels = inspection_panels(report);
+  panels.front().subtitle = gear.name;
+  return svg_plot(panels);
 }
 
 }  // namespace strainwave

@@ -58,6 +58,9 @@ struct Draft {
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);
 /// The growth of each crack, and the stiffness until its end.
 [[nodiscard]] std::vector<ReportSection> growth_chapters(Draft& draft);
+/// Of a drive with an inspection, a duty and numbers that scatter: the risk over hours, and what
+/// inspections take off it.
+[[nodiscard]] ReportSection inspection_chapter(Draft& draft);
 [[nodiscard]] ReportSection notes_chapter(const Draft& draft);
 [[nodiscard]] ReportSection accuracy_chapter(const Draft& draft);
 [[nodiscard]] ReportSection equations_chapter(const Draft& draft);

@@ -240,6 +240,8 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   if (gear.duty && draft.corrected() && !draft.cracks.empty())
     for (ReportSection& section : growth_chapters(draft))
       made.sections.push_back(std::move(section));
+  if (gear.inspection && gear.duty && !gear.scatter.empty() && draft.corrected())
+    made.sections.push_back(inspection_chapter(draft));
   if (gear.drivetrain) {
     made.sections.push_back(modes_chapter(draft));
     made.sections.push_back(frf_chapter(draft));

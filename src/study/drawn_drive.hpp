@@ -10,8 +10,8 @@ namespace strainwave {
 
 /// A drive in which the numbers at some paths are drawn repeatedly; each thread has its own.
 ///
-/// The ranges, scatters and correlations of the drive are removed, because they do not limit the
-/// draws and checking them is slow.
+/// The ranges, scatters, correlations and the inspection of the drive are removed, because they do
+/// not limit the draws and checking them is slow.
 class DrawnDrive {
  public:
   /// @param inputs  paths of numbers, or ranges or scatters, each with the path of a number
@@ -21,6 +21,7 @@ class DrawnDrive {
     gear_.range.clear();
     gear_.scatter.clear();
     gear_.correlation.clear();
+    gear_.inspection.reset();
     for_each_number(gear_, [&](const FieldPath& path, const Field&, double& number) {
       const std::string text = path.text();
       for (std::size_t i = 0; i < inputs.size(); ++i)

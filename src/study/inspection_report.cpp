@@ -11,6 +11,7 @@
 
 #include "drawn_drive.hpp"
 #include "drawn_outputs.hpp"
+#include "measured_detection.hpp"
 #include "scatter_law.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
@@ -20,6 +21,7 @@
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/drive_growth/longest_duty.hpp"
+#include "strainwave/uncertainty/normal.hpp"
 
 namespace strainwave {
 namespace {
@@ -127,23 +129,36 @@ void check_options(const InspectionOptions& options) {
     throw InputError("first", "is read with the interval only; give every");
   if (times.every && !times.at.empty())
     throw InputError("every", "is given beside at; give one of them");
-  if (options.method && !times.every && times.at.empty() && !times.risk)
-    throw InputError("a50", "is read with inspections only; give at, every or risk");
-  if (!options.method && (times.every || !times.at.empty() || times.risk))
-    throw InputError("a50", "must be given for inspections, with a90");
-  if (options.method)
-    require(options.method->false_calls >= 0 && options.method->false_calls < 1, "false_calls",
-            options.method->false_calls, "1", ">= 0 and < 1");
+}
+
+/// How the cracks of a drive are looked for: as asked, or as its file says.
+std::optional<Inspection> method_of(const GearSet& gear, const InspectionOptions& options) {
+  const InspectionTimes& times = options.times;
+  const bool inspected = times.every || !times.at.empty() || times.risk;
+  if (!options.method) {
+    if (inspected && !gear.inspection)
+      throw InputError("a50",
+                       "must be given for inspections, with a90, or the table [inspection] of the "
+                       "file");
+    return gear.inspection;
+  }
+  if (!inspected)
+    throw InputError(is_measurement(options.method->method) ? "noise" : "a50",
+                     "is read with inspections only; give at, every or risk");
+  GearSet checked = gear;
+  checked.inspection = options.method;
+  check(checked);
+  return options.method;
 }
 
 /// Which of the cracks of the histories an inspection sees.
-std::vector<bool> seen_cracks(const std::vector<std::string>& cracks,
-                              const InspectionMethod& method) {
-  std::vector<bool> seen(cracks.size(), method.see.empty());
-  for (const std::string& path : method.see) {
+std::vector<bool> seen_cracks(const std::vector<std::string>& cracks, const Inspection& method) {
+  std::vector<bool> seen(cracks.size(), method.place.empty());
+  for (std::size_t i = 0; i < method.place.size(); ++i) {
+    const std::string& path = method.place[i].crack;
     const auto at = std::ranges::find(cracks, path);
     if (at == cracks.end())
-      throw InputError("see",
+      throw InputError(fmt::format("inspection.place[{}].crack", i),
                        fmt::format("\"{}\" is not a growing crack of this drive: {}", shown(path),
                                    shown(fmt::format("{}", fmt::join(cracks, ", ")))));
     seen[static_cast<std::size_t>(at - cracks.begin())] = true;
@@ -218,19 +233,127 @@ void add_shares(InspectionReport& report, const GearSet& gear, const Study& stud
 
 /// Half of the time from the size a90 of the crack that ends the life to this end [s]; absent if
 /// the life has no end, or if inspections do not see the crack.
-std::optional<double> half_interval(const LifeTrace& trace, double a90,
+std::optional<double> half_interval(const LifeTrace& trace, std::optional<double> a90,
                                     const std::vector<bool>& seen) {
+  if (!a90) return std::nullopt;
   const auto governing = std::ranges::find(trace.cracks, trace.governing);
   if (!trace.life || governing == trace.cracks.end()) return std::nullopt;
   const auto k = static_cast<std::size_t>(governing - trace.cracks.begin());
   if (!seen[k]) return std::nullopt;
   const DrawnPart part = part_of(trace);
-  if (part.size_at(k, *trace.life) < a90) return 0.0;  // the part fails before a90
+  if (part.size_at(k, *trace.life) < *a90) return 0.0;  // the part fails before a90
   double below = 0.0;
   double above = *trace.life;
   for (double middle = above / 2; below < middle && middle < above; middle = (below + above) / 2)
-    (part.size_at(k, middle) >= a90 ? above : below) = middle;
+    (part.size_at(k, middle) >= *a90 ? above : below) = middle;
   return (*trace.life - above) / 2;
+}
+
+/// A curve of a form as points, from 1 % to 99 %, and the bound of trials (IR-13).
+std::vector<DetectionPoint> points_of(const DetectionCurve& curve, const Inspection& method,
+                                      const std::optional<DetectionFit>& trials) {
+  std::vector<DetectionPoint> points;
+  if (trials) {
+    for (const FittedDetection& point : trials->points)
+      points.push_back(
+          {.size = point.size, .probability = point.probability, .bound = point.bound});
+    return points;
+  }
+  constexpr int kPoints = 41;
+  const double reach = method.detection == DetectionForm::log_normal
+                           ? normal_quantile(0.99) / normal_quantile(0.9)
+                           : std::log(99.0) / std::log(9.0);
+  for (int i = 0; i < kPoints; ++i) {
+    const double size =
+        *method.a50 * std::pow(*method.a90 / *method.a50, reach * (2.0 * i / (kPoints - 1) - 1));
+    points.push_back({.size = size, .probability = curve.at(size)});
+  }
+  return points;
+}
+
+/// The lower bound of a curve from trials; absent: the trials bound nothing (IR-13).
+std::optional<DetectionCurve> bound_of(const DetectionFit& trials) {
+  std::vector<double> sizes;
+  std::vector<double> probabilities;
+  for (const FittedDetection& point : trials.points) {
+    if (!point.bound || (!sizes.empty() && *point.bound <= sizes.back())) continue;
+    sizes.push_back(*point.bound);
+    probabilities.push_back(point.probability);
+  }
+  if (sizes.empty()) return std::nullopt;
+  return DetectionCurve(std::move(sizes), std::move(probabilities));
+}
+
+/// What inspections do to all parts together.
+struct CourseSums {
+  std::vector<double> in_service;  ///< of each inspection, share of all parts [-]
+  std::vector<double> found;
+  double failed = 0.0;
+};
+
+CourseSums course_sums(std::span<const DrawnPart> parts, double until,
+                       std::span<const double> inspections, const CrackSearch& search) {
+  CourseSums sums{.in_service = std::vector<double>(inspections.size(), 0.0),
+                  .found = std::vector<double>(inspections.size(), 0.0)};
+  const auto n = static_cast<double>(parts.size());
+  for (const DrawnPart& part : parts) {
+    const InspectedCourse course = inspected_course(part, until, inspections, search);
+    for (std::size_t k = 0; k < course.found.size(); ++k) {
+      sums.in_service[k] += course.in_service[k] / n;
+      sums.found[k] += course.found[k] / n;
+    }
+    sums.failed += course.failed / n;
+  }
+  return sums;
+}
+
+/// Expected cost of one drive (IR-15).
+ExpectedCost cost_of(const InspectionCost& cost, const CourseSums& sums, double without,
+                     double false_calls) {
+  double inspections = 0.0;
+  double calls = 0.0;
+  for (std::size_t k = 0; k < sums.found.size(); ++k) {
+    inspections += sums.in_service[k];
+    calls += sums.found[k] + (sums.in_service[k] - sums.found[k]) * false_calls;
+  }
+  ExpectedCost expected{.without = without * cost.failure,
+                        .inspections = inspections * cost.inspection,
+                        .calls = calls * cost.call,
+                        .failures = sums.failed * cost.failure};
+  expected.inspected = *expected.inspections + *expected.calls + *expected.failures;  // (IR-15)
+  return expected;
+}
+
+/// Number of cracks of a part that grow.
+std::ptrdiff_t growing_cracks(const DrawnPart& part) {
+  return std::ranges::count_if(
+      part.sizes, [](const std::vector<double>& size) { return size.back() > size.front(); });
+}
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+std::string millimetres(double size) { return fmt::format("{:.4g} mm", 1e3 * size); }
+
+/// What a measurement can find, in words; it ends with a full stop.
+std::string measurement_words(const MethodOfInspection& method) {
+  const std::string_view what = method.method == InspectionMeans::stiffness
+                                    ? "the stiffness of the drive"
+                                : method.method == InspectionMeans::resonance
+                                    ? "the natural frequency of the drive"
+                                    : "the difference of the stiffness between the senses";
+  std::string words = fmt::format(
+      "{} changes {} by {} at its last size before the failure, {}; nine of ten measurements find "
+      "a "
+      "change of {}",
+      method.crack, what, percent(*method.change_at_end), millimetres(*method.size_at_end),
+      percent(*method.change_ninety));
+  if (method.a90)
+    return words + fmt::format(", which the crack reaches at {}.", millimetres(*method.a90));
+  return words + fmt::format(
+                     ". The crack does not reach this change before the failure, so it {} in time: "
+                     "one measurement just before the failure finds it in {} of the cases.",
+                     *method.found_at_end < 0.5 ? "cannot be found so" : "is not surely found so",
+                     percent(*method.found_at_end));
 }
 
 std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
@@ -244,6 +367,7 @@ std::string risk_words(double probability, double low, double high) {
 InspectionReport inspection_report(const GearSet& gear, const InspectionOptions& options,
                                    const Progress& progress) {
   check_options(options);
+  const std::optional<Inspection> method = method_of(gear, options);
   require_scatter(gear);
   if (!gear.duty)
     throw InputError("duty", "must be given; add [duty] with its [[duty.block]]s or a history");
@@ -298,39 +422,78 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
 
   std::vector<double> schedule = options.times.at;
   std::ranges::sort(schedule);
-  std::optional<DetectionCurve> curve;
-  std::vector<bool> seen;
-  if (options.method) {
-    const InspectionMethod& method = *options.method;
-    curve.emplace(method.form, method.a50, method.a90);
-    seen = seen_cracks(nominal.cracks, method);
-    report.equations.insert(report.equations.end(), {"IR-1", "IR-2", "IR-4"});
+  std::optional<CrackSearch> search;
+  const auto planned_cost = [&](std::span<const DrawnPart> of, std::span<const double> times) {
+    return cost_of(method->cost.value_or(InspectionCost{}),
+                   course_sums(of, report.until, times, *search),
+                   failure_risk(of, report.until).probability, report.method->false_calls);
+  };
+  if (method) {
+    report.method = MethodOfInspection{};
+    if (is_measurement(method->method)) {
+      const auto governing = std::ranges::find(nominal.cracks, nominal.governing);
+      const auto k = static_cast<std::size_t>(governing - nominal.cracks.begin());
+      double smallest = std::numeric_limits<double>::infinity();
+      if (governing != nominal.cracks.end())
+        for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
+      MeasuredDetection measured =
+          measured_detection(gear, *method, options.growth, smallest, Progress());
+      std::vector<bool> seen(nominal.cracks.size(), false);
+      seen[k] = true;
+      search = CrackSearch{.curve = std::move(measured.curve), .seen = std::move(seen)};
+      report.method = std::move(measured.stated);
+      report.equations.insert(report.equations.end(), {"IR-4", "IR-10", "IR-11"});
+    } else {
+      search = CrackSearch{
+          .curve = DetectionCurve(method->detection.value_or(DetectionForm::log_logistic),
+                                  *method->a50, *method->a90),
+          .seen = seen_cracks(nominal.cracks, *method)};
+      report.method->a50 = method->a50;
+      report.method->a90 = method->a90;
+      report.method->false_calls = method->false_calls.value_or(0.0);
+      report.method->points = points_of(search->curve, *method, options.trials);
+      report.equations.insert(report.equations.end(), {"IR-1", "IR-2", "IR-4"});
+      if (options.trials) {
+        report.method->a50_bound = options.trials->a50_bound;
+        report.method->a90_bound = options.trials->a90_bound;
+        report.method->trials = options.trials->trials;
+        report.equations.insert(report.equations.end(), {"IR-12", "IR-13", "IR-14"});
+      }
+    }
+    search->repaired_to = method->repaired_to;
+    report.method->find = method->find;
+    report.method->repaired_to = method->repaired_to;
+    if (method->repaired_to) report.equations.emplace_back("IR-9");
     if (options.times.every)
       schedule = equal_inspections(options.times.first.value_or(*options.times.every),
                                    *options.times.every, report.until);
     if (options.times.risk) {
-      const auto add = [&](std::string kind, const InspectionPlan& plan) {
-        report.plans.push_back({.kind = std::move(kind),
-                                .reached = plan.reached,
-                                .inspections = static_cast<int>(plan.times.size()),
-                                .times = plan.times,
-                                .risk = plan.risk.probability,
-                                .risk_low = plan.risk.low,
-                                .risk_high = plan.risk.high});
+      const auto add = [&](std::string kind, const InspectionPlan& plan,
+                           std::span<const DrawnPart> of) {
+        PlannedInspections& row = report.plans.emplace_back(
+            PlannedInspections{.kind = std::move(kind),
+                               .reached = plan.reached,
+                               .inspections = static_cast<int>(plan.times.size()),
+                               .times = plan.times,
+                               .risk = plan.risk.probability,
+                               .risk_low = plan.risk.low,
+                               .risk_high = plan.risk.high});
+        if (method->cost) row.cost = planned_cost(of, plan.times).inspected;
         return plan.times;
       };
       const auto most = static_cast<std::size_t>(options.times.most);
       const double wanted = *options.times.risk;
-      const std::vector<double> equal =
-          add("equal", equal_plan(parts, report.until, wanted, most, *curve, seen));
       const std::span<const DrawnPart> all = parts;
+      const std::vector<double> equal =
+          add("equal", equal_plan(parts, report.until, wanted, most, *search), all);
       const std::size_t half = all.size() / 2;
       add("least",
-          least_plan(all.first(half), all.subspan(half), report.until, wanted, most, *curve, seen));
+          least_plan(all.first(half), all.subspan(half), report.until, wanted, most, *search),
+          all.subspan(half));
       report.equations.insert(report.equations.end(), {"IR-5", "IR-6"});
       if (schedule.empty()) schedule = equal;
     }
-    report.half_interval = half_interval(nominal, method.a90, seen);
+    report.half_interval = half_interval(nominal, report.method->a90, search->seen);
   }
 
   const auto point_at = [&](double time) {
@@ -340,7 +503,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
                     .without_low = without.low,
                     .without_high = without.high};
     if (schedule.empty()) return point;
-    const RiskEstimate with = inspected_risk(parts, time, schedule, *curve, seen);
+    const RiskEstimate with = inspected_risk(parts, time, schedule, *search);
     point.inspected = with.probability;
     point.inspected_low = with.low;
     point.inspected_high = with.high;
@@ -349,27 +512,28 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   for (int i = 0; i < kRiskPoints; ++i)
     report.risk.push_back(point_at(report.until * i / (kRiskPoints - 1)));
   report.at_end = point_at(report.until);
-  for (std::size_t k = 0; k < schedule.size(); ++k) {
-    InspectionRow row{.time = schedule[k]};
-    const std::vector<double> before(schedule.begin(),
-                                     schedule.begin() + static_cast<std::ptrdiff_t>(k));
-    for (const DrawnPart& part : parts) {
-      if (part.failure <= schedule[k]) continue;
-      double left = 1.0;
-      for (const double time : before) left *= 1 - part.found_at(time, *curve, seen);
-      const double found = part.found_at(schedule[k], *curve, seen);
-      row.in_service += left;
-      row.found += left * found;
-      row.false_call += left * (1 - found) * options.method->false_calls;
+  if (!schedule.empty()) {
+    const CourseSums sums = course_sums(parts, report.until, schedule, *search);
+    for (std::size_t k = 0; k < schedule.size(); ++k) {
+      const std::span<const double> up_to(schedule.data(), k + 1);
+      report.inspections.push_back(
+          {.time = schedule[k],
+           .found = sums.found[k],
+           .in_service = sums.in_service[k],
+           .false_call = (sums.in_service[k] - sums.found[k]) * report.method->false_calls,
+           .remaining = inspected_risk(parts, report.until, up_to, *search).probability});
     }
-    const auto n = static_cast<double>(parts.size());
-    row.in_service /= n;
-    row.found /= n;
-    row.false_call /= n;
-    std::vector<double> with_this = before;
-    with_this.push_back(schedule[k]);
-    row.remaining = inspected_risk(parts, report.until, with_this, *curve, seen).probability;
-    report.inspections.push_back(row);
+    if (options.trials)
+      if (const std::optional<DetectionCurve> bound = bound_of(*options.trials)) {
+        CrackSearch low = *search;
+        low.curve = *bound;
+        report.bound_risk = inspected_risk(parts, report.until, schedule, low).probability;
+      }
+  }
+  if (method && method->cost) {
+    report.cost = planned_cost(parts, schedule);
+    if (schedule.empty()) report.cost = ExpectedCost{.without = report.cost->without};
+    report.equations.emplace_back("IR-15");
   }
 
   const int total = static_cast<int>(parts.size());
@@ -384,6 +548,68 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
                     schedule.size() == 1 ? std::string("one inspection")
                                          : fmt::format("{} inspections", schedule.size()));
   report.sentence += ".";
+  if (report.method && report.method->change_at_end) {
+    report.sentence += " The crack " + measurement_words(*report.method);
+    if (report.method->method != InspectionMeans::resonance)
+      report.notes.push_back(
+          {.code = "inspection.series",
+           .text = "the change of the stiffness is that of the members in series; the contacts of "
+                   "the teeth and other parts make the change of the whole drive smaller",
+           .path = "inspection.method",
+           .equation = "IR-10",
+           .severity = Severity::care,
+           .next_step = "Compare with the coupled drive, strainwave torsion --compare."});
+    if (!report.method->a90)
+      report.notes.push_back(
+          {.code = "inspection.not_found",
+           .text = measurement_words(*report.method),
+           .path = report.method->crack,
+           .equation = "IR-11",
+           .severity = Severity::care,
+           .next_step = "Look for the crack itself, or measure with less noise."});
+  }
+  if (report.bound_risk)
+    report.sentence +=
+        fmt::format(" With the detection that the trials prove, it is {:.3g}.", *report.bound_risk);
+  if (report.method && report.method->trials && !report.method->a90_bound)
+    report.notes.push_back(
+        {.code = "inspection.trials",
+         .text = fmt::format("{} trials do not bound the size a90 with 95 % confidence",
+                             *report.method->trials),
+         .path = "detection-data",
+         .equation = "IR-13",
+         .severity = Severity::care,
+         .next_step = "Try more cracks, over a wider range of sizes."});
+  if (search && search->repaired_to) {
+    const auto several = std::ranges::count_if(
+        parts, [](const DrawnPart& part) { return growing_cracks(part) > 1; });
+    if (several > 0)
+      report.notes.push_back(
+          {.code = "inspection.other_cracks",
+           .text = fmt::format(
+               "in {} of {} drives several cracks grow, and the path of each is known up to the "
+               "first failure only; after a repair a drive counts as failed when another crack "
+               "reaches this age, so the risk may be too high",
+               several, parts.size()),
+           .path = "inspection.repaired_to",
+           .equation = "IR-9",
+           .severity = Severity::information});
+    const auto larger = std::ranges::count_if(parts, [&](const DrawnPart& part) {
+      for (std::size_t k = 0; k < part.sizes.size(); ++k)
+        if (search->seen[k] && part.sizes[k].front() > *search->repaired_to) return true;
+      return false;
+    });
+    if (larger > 0)
+      report.notes.push_back(
+          {.code = "inspection.first_size",
+           .text =
+               fmt::format("in {} of {} drives a crack is larger than {} at first, and its path "
+                           "from there on is not known; a repair reduces it to its first size",
+                           larger, parts.size(), millimetres(*search->repaired_to)),
+           .path = "inspection.repaired_to",
+           .equation = "IR-9",
+           .severity = Severity::information});
+  }
   if (report.outcomes.arrested > 0)
     report.notes.push_back(
         {.code = "inspection.arrested",

@@ -58,7 +58,7 @@ inline const std::multimap<std::string, std::string, std::less<>>& trial_options
 inline OptionTexts trial_texts() {
   OptionTexts texts;
   for (const char* const name : {"article.toml", "through_crack.toml", "joint_history.csv",
-                                 "spline_teeth.csv", "growth_specimens.csv"})
+                                 "spline_teeth.csv", "growth_specimens.csv", "detection_hits.csv"})
     texts[name] = contents(std::filesystem::path(STRAINWAVE_EXAMPLES) / name);
   return texts;
 }

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "strainwave/core/counter_random.hpp"
@@ -21,6 +23,7 @@ using std::numbers::pi;
 const std::vector<bool> kSees = {true, true};
 const std::vector<bool> kSeesOne = {true};
 const DetectionCurve kCurve(DetectionForm::log_logistic, 2e-3, 4e-3);
+const CrackSearch kSearch{.curve = kCurve, .seen = kSeesOne};
 
 /// An edge crack of 1 mm under 200 MPa with Y = 1.12 and Paris' law C = 6.9e-12 m, m = 3, to 10 mm.
 /// Cycles stand for time.
@@ -77,12 +80,12 @@ TEST(InspectedRisk, ReferenceOneCrackOfParis) {
   }
   const double end = 1.1 * part.failure;
   EXPECT_EQ(failure_risk(parts, end).probability, 1);
-  test::expect_relative(inspected_risk(parts, end, times, kCurve, kSeesOne).probability,
-                        7.43896669e-3, 1e-5);
+  test::expect_relative(inspected_risk(parts, end, times, kSearch).probability, 7.43896669e-3,
+                        1e-5);
   const std::vector<double> every = equal_inspections(25e3, 25e3, end);
   EXPECT_EQ(every.size(), 4U);
-  test::expect_relative(inspected_risk(parts, end, every, kCurve, kSeesOne).probability,
-                        1.52910616e-4, 1e-5);
+  test::expect_relative(inspected_risk(parts, end, every, kSearch).probability, 1.52910616e-4,
+                        1e-5);
 }
 
 // Kind: limit (IR-4).  Perfect and blind inspections, none, and those after the failure.
@@ -94,7 +97,7 @@ TEST(InspectedRisk, LimitPerfectBlindNever) {
   const std::vector<double> early = {1e3};
   const auto risk = [&](double a50, std::span<const double> times) {
     const DetectionCurve curve(DetectionForm::log_normal, a50, 1.01 * a50);
-    return inspected_risk(parts, end, times, curve, kSeesOne).probability;
+    return inspected_risk(parts, end, times, {.curve = curve, .seen = kSeesOne}).probability;
   };
   EXPECT_EQ(risk(1e-6, early), 0);
   EXPECT_EQ(risk(1.0, early), without);
@@ -103,7 +106,8 @@ TEST(InspectedRisk, LimitPerfectBlindNever) {
   EXPECT_EQ(risk(1e-6, late), without);
   // A crack that is not seen is never found.
   const std::vector<bool> blind = {false};
-  EXPECT_EQ(inspected_risk(parts, end, early, kCurve, blind).probability, without);
+  EXPECT_EQ(inspected_risk(parts, end, early, {.curve = kCurve, .seen = blind}).probability,
+            without);
 }
 
 // Kind: reference (IR-3).  Limits of Clopper and Pearson for 0, 5 and all of 100 (tables).
@@ -137,8 +141,8 @@ TEST(InspectedRisk, BehaviourLimitsContainTheRisk) {
   const std::vector<DrawnPart> few(many.begin(), many.begin() + 400);
   const std::vector<double> times = {30e3, 50e3};
   for (const double end : {60e3, 80e3, 100e3}) {
-    const double truth = inspected_risk(many, end, times, kCurve, kSeesOne).probability;
-    const RiskEstimate risk = inspected_risk(few, end, times, kCurve, kSeesOne);
+    const double truth = inspected_risk(many, end, times, kSearch).probability;
+    const RiskEstimate risk = inspected_risk(few, end, times, kSearch);
     EXPECT_LT(risk.low, truth);
     EXPECT_GT(risk.high, truth);
     EXPECT_LT(risk.high, failure_risk(few, end).high);
@@ -148,11 +152,11 @@ TEST(InspectedRisk, BehaviourLimitsContainTheRisk) {
   std::vector<DrawnPart> one(50, {.failure = 1e9, .times = {0}, .sizes = {{3e-3}}});
   one[7].failure = 10;
   const std::vector<double> at = {5};
-  const RiskEstimate single = inspected_risk(one, 20, at, kCurve, kSeesOne);
+  const RiskEstimate single = inspected_risk(one, 20, at, kSearch);
   test::expect_relative(single.low, 0.0253178 * (1 - kCurve.at(3e-3)) / 50, 1e-5);
   EXPECT_GT(single.high, 3.68 / 50);
   EXPECT_LT(single.high, failure_risk(one, 20).high);
-  const RiskEstimate unharmed = inspected_risk(one, 5, at, kCurve, kSeesOne);
+  const RiskEstimate unharmed = inspected_risk(one, 5, at, kSearch);
   EXPECT_EQ(unharmed.low, 0);
   EXPECT_EQ(unharmed.high, failure_risk(one, 5).high);
 }
@@ -186,11 +190,10 @@ TEST(InspectedRisk, IdentityDetectionCurves) {
 // more than equal ones and no risk above theirs; what cannot be reached is said.
 TEST(InspectedRisk, BehaviourPlans) {
   const std::vector<DrawnPart> parts = drawn(400);
-  const std::vector<bool>& sees = kSeesOne;
   const double end = 95e3;
   for (const double wanted : {0.1, 0.01, 1e-3}) {
-    const InspectionPlan equal = equal_plan(parts, end, wanted, 20, kCurve, sees);
-    const InspectionPlan least = least_plan(parts, parts, end, wanted, 20, kCurve, sees);
+    const InspectionPlan equal = equal_plan(parts, end, wanted, 20, kSearch);
+    const InspectionPlan least = least_plan(parts, parts, end, wanted, 20, kSearch);
     ASSERT_TRUE(equal.reached);
     ASSERT_TRUE(least.reached);
     EXPECT_LE(equal.risk.probability, wanted);
@@ -200,21 +203,21 @@ TEST(InspectedRisk, BehaviourPlans) {
     ASSERT_FALSE(equal.times.empty());
     const double interval = end / static_cast<double>(equal.times.size());
     EXPECT_GT(
-        inspected_risk(parts, end, equal_inspections(interval, interval, 0.999 * end), kCurve, sees)
+        inspected_risk(parts, end, equal_inspections(interval, interval, 0.999 * end), kSearch)
             .probability,
         wanted);
     if (least.times.size() == equal.times.size()) {
       EXPECT_LE(least.risk.probability, equal.risk.probability);
     }
   }
-  const InspectionPlan none = equal_plan(parts, end, 0.99, 20, kCurve, sees);
+  const InspectionPlan none = equal_plan(parts, end, 0.99, 20, kSearch);
   EXPECT_TRUE(none.reached && none.times.empty());
-  const InspectionPlan few = least_plan(parts, parts, end, 1e-9, 2, kCurve, sees);
+  const InspectionPlan few = least_plan(parts, parts, end, 1e-9, 2, kSearch);
   EXPECT_FALSE(few.reached);
   EXPECT_EQ(few.times.size(), 2U);
   // One known part: the last moment before its failure is the best one.
   const std::vector<DrawnPart> one = {part_of()};
-  const InspectionPlan last = least_plan(one, one, 110e3, 0.5, 1, kCurve, sees);
+  const InspectionPlan last = least_plan(one, one, 110e3, 0.5, 1, kSearch);
   EXPECT_GT(last.times.at(0), 0.98 * one[0].failure);
   EXPECT_LT(last.times.at(0), one[0].failure);
 }
@@ -235,14 +238,14 @@ TEST(InspectedRisk, ConvergenceAPlanIsJudgedByOtherDraws) {
   for (std::size_t plan = 0; plan < 20; ++plan) {
     const std::span placing = all.subspan(2 * plan * kHalf, kHalf);
     const std::span judging = all.subspan((2 * plan + 1) * kHalf, kHalf);
-    const InspectionPlan made = least_plan(placing, judging, kEnd, 1e-6, 2, kCurve, kSeesOne);
+    const InspectionPlan made = least_plan(placing, judging, kEnd, 1e-6, 2, kSearch);
     ASSERT_EQ(made.times.size(), 2U);
-    const double right = inspected_risk(fresh, kEnd, made.times, kCurve, kSeesOne).probability;
+    const double right = inspected_risk(fresh, kEnd, made.times, kSearch).probability;
     const double off = made.risk.probability / right - 1;
     excess += off / 20;
     squares += off * off / 20;
     truth += right / 20;
-    flattered += inspected_risk(placing, kEnd, made.times, kCurve, kSeesOne).probability / 20;
+    flattered += inspected_risk(placing, kEnd, made.times, kSearch).probability / 20;
   }
   EXPECT_LT(std::abs(excess), 3 * std::sqrt((squares - excess * excess) / 19));
   EXPECT_LT(flattered, truth);
@@ -256,13 +259,150 @@ TEST(InspectedRisk, BehaviourTheJudgingDrawsDecide) {
   const std::span placing = all.subspan(0, 400);
   const std::span judging = all.subspan(400);
   constexpr double kEnd = 90e3;
-  const InspectionPlan two = least_plan(placing, judging, kEnd, 1e-6, 2, kCurve, kSeesOne);
+  const InspectionPlan two = least_plan(placing, judging, kEnd, 1e-6, 2, kSearch);
   ASSERT_EQ(two.times.size(), 2U);
-  const double placed = inspected_risk(placing, kEnd, two.times, kCurve, kSeesOne).probability;
+  const double placed = inspected_risk(placing, kEnd, two.times, kSearch).probability;
   ASSERT_LT(placed, two.risk.probability);
   const double wanted = (placed + two.risk.probability) / 2;
-  const InspectionPlan enough = least_plan(placing, judging, kEnd, wanted, 4, kCurve, kSeesOne);
+  const InspectionPlan enough = least_plan(placing, judging, kEnd, wanted, 4, kSearch);
   EXPECT_GT(enough.times.size(), 2U);
+}
+
+// Kind: reference (IR-9), closed.  The crack of Paris' law, inspected at 60 and 80 thousand cycles
+// and repaired to 1.5 mm: the age falls back to that size, and each path through hits and misses
+// has its own end.  Tolerance: 1e-5, the sizes between 4000 points.
+TEST(InspectedRisk, ReferenceRepairToASize) {
+  const DrawnPart part = part_of();
+  CrackSearch search = kSearch;
+  search.repaired_to = 1.5e-3;
+  const double back = life_to(1.5e-3);
+  test::expect_relative(part.time_of(0, 1.5e-3), back, 1e-6);
+  const double first = kCurve.at(size_after(60e3));
+  const double second = kCurve.at(size_after(80e3));
+  const double second_repaired = kCurve.at(size_after(80e3 - 60e3 + back));
+  const std::vector<double> times = {60e3, 80e3};
+  const double end_missed = part.failure;
+  const double end_first = 60e3 + part.failure - back;
+  const double end_second = 80e3 + part.failure - back;
+  ASSERT_LT(end_missed, end_first);
+  const auto failed = [&](double until) {
+    return inspected_course(part, until, times, search).failed;
+  };
+  EXPECT_EQ(failed(end_missed - 1), 0);
+  test::expect_relative(failed(end_missed + 1), (1 - first) * (1 - second), 1e-5);
+  test::expect_relative(failed(end_first + 50),
+                        (1 - first) * (1 - second) + first * (1 - second_repaired), 1e-5);
+  test::expect_relative(failed(end_second + 50), 1, 1e-12);
+  const InspectedCourse course = inspected_course(part, 90e3, times, search);
+  EXPECT_EQ(course.in_service, (std::vector<double>{1, 1}));
+  test::expect_relative(course.found[0], first, 1e-5);
+  test::expect_relative(course.found[1], first * second_repaired + (1 - first) * second, 1e-5);
+}
+
+// Kind: limit (IR-9).  A repair to a size that the crack does not reach does nothing; one to the
+// first size or below begins the life anew; parts without an end have none after a repair.
+TEST(InspectedRisk, LimitRepairs) {
+  const DrawnPart part = part_of();
+  const std::vector<DrawnPart> parts = {part};
+  const std::vector<double> times = {50e3};
+  const auto risk = [&](double size, double until) {
+    return inspected_risk(parts, until, times,
+                          {.curve = kCurve, .seen = kSeesOne, .repaired_to = size})
+        .probability;
+  };
+  EXPECT_EQ(risk(0.1, part.failure), 1);
+  const double found = part.found_at(50e3, kCurve, kSeesOne);
+  test::expect_relative(risk(1e-3, 50e3 + part.failure - 1), 1 - found, 1e-12);
+  test::expect_relative(risk(1e-6, 50e3 + part.failure - 1), 1 - found, 1e-12);
+  test::expect_relative(risk(1e-3, 50e3 + part.failure), 1, 1e-12);
+  DrawnPart still{.times = {0, 1}, .sizes = {{3e-3, 3e-3}}};
+  EXPECT_EQ(
+      inspected_course(still, 1e9, times, {.curve = kCurve, .seen = kSeesOne, .repaired_to = 1e-3})
+          .failed,
+      0);
+  EXPECT_EQ(still.time_of(0, 3e-3), 0);
+  EXPECT_TRUE(std::isinf(still.time_of(0, 4e-3)));
+}
+
+// Kind: behaviour (IR-9).  A second crack that grows ends the part at the age of its known path;
+// one that stands still, or is repaired too, does not.  An unseen crack is never repaired.
+TEST(InspectedRisk, BehaviourRepairsOfSeveralCracks) {
+  const DetectionCurve sure(DetectionForm::log_logistic, 1e-6, 2e-6);
+  const std::vector<double> times = {5};
+  const auto failed = [&](const std::vector<double>& second, const std::vector<bool>& seen) {
+    const DrawnPart part{.failure = 10, .times = {0, 10}, .sizes = {{1e-3, 4e-3}, second}};
+    return inspected_course(part, 12, times, {.curve = sure, .seen = seen, .repaired_to = 1e-3})
+        .failed;
+  };
+  EXPECT_NEAR(failed({5e-4, 5e-4}, kSees), 0, 1e-4);
+  EXPECT_NEAR(failed({5e-4, 8e-4}, kSees), 1, 1e-4);
+  EXPECT_NEAR(failed({1e-3, 2e-3}, kSees), 0, 1e-4);
+  EXPECT_NEAR(failed({1e-3, 2e-3}, {true, false}), 1, 1e-4);
+  EXPECT_NEAR(failed({5e-4, 5e-4}, {false, true}), 1, 1e-4);
+}
+
+// Kind: crosscheck (IR-4), (IR-9).  Many inspections of drawn parts, played one by one with drawn
+// hits and misses: the share of failures is that of the recursion.  Tolerance: three standard
+// errors.
+TEST(InspectedRisk, CrosscheckRepairsPlayedOneByOne) {
+  const std::vector<DrawnPart> parts = drawn(400, 0.4);
+  const std::vector<double> times = equal_inspections(40e3, 40e3, 150e3);
+  CrackSearch search = kSearch;
+  search.repaired_to = 1.4e-3;
+  double expected = 0.0;
+  double played = 0.0;
+  double spread = 0.0;
+  std::size_t draw = 0;
+  for (const DrawnPart& part : parts) {
+    const double failed = inspected_course(part, 150e3, times, search).failed;
+    expected += failed / 400;
+    for (int game = 0; game < 25; ++game) {
+      double age = 0.0;
+      double clock = 0.0;
+      for (const double time : times) {
+        age += time - clock;
+        clock = time;
+        if (age >= part.failure) break;
+        const double u = std::erfc(-counter_normal(21, draw++, 0) / std::sqrt(2.0)) / 2;
+        if (u < kCurve.at(part.size_at(0, age))) age = std::min(age, part.time_of(0, 1.4e-3));
+      }
+      if (age + 150e3 - clock >= part.failure) played += 1.0 / (400 * 25);
+    }
+    spread += failed * (1 - failed) / 25 / 400 / 400;
+  }
+  EXPECT_GT(expected, 0.05);
+  EXPECT_NEAR(played, expected, 3 * std::sqrt(spread));
+  EXPECT_LT(expected, failure_risk(parts, 150e3).probability);
+}
+
+// Kind: behaviour (IR-5), (IR-6), (IR-9).  Plans with repairs, whose order matters: they stop at
+// the first number of inspections that reaches the risk, and free times need no more than equal
+// ones.
+TEST(InspectedRisk, BehaviourPlansOfRepairs) {
+  const std::vector<DrawnPart> parts = drawn(60, 0.4);
+  CrackSearch search = kSearch;
+  search.repaired_to = 1.4e-3;
+  const double end = 150e3;
+  for (const double wanted : {0.25, 0.08}) {
+    const InspectionPlan equal = equal_plan(parts, end, wanted, 20, search);
+    const InspectionPlan least = least_plan(parts, parts, end, wanted, 20, search);
+    ASSERT_TRUE(equal.reached && least.reached);
+    EXPECT_LE(least.times.size(), equal.times.size());
+    const InspectionPlan fewer =
+        least_plan(parts, parts, end, wanted, least.times.size() - 1, search);
+    EXPECT_FALSE(fewer.reached);
+    EXPECT_GT(fewer.risk.probability, wanted);
+  }
+}
+
+// Kind: identity (IR-1).  A curve through points: linear in the logarithm of the size.
+TEST(InspectedRisk, IdentityCurveThroughPoints) {
+  const DetectionCurve curve({1e-3, 4e-3}, {0.2, 0.6});
+  EXPECT_EQ(curve.at(0.9e-3), 0);
+  EXPECT_EQ(curve.at(1e-3), 0.2);
+  test::expect_relative(curve.at(2e-3), 0.4, 1e-12);
+  EXPECT_EQ(curve.at(4e-3), 0.6);
+  EXPECT_EQ(curve.at(1.0), 0.6);
 }
 
 // Kind: input.  Every rule of the curve is broken once.
@@ -275,6 +415,16 @@ TEST(InspectedRisk, InputCurves) {
   EXPECT_NE(message(2e-3, 2e-3).find("a larger crack is found more often"), std::string::npos);
   EXPECT_NE(message(0, 1e-3).find("a50"), std::string::npos);
   EXPECT_NE(message(std::nan(""), 1e-3).find("a50"), std::string::npos);
+  const auto points = [](std::vector<double> sizes, std::vector<double> found) {
+    return test::broken_rule(
+        [&] { return DetectionCurve(std::move(sizes), std::move(found)).at(1.0); });
+  };
+  EXPECT_NE(points({}, {}).find("sizes: must be as many"), std::string::npos);
+  EXPECT_NE(points({1e-3}, {0.1, 0.2}).find("sizes: must be as many"), std::string::npos);
+  EXPECT_NE(points({1e-3, 1e-3}, {0.1, 0.2}).find("larger than the one before"), std::string::npos);
+  EXPECT_NE(points({1e-3, 2e-3}, {0.2, 0.1}).find("not smaller than the one before"),
+            std::string::npos);
+  EXPECT_NE(points({1e-3}, {1.1}).find("in [0, 1]"), std::string::npos);
 }
 
 }  // namespace

@@ -209,6 +209,19 @@ TEST(Edit, ReferenceCorrelationsFollowTheirCracks) {
                 correlation(depth(0), "output_shaft.length"));
 }
 
+TEST(Edit, ReferenceInspectedPlacesFollowTheirCracks) {
+  const auto place = [](int crack) {
+    return "\n[[inspection.place]]\ncrack = \"output_shaft.crack[" + std::to_string(crack) +
+           "]\"\n";
+  };
+  const std::string head = "\n[inspection]\na50 = \"1 mm\"\na90 = \"2 mm\"\n";
+  const std::string text = std::string(kShaft) + head + place(1) + place(0);
+  EXPECT_EQ(edit(text, "output_shaft.crack[0]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[0]", std::nullopt) + head + place(0));
+  EXPECT_EQ(edit(text, "output_shaft.crack[1]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[1]", std::nullopt) + head + place(0));
+}
+
 TEST(Edit, ReferenceWhatIsRemovedTakesItsComment) {
   expect_change("drive.pitch_diameter", std::nullopt, "pitch_diameter = \"160 mm\" # as measured\n",
                 "");

@@ -433,6 +433,55 @@ rank_correlation = -0.5
   EXPECT_TRUE(plain.scatter.empty());
 }
 
+TEST(GearReader, BehaviourAnInspection) {
+  const std::string text = std::string(kArticle) + R"(
+[inspection]
+detection = "log_normal"
+a50 = "1 mm"
+a90 = "2 mm"
+false_calls = 0.02
+find = "repair"
+repaired_to = "0.5 mm"
+cost = {inspection = 200, failure = 5e4}
+[[inspection.place]]
+crack = "output_shaft.crack[0]"
+)";
+  const GearSet gear = read_gear_set(text, "gear.toml");
+  ASSERT_TRUE(gear.inspection.has_value());
+  EXPECT_EQ(gear.inspection->method, InspectionMeans::curve);
+  EXPECT_EQ(gear.inspection->detection, DetectionForm::log_normal);
+  EXPECT_EQ(gear.inspection->a50, 1e-3);
+  EXPECT_EQ(gear.inspection->a90, 2e-3);
+  EXPECT_EQ(gear.inspection->false_calls, 0.02);
+  EXPECT_EQ(gear.inspection->find, FindLeadsTo::repair);
+  EXPECT_EQ(gear.inspection->repaired_to, 0.5e-3);
+  EXPECT_EQ(gear.inspection->cost->inspection, 200);
+  EXPECT_EQ(gear.inspection->cost->call, 0);
+  EXPECT_EQ(gear.inspection->cost->failure, 5e4);
+  ASSERT_EQ(gear.inspection->place.size(), 1U);
+  EXPECT_EQ(gear.inspection->place[0].crack, "output_shaft.crack[0]");
+  const GearSet measured = read_gear_set(
+      std::string(kArticle) +
+          "\n[inspection]\nmethod = \"one_sided_stiffness\"\nnoise = 0.01\nfalse_calls = 0.05\n",
+      "gear.toml");
+  EXPECT_EQ(measured.inspection->method, InspectionMeans::one_sided_stiffness);
+  EXPECT_EQ(measured.inspection->noise, 0.01);
+  EXPECT_FALSE(measured.inspection->a50 || measured.inspection->detection);
+}
+
+// Kind: input.  A rule between the fields of the table has its place in the file.
+TEST(GearReader, InputAnInspectionThatFalls) {
+  const std::string text =
+      std::string(kArticle) + "\n[inspection]\na50 = \"2 mm\"\na90 = \"1 mm\"\n";
+  const std::string message =
+      test::broken_rule([&] { return read_gear_set(text, "gear.toml").name; });
+  EXPECT_TRUE(message.starts_with("gear.toml:")) << message;
+  EXPECT_NE(
+      message.find("inspection.a90 = \"1 mm\" violates: > a50: a larger crack is found more often"),
+      std::string::npos)
+      << message;
+}
+
 TEST(GearReader, BehaviourMaterialsMayHaveAnyName) {
   for (const std::string_view name :
        {"\"a.b\"", "\"\"", "'[0]'", "\"\\u03B1-Ti\"", "kind", "4340"}) {
@@ -603,7 +652,7 @@ const std::vector<Wrong> kWrong = {
      "59:2: artikel: is not known here; known names are format, name, material, drive, load, "
      "wave_generator, flexspline, output_shaft, mesh, circular_spline, output_bearing, duty, "
      "drivetrain, kinematic_error, manoeuvre, rating, tolerance, range, "
-     "scatter, correlation, article"},
+     "scatter, correlation, inspection, article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",

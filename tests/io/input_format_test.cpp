@@ -485,6 +485,11 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     const Lines last = {"[[scatter.quantile]]", "probability = 1", "ratio = 1.1"};
     lines.insert(ratio + 1, last.begin(), last.end());
   };
+  // A curve has no noise.
+  const std::function<void(Lines&)> with_inspection = [&](Lines& lines) {
+    switch_on(lines, "[inspection]");
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with("noise = "); });
+  };
   const std::function<void(Lines&)> with_scatters = [](Lines& lines) {
     for (const char* const path : {"flexspline.wall_thickness", "flexspline.length"}) {
       lines.emplace_back("[[scatter]]");
@@ -562,6 +567,9 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[scatter]]", "accepted", nothing},
       {"[[scatter.quantile]]", "scatter", with_quantiles},
       {"[[correlation]]", "does not scatter", with_scatters},
+      {"[inspection]", "inspection.noise: is read with the methods stiffness", with_inspection},
+      {"[inspection.cost]", "inspection.a50: must be given", with_inspection},
+      {"[[inspection.place]]", "inspection.a50: must be given", with_inspection},
       {"[article]", "accepted", nothing}};
 
   const Lines lines = lines_of(input_template());
@@ -775,7 +783,7 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
     for (const Json& name : table.value("required", Json::array()))
       EXPECT_TRUE(unique.insert(name).second) << name;
   });
-  EXPECT_EQ(n, 67);
+  EXPECT_EQ(n, 70);
 }
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
@@ -940,7 +948,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
       EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
     }
   }
-  EXPECT_EQ(tables, 67);
+  EXPECT_EQ(tables, 70);
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {

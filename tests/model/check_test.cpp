@@ -179,6 +179,19 @@ InputCorrelation& correlation(GearSet& gear) {
   return gear.correlation[0];
 }
 
+/// An inspection of all cracks by a curve.
+Inspection& inspection(GearSet& gear) {
+  gear.inspection = Inspection{.a50 = 1e-3, .a90 = 2e-3};
+  return *gear.inspection;
+}
+
+/// An inspection by the stiffness of the drive.
+Inspection& measurement(GearSet& gear) {
+  gear.inspection =
+      Inspection{.method = InspectionMeans::stiffness, .noise = 0.01, .false_calls = 0.05};
+  return *gear.inspection;
+}
+
 RimAxialCrack& rim_axial_crack(GearSet& gear) {
   return std::get<RimAxialCrack>(gear.flexspline->crack[0]);
 }
@@ -878,6 +891,65 @@ const std::vector<Broken> kBroken = {
     {"ScatterTableOfNegativeValues", coupled_gear,
      [](GearSet& g) { scatter_table(g).quantile[0].ratio = -0.1; },
      "scatter[0].quantile[0].ratio", "> 0", ""},
+    {"ScatterOfTheInspection", coupled_gear,
+     [](GearSet& g) {
+       inspection(g);
+       g.scatter[0].path = "inspection.a50";
+     },
+     "scatter[0].path", "",
+     "must be a number of the drive, not of its inspection; name another number or remove this "
+     "entry"},
+    {"InspectionWithoutA50", coupled_gear, [](GearSet& g) { inspection(g).a50.reset(); },
+     "inspection.a50", "", "must be given for method = \"curve\""},
+    {"InspectionWithoutA90", coupled_gear, [](GearSet& g) { inspection(g).a90.reset(); },
+     "inspection.a90", "", "must be given for method = \"curve\""},
+    {"InspectionThatFalls", coupled_gear, [](GearSet& g) { inspection(g).a90 = 1e-3; },
+     "inspection.a90", "> a50: a larger crack is found more often", ""},
+    {"InspectionByACurveWithNoise", coupled_gear, [](GearSet& g) { inspection(g).noise = 0.01; },
+     "inspection.noise", "",
+     "is read with the methods stiffness, one_sided_stiffness and resonance only; remove it or "
+     "change the method"},
+    {"InspectionThatAlwaysCalls", coupled_gear,
+     [](GearSet& g) { inspection(g).false_calls = 1.0; }, "inspection.false_calls",
+     ">= 0 and < 1", ""},
+    {"InspectionWithoutNoise", coupled_gear, [](GearSet& g) { measurement(g).noise.reset(); },
+     "inspection.noise", "", "must be given for method = \"stiffness\""},
+    {"InspectionWithoutFalseCalls", coupled_gear,
+     [](GearSet& g) { measurement(g).false_calls.reset(); }, "inspection.false_calls", "",
+     "must be given for method = \"stiffness\", whose threshold follows from it"},
+    {"InspectionThatNeverCalls", coupled_gear, [](GearSet& g) { measurement(g).false_calls = 0.0; },
+     "inspection.false_calls", "> 0 with a measurement, whose threshold follows from it", ""},
+    {"InspectionByStiffnessWithA50", coupled_gear, [](GearSet& g) { measurement(g).a50 = 1e-3; },
+     "inspection.a50", "",
+     "is read with method = \"curve\" only; remove it or change the method"},
+    {"InspectionByStiffnessWithA90", coupled_gear, [](GearSet& g) { measurement(g).a90 = 1e-3; },
+     "inspection.a90", "",
+     "is read with method = \"curve\" only; remove it or change the method"},
+    {"InspectionByStiffnessWithAForm", coupled_gear,
+     [](GearSet& g) { measurement(g).detection = DetectionForm::log_normal; },
+     "inspection.detection", "",
+     "is read with method = \"curve\" only; remove it or change the method"},
+    {"InspectionByStiffnessAtAPlace", coupled_gear,
+     [](GearSet& g) { measurement(g).place = {{"circular_spline.crack[0]"}}; },
+     "inspection.place", "",
+     "is read with method = \"curve\" only; remove it or change the method"},
+    {"InspectionThatRepairsToNothing", coupled_gear,
+     [](GearSet& g) { inspection(g).find = FindLeadsTo::repair; }, "inspection.repaired_to", "",
+     "must be given for find = \"repair\""},
+    {"InspectionThatRepairsNothing", coupled_gear,
+     [](GearSet& g) { inspection(g).repaired_to = 1e-4; }, "inspection.repaired_to", "",
+     "is read with find = \"repair\" only; remove it or change find"},
+    {"InspectionOfNoCrack", article,
+     [](GearSet& g) { inspection(g).place = {{"flexspline.crack[0]"}, {"flexspline.crack[7]"}}; },
+     "inspection.place[1].crack", "",
+     "\"flexspline.crack[7]\" is not a crack of this drive: wave_generator.crack[0], "
+     "flexspline.crack[0], output_shaft.crack[0]"},
+    {"InspectionOfTwoLines", article, [](GearSet& g) { inspection(g).place = {{"a\nb"}}; },
+     "inspection.place[0].crack", "", "must be one line, without control characters"},
+    {"InspectionTwice", article,
+     [](GearSet& g) { inspection(g).place = {{"flexspline.crack[0]"}, {"flexspline.crack[0]"}}; },
+     "inspection.place[1].crack", "",
+     "flexspline.crack[0] is already inspection.place[0]; remove one of them"},
     {"CorrelationOfNoScatter", coupled_gear,
      [](GearSet& g) { correlation(g).path = "flexspline.length"; }, "correlation[0].path", "",
      "\"flexspline.length\" does not scatter; add a [[scatter]] with this path, or remove the "
@@ -1624,6 +1696,15 @@ const std::vector<Accepted> kAccepted = {
     {"CorrelationNegative", coupled_gear,
      [](GearSet& g) { correlation(g).rank_correlation = -0.99; }},
     {"ScatterOfAnAngle", coupled_gear, [](GearSet& g) { g.scatter[0].path = "mesh.flank_angle"; }},
+    {"Inspection", article,
+     [](GearSet& g) {
+       inspection(g).place = {{"flexspline.crack[0]"}};
+       g.inspection->find = FindLeadsTo::repair;
+       g.inspection->repaired_to = 3e-3;
+       g.inspection->false_calls = 0.0;
+       g.inspection->cost = InspectionCost{};
+     }},
+    {"InspectionByStiffness", article, [](GearSet& g) { measurement(g); }},
     {"NoOverrides", article, [](GearSet& g) { g.article = ArticleOverrides{}; }},
     {"MaterialOfAnyName", article,
      [](GearSet& g) {
@@ -1850,7 +1931,10 @@ TEST(CheckRange, ReferenceRanges) {
                                              "drivetrain.load_friction.thinning",
                                              "drivetrain.load_friction.load_coulomb",
                                              "drivetrain.load_friction.load_breakaway",
-                                             "duty.resonance.frequency_ratio"};
+                                             "duty.resonance.frequency_ratio",
+                                             "inspection.cost.inspection",
+                                             "inspection.cost.call",
+                                             "inspection.cost.failure"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},
       {"material.steel.ply[0].angle", ">= -90 deg and <= 90 deg"},
@@ -1883,6 +1967,8 @@ TEST(CheckRange, ReferenceRanges) {
       {"scatter[0].relative_standard_deviation", "> 0 and <= 1"},
       {"scatter[0].quantile[0].probability", ">= 0 and <= 1"},
       {"correlation[0].rank_correlation", "> -1 and < 1"},
+      {"inspection.noise", "> 0 and < 1"},
+      {"inspection.false_calls", ">= 0 and < 1"},
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
       {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},

@@ -359,5 +359,18 @@ TEST(DiaphragmThickness, LimitOneStation) {
   EXPECT_NEAR(diaphragm_thickness(diaphragm, 60 * mm), 4 * mm, 1e-17);  // half way to the edge
 }
 
+// Kind: behaviour.  A place of the inspection leaves with its crack.
+TEST(PathLists, BehaviourPlacesOfTheInspectionGoWithTheirCracks) {
+  GearSet gear = article_gear();
+  gear.inspection = Inspection{
+      .a50 = 1e-3, .a90 = 2e-3, .place = {{"flexspline.crack[0]"}, {"output_shaft.crack[0]"}}};
+  const GearSet before = gear;
+  gear.flexspline->crack.clear();
+  drop_lost_paths(gear, before);
+  ASSERT_EQ(gear.inspection->place.size(), 1U);
+  EXPECT_EQ(gear.inspection->place[0].crack, "output_shaft.crack[0]");
+  EXPECT_NO_THROW(check(gear));
+}
+
 }  // namespace
 }  // namespace strainwave

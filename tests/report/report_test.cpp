@@ -631,6 +631,19 @@ TEST(Report, CrosscheckElasticitiesAreThoseOfTheSensitivity) {
             std::string::npos);
 }
 
+TEST(Report, BehaviourAnInspectedDriveHasItsRisk) {
+  const Report report = report_on(text_of("repaired_shaft"));
+  ASSERT_NO_THROW((void)parsed(report_html(report)));
+  const std::string html = section(report, "inspection").html;
+  EXPECT_NE(html.find("<figure"), std::string::npos);
+  EXPECT_NE(html.find("Probability of detection"), std::string::npos);
+  EXPECT_NE(html.find("h apart: half of the time"), std::string::npos);
+  EXPECT_NE(html.find("risk if it is the last"), std::string::npos);
+  EXPECT_NE(html.find("expected cost of one drive"), std::string::npos);
+  for (const ReportSection& one : report_on(text_of("inspected_shaft")).sections)
+    EXPECT_NE(one.id, "inspection");
+}
+
 TEST(Report, BehaviourADriveWithADutyHasItsChaptersAndItsAnswers) {
   const Report report = report_on(text_of("growing_size25"));
   ASSERT_NO_THROW((void)parsed(report_html(report)));

@@ -11,8 +11,10 @@
 
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
+#include "strainwave/inspection/detection_fit.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/inspection.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/expect.hpp"
 #include "support/program.hpp"
 
@@ -115,7 +117,7 @@ TEST(InspectionReport, IdentityThreads) {
 TEST(InspectionReport, IdentityInspectionsConserve) {
   const GearSet gear = scattering_shaft();
   InspectionOptions options = options_of(100, 400 * kHour);
-  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3, .false_calls = 0.05};
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3, .false_calls = 0.05};
   options.times.every = 100 * kHour;
   options.times.first = 150 * kHour;
   const InspectionReport report = inspection_report(gear, options);
@@ -174,7 +176,7 @@ TEST(InspectionReport, BehaviourNotes) {
   const GearSet gear = scattering_shaft();
   EXPECT_TRUE(has(inspection_report(gear, options_of(30, 1 * kHour)), "inspection.draws"));
   InspectionOptions options = options_of(30, 450 * kHour);
-  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3};
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3};
   options.times.risk = 1e-4;
   const InspectionReport planned = inspection_report(gear, options);
   ASSERT_EQ(planned.plans.size(), 2U);
@@ -210,11 +212,15 @@ TEST(InspectionReport, InputIsRefused) {
   InspectionOptions options = options_of(40);
   options.times.every = kHour;
   EXPECT_NE(message(gear, options).find("a50: must be given"), std::string::npos);
-  options.method = InspectionMethod{.a50 = 2e-3, .a90 = 1e-3};
+  options.method = Inspection{.a50 = 2e-3, .a90 = 1e-3};
   EXPECT_NE(message(gear, options).find("a90"), std::string::npos);
-  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3, .see = {"output_shaft.crack[7]"}};
-  EXPECT_NE(message(gear, options).find("is not a growing crack"), std::string::npos);
-  options.method->see.clear();
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3, .place = {{"output_shaft.crack[7]"}}};
+  EXPECT_NE(
+      message(gear, options)
+          .find(
+              "inspection.place[0].crack: \"output_shaft.crack[7]\" is not a crack of this drive"),
+      std::string::npos);
+  options.method->place.clear();
   options.times.at = {kHour};
   EXPECT_NE(message(gear, options).find("every: is given beside at"), std::string::npos);
   options.times.every.reset();
@@ -243,11 +249,273 @@ TEST(InspectionReport, InputIsRefused) {
   EXPECT_NE(message(idle, options_of(40)).find("duty: must be given"), std::string::npos);
 }
 
+/// The crack of the example, inspected as the file itself says.
+GearSet inspected_shaft(const Inspection& inspection) {
+  GearSet gear = scattering_shaft();
+  gear.inspection = inspection;
+  return gear;
+}
+
+// Kind: identity.  The table of the file is the method; options stand in its place.  Without times
+// of inspections it changes no risk.
+TEST(InspectionReport, IdentityTheTableIsTheMethod) {
+  const Inspection curve{.a50 = 1e-3, .a90 = 2e-3, .false_calls = 0.02};
+  InspectionOptions options = options_of(60, 450 * kHour);
+  options.times.every = 100 * kHour;
+  const InspectionReport by_table = inspection_report(inspected_shaft(curve), options);
+  options.method = curve;
+  const InspectionReport by_option = inspection_report(scattering_shaft(), options);
+  EXPECT_EQ(by_table.at_end.inspected, by_option.at_end.inspected);
+  EXPECT_EQ(by_table.inspections.at(1).false_call, by_option.inspections.at(1).false_call);
+  const InspectionReport in_its_place =
+      inspection_report(inspected_shaft({.a50 = 9e-3, .a90 = 12e-3}), options);
+  EXPECT_EQ(in_its_place.at_end.inspected, by_option.at_end.inspected);
+  const InspectionReport idle =
+      inspection_report(inspected_shaft(curve), options_of(60, 450 * kHour));
+  EXPECT_FALSE(idle.at_end.inspected);
+  EXPECT_EQ(idle.at_end.without, by_table.at_end.without);
+  EXPECT_EQ(idle.method->a90, 2e-3);
+  EXPECT_EQ(idle.half_interval, by_table.half_interval);
+}
+
+// Kind: crosscheck (IR-9).  Repair: the risk lies between that of drives out of service and that
+// without inspections, falls with the size of the repair, and the drives stay in service.
+TEST(InspectionReport, CrosscheckRepair) {
+  Inspection curve{.a50 = 0.8e-3, .a90 = 1.6e-3};
+  InspectionOptions options = options_of(120, 700 * kHour);
+  options.times.every = 70 * kHour;
+  const InspectionReport out = inspection_report(inspected_shaft(curve), options);
+  curve.find = FindLeadsTo::repair;
+  double last = *out.at_end.inspected;
+  for (const double size : {0.4e-3, 0.8e-3, 1.6e-3}) {
+    curve.repaired_to = size;
+    const InspectionReport repaired = inspection_report(inspected_shaft(curve), options);
+    EXPECT_GT(*repaired.at_end.inspected, last);
+    EXPECT_LT(*repaired.at_end.inspected, repaired.at_end.without);
+    EXPECT_GT(repaired.inspections.back().in_service, out.inspections.back().in_service);
+    EXPECT_EQ(has(repaired, "inspection.first_size"), size < 1.5e-3);
+    EXPECT_FALSE(has(repaired, "inspection.other_cracks"));
+    EXPECT_NE(inspection_text(repaired, inspected_shaft(curve)).find("a repair to"),
+              std::string::npos);
+    last = *repaired.at_end.inspected;
+  }
+}
+
+// Kind: crosscheck (IR-9).  The life after a repair, by the age of the path, is that of a drive
+// whose crack has this size at first.  Tolerance: 2e-3 of the life, the path between the steps of
+// growth.
+TEST(InspectionReport, CrosscheckLifeFromTheRepairedSize) {
+  GearSet gear = scattering_shaft();
+  gear.scatter.clear();
+  GrowthOptions fine;
+  fine.tolerance = 1e-9;
+  const LifeTrace whole = life_trace(gear, fine);
+  const DrawnPart part{.failure = *whole.life, .times = whole.times, .sizes = whole.sizes};
+  for (const double size : {0.7e-3, 1.5e-3, 4e-3}) {
+    std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = size;
+    EXPECT_NEAR(part.failure - part.time_of(0, size), *life_trace(gear, fine).life,
+                2e-3 * part.failure);
+  }
+}
+
+// Kind: behaviour (IR-9).  Two cracks that grow: the answer says that it may be too high.
+TEST(InspectionReport, BehaviourRepairWithOtherCracks) {
+  GearSet gear = inspected_shaft(
+      {.a50 = 1e-3, .a90 = 2e-3, .find = FindLeadsTo::repair, .repaired_to = 0.6e-3});
+  gear.output_shaft->crack.push_back(gear.output_shaft->crack.front());
+  InspectionOptions options = options_of(20, 400 * kHour);
+  options.times.every = 100 * kHour;
+  EXPECT_TRUE(has(inspection_report(gear, options), "inspection.other_cracks"));
+}
+
+// Kind: reference (IR-15).  Cost by hand from the table of inspections.
+TEST(InspectionReport, ReferenceCost) {
+  Inspection curve{.a50 = 1e-3,
+                   .a90 = 2e-3,
+                   .false_calls = 0.05,
+                   .cost = InspectionCost{.inspection = 20, .call = 300, .failure = 5000}};
+  InspectionOptions options = options_of(80, 500 * kHour);
+  options.times.every = 100 * kHour;
+  options.times.risk = 0.05;
+  const InspectionReport report = inspection_report(inspected_shaft(curve), options);
+  double expected = *report.at_end.inspected * 5000;
+  for (const InspectionRow& row : report.inspections)
+    expected += 20 * row.in_service + 300 * (row.found + row.false_call);
+  test::expect_relative(*report.cost->inspected, expected, 1e-12);
+  test::expect_relative(report.cost->without, 5000 * report.at_end.without, 1e-12);
+  test::expect_relative(*report.cost->inspected,
+                        *report.cost->inspections + *report.cost->calls + *report.cost->failures,
+                        1e-12);
+  ASSERT_EQ(report.plans.size(), 2U);
+  EXPECT_GT(report.plans[0].cost.value(), 0);
+  EXPECT_NE(inspection_text(report, inspected_shaft(curve)).find("Cost up to the end of service"),
+            std::string::npos);
+  const InspectionReport idle =
+      inspection_report(inspected_shaft(curve), options_of(80, 500 * kHour));
+  EXPECT_EQ(idle.cost->without, report.cost->without);
+  EXPECT_FALSE(idle.cost->inspected);
+}
+
+Inspection measured_by(InspectionMeans method, double noise, double false_calls = 0.05) {
+  return {.method = method, .noise = noise, .false_calls = false_calls};
+}
+
+// Kind: reference (IR-10), (IR-11).  The change at the end is that of the stiffness over the growth
+// of the file, and the probability that of a normal error.  Source: grow_cracks, which takes the
+// stiffness from the report of the members.  Tolerance: 1e-4 of the two bisections.
+TEST(InspectionReport, ReferenceMeasuredStiffness) {
+  const GearSet gear = inspected_shaft(measured_by(InspectionMeans::stiffness, 1e-3));
+  const InspectionReport report = inspection_report(gear, options_of(30, 400 * kHour));
+  const GrowthReport grown = grow_cracks(gear);
+  GearSet sound = gear;
+  sound.output_shaft->crack.clear();
+  sound.scatter.clear();
+  const double intact = torsional_stiffness(sound).positive.stiffness.value;
+  const double change = 1 - grown.stiffness.back().positive / intact;
+  ASSERT_TRUE(report.method);
+  EXPECT_EQ(report.method->crack, "output_shaft.crack[0]");
+  test::expect_relative(*report.method->change_at_end, change, 1e-4);
+  EXPECT_TRUE(has(report, "inspection.series"));
+  const double z = 1.6448536269514722;
+  const double called = std::erfc(-(change / 1e-3 - z) / std::sqrt(2)) / 2;
+  EXPECT_NEAR(*report.method->found_at_end, (called - 0.05) / 0.95, 1e-4);
+  test::expect_relative(*report.method->threshold, z * 1e-3, 1e-9);
+  // The smallest change that nine of ten find is found with 0.9.
+  const double ninety = *report.method->change_ninety;
+  EXPECT_NEAR((std::erfc(-(ninety / 1e-3 - z) / std::sqrt(2)) / 2 - 0.05) / 0.95, 0.9, 1e-9);
+  // Rising, from the smallest drawn crack on.
+  const std::vector<DetectionPoint>& points = report.method->points;
+  ASSERT_GT(points.size(), 20U);
+  EXPECT_LT(points.front().size, 0.4e-3);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_GT(points[i].size, points[i - 1].size);
+    EXPECT_GE(points[i].probability, points[i - 1].probability);
+  }
+}
+
+// Kind: behaviour (IR-11).  A crack that the measurement cannot find before the failure is said so;
+// with less noise it is found, and inspections lower the risk.
+TEST(InspectionReport, BehaviourAMeasurementThatCannotFind) {
+  InspectionOptions options = options_of(40, 450 * kHour);
+  options.times.every = 50 * kHour;
+  const InspectionReport blind =
+      inspection_report(inspected_shaft(measured_by(InspectionMeans::stiffness, 0.5)), options);
+  EXPECT_TRUE(has(blind, "inspection.not_found"));
+  EXPECT_NE(blind.sentence.find("it cannot be found so in time"), std::string::npos)
+      << blind.sentence;
+  EXPECT_FALSE(blind.method->a90);
+  EXPECT_FALSE(blind.half_interval);
+  EXPECT_GT(*blind.at_end.inspected, 0.8 * blind.at_end.without);
+  const InspectionReport sharp =
+      inspection_report(inspected_shaft(measured_by(InspectionMeans::stiffness, 1e-5)), options);
+  EXPECT_FALSE(has(sharp, "inspection.not_found"));
+  EXPECT_TRUE(sharp.method->a90);
+  EXPECT_LT(*sharp.at_end.inspected, 0.1 * sharp.at_end.without);
+}
+
+// Kind: behaviour (IR-10).  A crack that leaves the range of its solution counts as a failure
+// there, and the measurement is judged up to this size.
+TEST(InspectionReport, BehaviourAMeasurementUpToTheRange) {
+  GearSet tough = only_coefficient();
+  tough.output_shaft->inner_diameter = 0.04;
+  std::get<AnnularCrack>(tough.output_shaft->crack[0]).solution = AnnularSolution::improved;
+  Material& steel = tough.material.at("steel");
+  steel.fracture_toughness = 1e11;
+  steel.yield_strength = 1e12;
+  steel.ultimate_strength = 2e12;
+  tough.inspection = measured_by(InspectionMeans::stiffness, 1e-3);
+  InspectionOptions options = options_of(20, 1e6 * kHour);
+  const InspectionReport report = inspection_report(tough, options);
+  EXPECT_FALSE(report.nominal_life);
+  EXPECT_GT(report.method->size_at_end.value(), 3e-3);
+  EXPECT_GT(report.method->found_at_end.value(), 0.9);
+}
+
+// Kind: behaviour (IR-10), (IR-11).  What docs/guide/inspection.md says of a crack through the
+// barrel: 1 % of noise finds it late, and 3 % do not find it in time.
+TEST(InspectionReport, BehaviourACrackOfTheFlexspline) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml");
+  InputScatter scatter;
+  scatter.path = "flexspline.crack[1].half_length";
+  scatter.relative_standard_deviation = 0.1;
+  gear.scatter = {scatter};
+  gear.inspection = measured_by(InspectionMeans::stiffness, 0.01, 0.01);
+  const InspectionReport report = inspection_report(gear, options_of(20, 5 * kHour));
+  EXPECT_NEAR(report.method->change_at_end.value(), 0.048, 5e-4);
+  EXPECT_NEAR(2 * report.method->size_at_end.value(), 16e-3, 0.5e-3);
+  EXPECT_NEAR(2 * report.method->a90.value(), 15e-3, 0.5e-3);
+  gear.inspection = measured_by(InspectionMeans::stiffness, 0.03, 0.01);
+  EXPECT_TRUE(has(inspection_report(gear, options_of(20, 5 * kHour)), "inspection.not_found"));
+}
+
+// Kind: limit (IR-10).  A crack all round is the same under both senses, so the difference of the
+// senses never finds it.
+TEST(InspectionReport, LimitOneSidedStiffnessOfASymmetricCrack) {
+  InspectionOptions options = options_of(30, 450 * kHour);
+  options.times.every = 50 * kHour;
+  const InspectionReport report = inspection_report(
+      inspected_shaft(measured_by(InspectionMeans::one_sided_stiffness, 1e-6)), options);
+  EXPECT_NEAR(*report.method->change_at_end, 0, 1e-12);
+  EXPECT_NEAR(*report.method->found_at_end, 0, 1e-9);
+  EXPECT_TRUE(has(report, "inspection.not_found"));
+  test::expect_relative(*report.at_end.inspected, report.at_end.without, 1e-6);
+}
+
+// Kind: crosscheck (IR-10).  A heavy load on the drive: one spring, so the frequency changes by the
+// root of the stiffness.  Tolerance: 1e-3, the inertias of the gear beside the load.
+TEST(InspectionReport, CrosscheckResonanceOfAHeavyLoad) {
+  GearSet gear = inspected_shaft(measured_by(InspectionMeans::resonance, 1e-3));
+  Drivetrain drivetrain;
+  drivetrain.motor_inertia = 1e-4;
+  drivetrain.load_inertia = 1e5;
+  gear.drivetrain = drivetrain;
+  const InspectionReport report = inspection_report(gear, options_of(20, 400 * kHour));
+  gear.inspection = measured_by(InspectionMeans::stiffness, 1e-3);
+  const InspectionReport stiffness = inspection_report(gear, options_of(20, 400 * kHour));
+  EXPECT_NEAR(*report.method->change_at_end, 1 - std::sqrt(1 - *stiffness.method->change_at_end),
+              1e-3 * *stiffness.method->change_at_end);
+}
+
+// Kind: behaviour (IR-12), (IR-13).  Trials: the curve is that of the fit, and the risk by its
+// lower bound is larger; too few trials are said.
+TEST(InspectionReport, BehaviourTrials) {
+  std::vector<HitOrMiss> trials;
+  for (int i = 0; i < 40; ++i)
+    trials.push_back({.size = 0.3e-3 * std::pow(1.08, i), .hit = i > 18 ? i % 7 != 0 : i % 5 == 0});
+  InspectionOptions options = options_of(60, 450 * kHour);
+  options.times.every = 100 * kHour;
+  options.trials = fit_hits(DetectionForm::log_logistic, trials);
+  options.method = Inspection{.a50 = options.trials->a50, .a90 = options.trials->a90};
+  const InspectionReport report = inspection_report(scattering_shaft(), options);
+  EXPECT_EQ(report.method->trials, 40);
+  EXPECT_EQ(report.method->a90_bound, options.trials->a90_bound);
+  EXPECT_GT(report.bound_risk.value(), *report.at_end.inspected);
+  EXPECT_LE(report.bound_risk.value(), report.at_end.without);
+  EXPECT_NE(report.sentence.find("With the detection that the trials prove"), std::string::npos);
+  EXPECT_NE(inspection_plot(report, scattering_shaft()).find("bound of the trials"),
+            std::string::npos);
+  options.trials->a90_bound.reset();
+  EXPECT_TRUE(has(inspection_report(scattering_shaft(), options), "inspection.trials"));
+}
+
+// Kind: input.  A measurement that cannot be judged.
+TEST(InspectionReport, InputMeasurements) {
+  const auto message = [](const GearSet& gear) {
+    return test::broken_rule([&] { return inspection_report(gear, options_of(20, 400 * kHour)); });
+  };
+  EXPECT_NE(message(inspected_shaft(measured_by(InspectionMeans::resonance, 0.01)))
+                .find("drivetrain: must be given for inspection.method"),
+            std::string::npos);
+  GearSet still = inspected_shaft(measured_by(InspectionMeans::stiffness, 0.01));
+  still.material.at("steel").growth_bounds.emplace().threshold = 40e6;
+  EXPECT_NE(message(still).find("needs a crack that ends the life"), std::string::npos);
+}
+
 // Kind: behaviour.  The documents contain the curve and all tables.
 TEST(InspectionReport, BehaviourDocuments) {
   const GearSet gear = scattering_shaft();
   InspectionOptions options = options_of(60, 450 * kHour);
-  options.method = InspectionMethod{.a50 = 1e-3, .a90 = 2e-3};
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3};
   options.times.risk = 0.05;
   const InspectionReport report = inspection_report(gear, options);
   const std::string text = inspection_text(report, gear);

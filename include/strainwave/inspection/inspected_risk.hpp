@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "strainwave/core/fields.hpp"
+#include "strainwave/inspection/detection_form.hpp"
 
 /// @file
 /// Probability of failure of cracked parts over time, without inspections and with them, from the
@@ -17,17 +15,7 @@
 
 namespace strainwave {
 
-/// Form of a curve of detection over the size of a crack.
-enum class DetectionForm {
-  log_logistic,
-  log_normal,
-};
-template <>
-struct EnumNames<DetectionForm> {
-  static constexpr std::array<std::string_view, 2> names = {"log_logistic", "log_normal"};
-};
-
-/// Probability that one inspection finds a crack.
+/// Probability that one inspection finds a crack, over its size.
 class DetectionCurve {
  public:
   /// @param form    of the curve over the size
@@ -35,15 +23,23 @@ class DetectionCurve {
   /// @param ninety  size that is found in nine of ten, a90 [m]; > half
   /// @throws InputError  if a size is not positive, or detection would fall with the size
   DetectionCurve(DetectionForm form, double half, double ninety);
+  /// A curve through points: linear over the logarithm of the size between two points, 0 below the
+  /// first one, and as at the last one above it.
+  /// @param sizes          [m]; > 0, each larger than the one before; at least one
+  /// @param probabilities  [-]; one for each size, in [0, 1], none smaller than the one before
+  /// @throws InputError    if a rule of the points is broken
+  DetectionCurve(std::vector<double> sizes, std::vector<double> probabilities);
 
   /// Implements theory manual eq. (IR-1).
   /// @param size  of the crack [m]; 0 is never found
   [[nodiscard]] double at(double size) const;
 
  private:
-  DetectionForm form_;
-  double log_half_;
-  double width_;  ///< of the logarithm of the size
+  DetectionForm form_ = DetectionForm::log_logistic;
+  double log_half_ = 0.0;
+  double width_ = 1.0;            ///< of the logarithm of the size
+  std::vector<double> sizes_;     ///< of the points; empty: a curve of a form
+  std::vector<double> at_sizes_;  ///< probabilities of the points
 };
 
 /// What becomes of one drawn part.
@@ -56,6 +52,11 @@ struct DrawnPart {
 
   /// Size of a crack at a time [m]; its logarithm is linear between two times.
   [[nodiscard]] double size_at(std::size_t crack, double time) const;
+  /// First time at which a crack has a size, by the same line [s]; 0 if it is as large from the
+  /// first time on, infinite if it does not grow so far.
+  /// @param crack  its index
+  /// @param size   [m]; > 0
+  [[nodiscard]] double time_of(std::size_t crack, double size) const;
   /// Probability that one inspection at a time finds at least one crack (IR-2).
   /// @param time   of the inspection [s]
   /// @param curve  of detection
@@ -63,6 +64,36 @@ struct DrawnPart {
   [[nodiscard]] double found_at(double time, const DetectionCurve& curve,
                                 const std::vector<bool>& seen) const;
 };
+
+/// How inspections find cracks, and what a find leads to.
+struct CrackSearch {
+  DetectionCurve curve;    ///< of detection
+  std::vector<bool> seen;  ///< whether an inspection can see each crack, shape (cracks)
+  /// Size to which a find reduces the cracks that can be seen [m]; > 0.  Absent: a part with a
+  /// found crack leaves service.
+  std::optional<double> repaired_to = {};
+};
+
+/// What the inspections before an end do to one part.
+struct InspectedCourse {
+  std::vector<double> in_service;  ///< probability that it is in service at each inspection [-]
+  std::vector<double> found;       ///< probability that this inspection finds a crack [-]
+  double failed = 0.0;             ///< probability that it fails up to the end [-]
+};
+
+/// The course of one part up to a time; theory manual eqs. (IR-4) and (IR-9).
+///
+/// After a repair a crack grows as it did from that size on, so its age falls back to the time at
+/// which it had the size.  A smaller crack stays as it is, and no crack becomes smaller than its
+/// first size.  The path of a crack that has grown is known up to the failure of the part, so the
+/// part counts as failed when such a crack reaches this age.
+/// @param part         one drawn part
+/// @param until        end of the time at risk [s]
+/// @param inspections  times [s], ascending; those from `until` on do not act
+/// @param search       how cracks are found
+[[nodiscard]] InspectedCourse inspected_course(const DrawnPart& part, double until,
+                                               std::span<const double> inspections,
+                                               const CrackSearch& search);
 
 /// A probability with limits that contain it with 95 % confidence.
 struct RiskEstimate {
@@ -77,8 +108,7 @@ struct RiskEstimate {
 /// @param until  end of the time at risk [s]
 [[nodiscard]] RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until);
 
-/// Probability of failure up to a time, if parts are out of service once a crack is found; theory
-/// manual eq. (IR-4).
+/// Probability of failure up to a time with inspections; theory manual eq. (IR-4).
 ///
 /// The limits are those of Fay and Feuer for a weighted sum of rare events.  The upper one assumes
 /// that a further part may fail before all inspections, so it does not fall below 3.69 over the
@@ -86,12 +116,10 @@ struct RiskEstimate {
 /// @param parts        at least one
 /// @param until        end of the time at risk [s]
 /// @param inspections  times [s], ascending
-/// @param curve        of detection
-/// @param seen         as in DrawnPart::found_at
+/// @param search       how cracks are found
 [[nodiscard]] RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                                           std::span<const double> inspections,
-                                          const DetectionCurve& curve,
-                                          const std::vector<bool>& seen);
+                                          const CrackSearch& search);
 
 /// Inspections at equal intervals before a time [s]: first, first + interval, ...
 [[nodiscard]] std::vector<double> equal_inspections(double first, double interval, double until);
@@ -109,11 +137,9 @@ struct InspectionPlan {
 /// @param until   end of the time at risk [s]; > 0
 /// @param wanted  largest allowed risk [-]
 /// @param most    largest number of inspections
-/// @param curve   of detection
-/// @param seen    as in DrawnPart::found_at
+/// @param search  how cracks are found
 [[nodiscard]] InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until,
-                                        double wanted, std::size_t most,
-                                        const DetectionCurve& curve, const std::vector<bool>& seen);
+                                        double wanted, std::size_t most, const CrackSearch& search);
 
 /// The fewest inspections at times of least risk whose risk is at most `wanted`; theory manual eq.
 /// (IR-6).  The times are moved in turn until none of them lowers the risk further.
@@ -123,11 +149,9 @@ struct InspectionPlan {
 /// @param until    end of the time at risk [s]; > 0
 /// @param wanted   largest allowed risk [-]
 /// @param most     largest number of inspections
-/// @param curve    of detection
-/// @param seen     as in DrawnPart::found_at
+/// @param search   how cracks are found
 [[nodiscard]] InspectionPlan least_plan(std::span<const DrawnPart> placing,
                                         std::span<const DrawnPart> judging, double until,
-                                        double wanted, std::size_t most,
-                                        const DetectionCurve& curve, const std::vector<bool>& seen);
+                                        double wanted, std::size_t most, const CrackSearch& search);
 
 }  // namespace strainwave

@@ -10,6 +10,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
+#include "strainwave/inspection/detection_fit.hpp"
 #include "strainwave/inspection/inspected_risk.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
@@ -19,16 +20,6 @@
 /// failure over hours, and what inspections take off it.
 
 namespace strainwave {
-
-/// How inspections find cracks.
-struct InspectionMethod {
-  /// form of the curve of detection over the size
-  DetectionForm form = DetectionForm::log_logistic;
-  double a50 = 0.0;          ///< [m]
-  double a90 = 0.0;          ///< [m]
-  double false_calls = 0.0;  ///< probability that an inspection finds what is not there [-]
-  std::vector<std::string> see = {};  ///< paths of the cracks that it can see; empty: all
-};
 
 /// Which inspections there are.
 struct InspectionTimes {
@@ -43,11 +34,13 @@ struct InspectionTimes {
 struct InspectionOptions {
   GrowthOptions growth;         ///< how the cracks grow
   std::optional<double> until;  ///< end of service [s]; absent: the life at the values of the file
-  std::optional<InspectionMethod> method;  ///< absent: no inspection
-  InspectionTimes times;                   ///< when the drive is inspected
-  int draws = 500;                         ///< drawn drives; 20 to 1 000 000
-  std::uint64_t seed = 1;                  ///< the same seed gives the same draws
-  int threads = 0;  ///< 0: as many as the machine runs; the result does not depend on it
+  std::optional<Inspection> method;  ///< how cracks are looked for; absent: as the file says
+  /// trials from which a50, a90 and form of the method come; absent: none
+  std::optional<DetectionFit> trials;
+  InspectionTimes times;   ///< when the drive is inspected
+  int draws = 500;         ///< drawn drives; 20 to 1 000 000
+  std::uint64_t seed = 1;  ///< the same seed gives the same draws
+  int threads = 0;         ///< 0: as many as the machine runs; the result does not depend on it
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
 };
 
@@ -157,6 +150,102 @@ struct InspectionRow {
   }
 };
 
+/// A point of the probability of detection over the size of a crack.
+struct DetectionPoint {
+  static constexpr bool kTableRow = true;
+  double size = 0.0;                  ///< [m]
+  double probability = 0.0;           ///< that one inspection finds the crack [-]
+  std::optional<double> change = {};  ///< of a measured value by the crack, relative [-]
+  /// size at which the lower bound of a curve from trials has the probability [m]
+  std::optional<double> bound = {};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using P = DetectionPoint;
+    field({"size", "m", "depth, or half length of a through crack"}, &P::size);
+    field({"probability", "1", "probability that one inspection finds the crack"}, &P::probability);
+    field({"change", "1", "of a measurement: share by which the crack changes the measured value"},
+          &P::change);
+    field({"bound", "m",
+           "of a curve from trials: size with this probability on the lower bound with 95 % "
+           "confidence"},
+          &P::bound);
+  }
+};
+
+/// How inspections find cracks, and what a find leads to.
+struct MethodOfInspection {
+  InspectionMeans method = InspectionMeans::curve;
+  FindLeadsTo find = FindLeadsTo::out;
+  std::optional<double> repaired_to = {};  ///< [m]
+  double false_calls = 0.0;                ///< [-]
+  std::optional<double> a50 = {};          ///< [m]; absent: no size up to the end
+  std::optional<double> a90 = {};          ///< [m]; absent: no size up to the end
+  std::optional<double> a50_bound = {};    ///< a50 on the lower bound of trials [m]
+  std::optional<double> a90_bound = {};    ///< a90 on the lower bound of trials [m]
+  std::optional<int> trials = {};          ///< number of trials behind the curve
+  std::string crack = {};            ///< of a measurement: the crack that ends the life of the file
+  std::optional<double> noise = {};  ///< of a measurement [-]
+  std::optional<double> threshold = {};      ///< change from which on a measurement calls [-]
+  std::optional<double> change_ninety = {};  ///< change that nine of ten measurements find [-]
+  std::optional<double> size_at_end = {};    ///< of the crack when it ends the life [m]
+  std::optional<double> change_at_end = {};  ///< by the crack of this size [-]
+  std::optional<double> found_at_end = {};   ///< probability that this crack is found [-]
+  std::vector<DetectionPoint> points = {};   ///< by rising size
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using M = MethodOfInspection;
+    field({"method", "", "what an inspection looks at"}, &M::method);
+    field({"find", "", "what a find leads to"}, &M::find);
+    field({"repaired_to", "m", "size of a crack after its repair"}, &M::repaired_to);
+    field({"false_calls", "1", "probability that an inspection finds what is not there"},
+          &M::false_calls);
+    field({"a50", "m", "size that is found in half of the cases; absent: no size up to the end"},
+          &M::a50);
+    field({"a90", "m", "size that is found in nine of ten; absent: no size up to the end"},
+          &M::a90);
+    field({"a50_bound", "m",
+           "a50 on the lower bound of the trials with 95 % confidence; absent: not bounded"},
+          &M::a50_bound);
+    field({"a90_bound", "m",
+           "a90 on the lower bound of the trials with 95 % confidence; absent: not bounded"},
+          &M::a90_bound);
+    field({"trials", "", "number of trials behind the curve"}, &M::trials);
+    field({"crack", "", "of a measurement: the crack that ends the life of the file"}, &M::crack);
+    field({"noise", "1", "standard deviation of a measured change over the measured value"},
+          &M::noise);
+    field({"threshold", "1", "change from which on a measurement counts as a find"}, &M::threshold);
+    field({"change_ninety", "1", "smallest change that nine of ten measurements find"},
+          &M::change_ninety);
+    field({"size_at_end", "m", "size of the crack when it ends the life"}, &M::size_at_end);
+    field({"change_at_end", "1", "change of the measured value by the crack of this size"},
+          &M::change_at_end);
+    field({"found_at_end", "1", "probability that one measurement finds the crack of this size"},
+          &M::found_at_end);
+    field({"points", "", "probability of detection over the size"}, &M::points);
+  }
+};
+
+/// Expected cost of one drive up to the end of service, in the currency of the file.
+struct ExpectedCost {
+  double without = 0.0;                    ///< of failures without inspections [-]
+  std::optional<double> inspected = {};    ///< with the inspections [-]; sum of the three below
+  std::optional<double> inspections = {};  ///< of the inspections [-]
+  std::optional<double> calls = {};        ///< of finds and false calls [-]
+  std::optional<double> failures = {};     ///< of failures [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using C = ExpectedCost;
+    field({"without", "1", "of failures, without inspections"}, &C::without);
+    field({"inspected", "1", "with the inspections: the sum of the three below"}, &C::inspected);
+    field({"inspections", "1", "of the inspections"}, &C::inspections);
+    field({"calls", "1", "of finds and false calls"}, &C::calls);
+    field({"failures", "1", "of failures, with the inspections"}, &C::failures);
+  }
+};
+
 /// Inspections that keep a wanted risk.
 struct PlannedInspections {
   std::string kind;  ///< "equal" or "least"
@@ -166,6 +255,7 @@ struct PlannedInspections {
   double risk = 0.0;          ///< [-]
   double risk_low = 0.0;
   double risk_high = 1.0;
+  std::optional<double> cost = {};  ///< expected, of one drive [-]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -177,6 +267,7 @@ struct PlannedInspections {
     field({"risk", "1", "probability of failure up to the end of service"}, &P::risk);
     field({"risk_low", "1", "lower limit with 95 % confidence"}, &P::risk_low);
     field({"risk_high", "1", "upper limit with 95 % confidence"}, &P::risk_high);
+    field({"cost", "1", "expected cost of one drive"}, &P::cost);
   }
 };
 
@@ -192,8 +283,12 @@ struct InspectionReport {
   std::vector<LifeShare> shares;
   RiskPoint at_end;  ///< at the end of service
   std::vector<RiskPoint> risk;
+  std::optional<MethodOfInspection> method = {};  ///< absent: no inspections
   std::vector<InspectionRow> inspections;
   std::vector<PlannedInspections> plans;
+  /// Risk at the end of service by the lower bound of detection of trials [-]
+  std::optional<double> bound_risk = {};
+  std::optional<ExpectedCost> cost = {};  ///< absent: the file gives no cost
   /// Half of the time from the size a90 to the end of the life, at the values of the file [s]
   std::optional<double> half_interval = {};
   std::vector<Note> notes;             ///< remarks on the validity of the probabilities
@@ -214,7 +309,13 @@ struct InspectionReport {
     field({"shares", "", "what the scatter of the life comes from"}, &R::shares);
     field({"at_end", "", "probabilities of failure up to the end of service"}, &R::at_end);
     field({"risk", "", "probabilities of failure over time"}, &R::risk);
+    field({"method", "", "how inspections find cracks, and what a find leads to"}, &R::method);
     field({"inspections", "", "each inspection"}, &R::inspections);
+    field({"bound_risk", "1",
+           "probability of failure with the inspections, by the lower bound of detection with 95 % "
+           "confidence from the trials"},
+          &R::bound_risk);
+    field({"cost", "", "expected cost of one drive, in the currency of the file"}, &R::cost);
     field({"plans", "", "inspections that keep the wanted risk"}, &R::plans);
     field({"half_interval", "s",
            "half of the time from the size a90 of the crack that ends the life to this end, at the "
@@ -225,9 +326,10 @@ struct InspectionReport {
 
 /// Draws lives of a drive whose numbers scatter, and states the risk without and with inspections.
 ///
-/// Implements theory manual eqs. (IR-1) to (IR-8).  Draws depend on seed, number and input alone,
+/// Implements theory manual eqs. (IR-1) to (IR-15).  Draws depend on seed, number and input alone,
 /// and are summed in their order, so the bits are the same for any number of threads.
-/// @param gear      has passed `check`, with cracks, a duty and [[scatter]]
+/// @param gear      has passed `check`, with cracks, a duty and [[scatter]]; its [inspection] says
+///                  how cracks are looked for
 /// @param options   end of service, inspections and draws; `draws` 20 to 1 000 000
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError    if something of this is missing, or an option is out of range

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Optional
+from typing import ClassVar, Literal, Optional
 
 from .. import parts as _to
 from ..answers import Result
@@ -154,6 +154,97 @@ class Risk(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class Points(Part):
+    """Probability of detection over the size."""
+
+    size: FloatArray
+    """depth, or half length of a through crack [m]"""
+    probability: FloatArray
+    """probability that one inspection finds the crack"""
+    change: FloatArray
+    """of a measurement: share by which the crack changes the measured value"""
+    bound: FloatArray
+    """of a curve from trials: size with this probability on the lower bound with 95 %
+    confidence [m]"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "size": ("size", _to.floats),
+        "probability": ("probability", _to.floats),
+        "change": ("change", _to.floats),
+        "bound": ("bound", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "size": "m",
+        "probability": "1",
+        "change": "1",
+        "bound": "m",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Method(Part):
+    """How inspections find cracks, and what a find leads to."""
+
+    method: Literal["curve", "stiffness", "one_sided_stiffness", "resonance"]
+    """what an inspection looks at"""
+    find: Literal["out", "repair"]
+    """what a find leads to"""
+    repaired_to: Optional[Quantity]
+    """size of a crack after its repair [m]; None if absent"""
+    false_calls: Quantity
+    """probability that an inspection finds what is not there"""
+    a50: Optional[Quantity]
+    """size that is found in half of the cases; absent: no size up to the end [m]; None if
+    absent"""
+    a90: Optional[Quantity]
+    """size that is found in nine of ten; absent: no size up to the end [m]; None if absent"""
+    a50_bound: Optional[Quantity]
+    """a50 on the lower bound of the trials with 95 % confidence; absent: not bounded [m]; None
+    if absent"""
+    a90_bound: Optional[Quantity]
+    """a90 on the lower bound of the trials with 95 % confidence; absent: not bounded [m]; None
+    if absent"""
+    trials: Optional[int]
+    """number of trials behind the curve; None if absent"""
+    crack: str
+    """of a measurement: the crack that ends the life of the file"""
+    noise: Optional[Quantity]
+    """standard deviation of a measured change over the measured value; None if absent"""
+    threshold: Optional[Quantity]
+    """change from which on a measurement counts as a find; None if absent"""
+    change_ninety: Optional[Quantity]
+    """smallest change that nine of ten measurements find; None if absent"""
+    size_at_end: Optional[Quantity]
+    """size of the crack when it ends the life [m]; None if absent"""
+    change_at_end: Optional[Quantity]
+    """change of the measured value by the crack of this size; None if absent"""
+    found_at_end: Optional[Quantity]
+    """probability that one measurement finds the crack of this size; None if absent"""
+    points: Points
+    """probability of detection over the size"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "method": ("method", _to.plain),
+        "find": ("find", _to.plain),
+        "repaired_to": ("repaired_to", _to.quantity),
+        "false_calls": ("false_calls", _to.quantity),
+        "a50": ("a50", _to.quantity),
+        "a90": ("a90", _to.quantity),
+        "a50_bound": ("a50_bound", _to.quantity),
+        "a90_bound": ("a90_bound", _to.quantity),
+        "trials": ("trials", _to.plain),
+        "crack": ("crack", _to.plain),
+        "noise": ("noise", _to.quantity),
+        "threshold": ("threshold", _to.quantity),
+        "change_ninety": ("change_ninety", _to.quantity),
+        "size_at_end": ("size_at_end", _to.quantity),
+        "change_at_end": ("change_at_end", _to.quantity),
+        "found_at_end": ("found_at_end", _to.quantity),
+        "points": ("points", Points._of),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Inspections(Part):
     """Each inspection."""
 
@@ -185,6 +276,30 @@ class Inspections(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class Cost(Part):
+    """Expected cost of one drive, in the currency of the file."""
+
+    without: Quantity
+    """of failures, without inspections"""
+    inspected: Optional[Quantity]
+    """with the inspections: the sum of the three below; None if absent"""
+    inspections: Optional[Quantity]
+    """of the inspections; None if absent"""
+    calls: Optional[Quantity]
+    """of finds and false calls; None if absent"""
+    failures: Optional[Quantity]
+    """of failures, with the inspections; None if absent"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "without": ("without", _to.quantity),
+        "inspected": ("inspected", _to.quantity),
+        "inspections": ("inspections", _to.quantity),
+        "calls": ("calls", _to.quantity),
+        "failures": ("failures", _to.quantity),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Plans(Part):
     """The field `plans`."""
 
@@ -202,6 +317,8 @@ class Plans(Part):
     """lower limit with 95 % confidence"""
     risk_high: Quantity
     """upper limit with 95 % confidence"""
+    cost: Optional[Quantity]
+    """expected cost of one drive; None if absent"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "kind": ("kind", _to.plain),
@@ -211,6 +328,7 @@ class Plans(Part):
         "risk": ("risk", _to.quantity),
         "risk_low": ("risk_low", _to.quantity),
         "risk_high": ("risk_high", _to.quantity),
+        "cost": ("cost", _to.quantity),
     }
     _units: ClassVar[dict[str, str]] = {
         "times": "s",
@@ -241,8 +359,15 @@ class InspectResult(Result):
     """probabilities of failure up to the end of service"""
     risk: Risk
     """probabilities of failure over time"""
+    method: Optional[Method]
+    """how inspections find cracks, and what a find leads to; None if absent"""
     inspections: Inspections
     """each inspection"""
+    bound_risk: Optional[Quantity]
+    """probability of failure with the inspections, by the lower bound of detection with 95 %
+    confidence from the trials; None if absent"""
+    cost: Optional[Cost]
+    """expected cost of one drive, in the currency of the file; None if absent"""
     plans: tuple[Plans, ...]
     """inspections that keep the wanted risk"""
     half_interval: Optional[Quantity]
@@ -262,7 +387,10 @@ class InspectResult(Result):
         "shares": ("shares", Shares._of),
         "at_end": ("at_end", AtEnd._of),
         "risk": ("risk", Risk._of),
+        "method": ("method", Method._of),
         "inspections": ("inspections", Inspections._of),
+        "bound_risk": ("bound_risk", _to.quantity),
+        "cost": ("cost", Cost._of),
         "plans": ("plans", _to.many(Plans._of)),
         "half_interval": ("half_interval", _to.quantity),
     }

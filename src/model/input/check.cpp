@@ -945,6 +945,10 @@ void require_of_drive(const FieldPath& path, std::string_view named) {
       throw InputError((path / "path").text(),
                        "must be a number of the drive, not of its ranges, scatter or "
                        "correlations; name another number or remove this entry");
+  if (named.starts_with("inspection."))
+    throw InputError((path / "path").text(),
+                     "must be a number of the drive, not of its inspection; name another number or "
+                     "remove this entry");
 }
 
 void check_range(const GearSet& gear, const FieldPath& path, const InputRange& range) {
@@ -1041,6 +1045,69 @@ void check_correlation(const GearSet& gear, std::size_t which) {
                        fmt::format("{} and {} already have a correlation, correlation[{}]; remove "
                                    "one of them",
                                    pair.path, pair.with, i));
+  }
+}
+
+/// Checks that an inspection has what its method needs, and nothing else.
+void check_method(const Inspection& inspection) {
+  const FieldPath path("inspection");
+  const bool measured = is_measurement(inspection.method);
+  const auto needed = [&](std::string_view field, bool given, bool by_measurement) {
+    if (given && by_measurement != measured)
+      throw InputError(
+          (path / field).text(),
+          fmt::format("is read {} only; remove it or change the method",
+                      by_measurement
+                          ? "with the methods stiffness, one_sided_stiffness and resonance"
+                          : "with method = \"curve\""));
+    if (!given && by_measurement == measured)
+      throw InputError((path / field).text(), fmt::format("must be given for method = \"{}\"",
+                                                          enum_name(inspection.method)));
+  };
+  needed("a50", inspection.a50.has_value(), false);
+  needed("a90", inspection.a90.has_value(), false);
+  needed("noise", inspection.noise.has_value(), true);
+  if (measured) {
+    if (inspection.detection) needed("detection", true, false);
+    if (!inspection.place.empty()) needed("place", true, false);
+    if (!inspection.false_calls)
+      throw InputError("inspection.false_calls",
+                       fmt::format("must be given for method = \"{}\", whose threshold follows "
+                                   "from it",
+                                   enum_name(inspection.method)));
+    require(*inspection.false_calls > 0, path / "false_calls", *inspection.false_calls, "1",
+            "> 0 with a measurement, whose threshold follows from it");
+  } else {
+    require(*inspection.a50 < *inspection.a90, path / "a90", *inspection.a90, "m",
+            "> a50: a larger crack is found more often");
+  }
+}
+
+void check_inspection(const GearSet& gear) {
+  const Inspection& inspection = *gear.inspection;
+  const FieldPath path("inspection");
+  check_method(inspection);
+  const bool repairs = inspection.find == FindLeadsTo::repair;
+  if (repairs != inspection.repaired_to.has_value())
+    throw InputError((path / "repaired_to").text(),
+                     repairs ? "must be given for find = \"repair\""
+                             : "is read with find = \"repair\" only; remove it or change find");
+  if (inspection.place.empty()) return;
+  std::vector<std::string> cracks;
+  for_each_crack(gear, [&](const CrackPath& crack, const auto&) { cracks.push_back(crack); });
+  for (std::size_t i = 0; i < inspection.place.size(); ++i) {
+    const FieldPath at = (path / "place")[i];
+    const std::string& crack = inspection.place[i].crack;
+    check_one_line(at, "crack", crack);
+    if (std::ranges::find(cracks, crack) == cracks.end())
+      throw InputError((at / "crack").text(),
+                       fmt::format("\"{}\" is not a crack of this drive{}{}", shown(crack),
+                                   cracks.empty() ? "" : ": ", fmt::join(cracks, ", ")));
+    for (std::size_t k = 0; k < i; ++k)
+      if (inspection.place[k].crack == crack)
+        throw InputError(
+            (at / "crack").text(),
+            fmt::format("{} is already inspection.place[{}]; remove one of them", crack, k));
   }
 }
 
@@ -1141,6 +1208,7 @@ void check_rules(const GearSet& gear) {
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);
   for (std::size_t i = 0; i < gear.correlation.size(); ++i) check_correlation(gear, i);
   if (!gear.correlation.empty()) (void)scattering_normals(gear);
+  if (gear.inspection) check_inspection(gear);
 }
 
 }  // namespace strainwave

@@ -141,6 +141,13 @@ void drop_lost_paths(GearSet& gear, const GearSet& before) {
     });
     return numbers;
   };
+  if (gear.inspection && !gear.inspection->place.empty()) {
+    std::vector<std::string> cracks;
+    for_each_crack(gear, [&](const CrackPath& crack, const auto&) { cracks.push_back(crack); });
+    std::erase_if(gear.inspection->place, [&](const InspectedPlace& place) {
+      return std::ranges::find(cracks, place.crack) == cracks.end();
+    });
+  }
   if (gear.range.empty() && gear.scatter.empty()) return;
   const auto now = numbers_of(gear);
   const auto then = numbers_of(before);

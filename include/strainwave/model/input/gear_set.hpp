@@ -16,6 +16,7 @@
 #include "strainwave/model/input/drivetrain.hpp"
 #include "strainwave/model/input/duty.hpp"
 #include "strainwave/model/input/flexspline.hpp"
+#include "strainwave/model/input/inspection.hpp"
 #include "strainwave/model/input/manoeuvre.hpp"
 #include "strainwave/model/input/material.hpp"
 #include "strainwave/model/input/output_bearing.hpp"
@@ -151,6 +152,7 @@ struct GearSet {
   std::vector<InputRange> range;                  ///< inputs that are known only within limits
   std::vector<InputScatter> scatter;              ///< inputs that scatter, for combined uncertainty
   std::vector<InputCorrelation> correlation;      ///< of inputs that scatter
+  std::optional<Inspection> inspection = {};      ///< how cracks are looked for
   std::optional<ArticleOverrides> article;
   /// The tables that cracks name, by name; the reader of the file fills them
   /// (io/compliance_table_file.hpp).
@@ -251,6 +253,11 @@ struct GearSet {
                 .doc = "rank correlations of inputs that scatter",
                 .in_template = InTemplate::commented},
           &GearSet::correlation);
+    field(Field{.name = "inspection",
+                .unit = "",
+                .doc = "how cracks are looked for, and what a find leads to",
+                .in_template = InTemplate::commented},
+          &GearSet::inspection);
     field(Field{.name = "article",
                 .unit = "",
                 .doc = "printed values of the article; read by the method as-printed only",
@@ -303,7 +310,7 @@ void for_each_path_list(Gear& gear, const F& f) {
 }
 
 /// Removes the entries of the lists of for_each_path_list whose numbers are no longer in the drive
-/// or have changed their values.
+/// or have changed their values, and the places of the inspection whose cracks are no longer there.
 /// @param gear    the drive as it is now; its lists are changed
 /// @param before  the drive for which the lists were written
 void drop_lost_paths(GearSet& gear, const GearSet& before);

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/inspection/detection_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/roots.hpp"
+#include "strainwave/uncertainty/normal.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr int kMostSteps = 200;
+/// Rounding of a sum of logarithms, relative.
+constexpr double kRounding = 1e-13;
+/// Square of the normal quantile of 0.95: a bound on one side with 95 % confidence (IR-13).
+const double kOneSided = normal_quantile(0.95) * normal_quantile(0.95);
+
+double logistic_logarithm(double x) {
+  return x > 0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
+}
+
+/// Logarithm of the probability below z, also far below 0.
+double normal_logarithm(double z) {
+  if (z > -30) return std::log(normal_probability(z));
+  return -z * z / 2 - std::log(-z) - std::log(2 * std::numbers::pi) / 2 + std::log1p(-1 / (z * z));
+}
+
+/// Logarithm of the likelihood of one trial and its derivatives by the argument of the curve.
+struct TrialLikelihood {
+  double value;
+  double slope;
+  double bend;  ///< <= 0
+};
+
+TrialLikelihood likelihood_of(DetectionForm form, double x, bool hit) {
+  const double sign = hit ? 1.0 : -1.0;
+  const double y = sign * x;
+  if (form == DetectionForm::log_logistic) {
+    const double other = 1 / (1 + std::exp(y));
+    return {logistic_logarithm(y), sign * other, -other * (1 - other)};
+  }
+  const double value = normal_logarithm(y);
+  const double ratio = std::exp(-y * y / 2 - std::log(2 * std::numbers::pi) / 2 - value);
+  return {value, sign * ratio, -ratio * (ratio + y)};
+}
+
+/// The argument of the curve at a probability.
+double argument_of(DetectionForm form, double probability) {
+  return form == DetectionForm::log_logistic ? std::log(probability / (1 - probability))
+                                             : normal_quantile(probability);
+}
+
+/// Trials by the logarithms of the sizes, centred about their mean.
+class HitTrials {
+ public:
+  HitTrials(DetectionForm form, const std::vector<HitOrMiss>& trials) : form_(form) {
+    for (const HitOrMiss& trial : trials)
+      mean_ += std::log(trial.size) / static_cast<double>(trials.size());
+    for (const HitOrMiss& trial : trials) {
+      x_.push_back(std::log(trial.size) - mean_);
+      hit_.push_back(trial.hit);
+    }
+  }
+
+  [[nodiscard]] double mean() const { return mean_; }
+  [[nodiscard]] double spread() const {
+    const auto [low, high] = std::ranges::minmax(x_);
+    return high - low;
+  }
+
+  /// The most likely level and slope (IR-12) by Newton's method; the likelihood is concave.
+  void fit() {
+    double value = at(level_, slope_);
+    for (int step = 0; step < kMostSteps; ++step) {
+      double g0 = 0.0;
+      double g1 = 0.0;
+      double h00 = 0.0;
+      double h01 = 0.0;
+      double h11 = 0.0;
+      for (std::size_t i = 0; i < x_.size(); ++i) {
+        const TrialLikelihood one = likelihood_of(form_, level_ + slope_ * x_[i], hit_[i]);
+        g0 += one.slope;
+        g1 += one.slope * x_[i];
+        h00 += one.bend;
+        h01 += one.bend * x_[i];
+        h11 += one.bend * x_[i] * x_[i];
+      }
+      const double determinant = h00 * h11 - h01 * h01;
+      const double d0 = -(h11 * g0 - h01 * g1) / determinant;
+      const double d1 = -(h00 * g1 - h01 * g0) / determinant;
+      double share = 1.0;
+      double better = at(level_ + d0, slope_ + d1);
+      while (better < value - kRounding * std::abs(value) && share > 1e-10) {
+        share /= 2;
+        better = at(level_ + share * d0, slope_ + share * d1);
+      }
+      if (!(share > 1e-10)) return;
+      level_ += share * d0;
+      slope_ += share * d1;
+      if (std::abs(d0) + std::abs(d1) < kRounding * (std::abs(level_) + std::abs(slope_))) return;
+      value = better;
+    }
+  }
+  [[nodiscard]] double level() const { return level_; }
+  [[nodiscard]] double slope() const { return slope_; }
+  [[nodiscard]] double likelihood() const { return at(level_, slope_); }
+
+  /// Largest likelihood of the curves that have the argument z at x.
+  [[nodiscard]] double profile(double z, double x) const {
+    double slope = slope_;
+    double value = at(z - slope * x, slope);
+    for (int step = 0; step < kMostSteps; ++step) {
+      double g = 0.0;
+      double h = 0.0;
+      for (std::size_t i = 0; i < x_.size(); ++i) {
+        const double away = x_[i] - x;
+        const TrialLikelihood one = likelihood_of(form_, z + slope * away, hit_[i]);
+        g += one.slope * away;
+        h += one.bend * away * away;
+      }
+      double by = -g / h;
+      double better = at(z - (slope + by) * x, slope + by);
+      while (better < value && std::abs(by) > 1e-12 * std::abs(slope)) {
+        by /= 2;
+        better = at(z - (slope + by) * x, slope + by);
+      }
+      if (!(better > value)) break;
+      slope += by;
+      value = better;
+    }
+    return value;
+  }
+
+ private:
+  [[nodiscard]] double at(double level, double slope) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      sum += likelihood_of(form_, level + slope * x_[i], hit_[i]).value;
+    return sum;
+  }
+
+  DetectionForm form_;
+  std::vector<double> x_;
+  std::vector<bool> hit_;
+  double mean_ = 0.0;
+  double level_ = 0.0;
+  double slope_ = 0.0;
+};
+
+/// The larger place at which twice the logarithm of the likelihood has fallen by kOneSided (IR-13).
+/// @param best    place of the largest likelihood
+/// @param spread  of the places of the trials, > 0
+std::optional<double> upper_place(const std::function<double(double)>& profile, double largest,
+                                  double best, double spread) {
+  const auto left = [&](double x) { return 2 * (largest - profile(x)) - kOneSided; };
+  double below = best;
+  double step = spread / 64;
+  for (double above = best + step; above < best + 64 * spread; above = below + step) {
+    if (left(above) > 0) return bracketed_root(left, below, above);
+    below = above;
+    step *= 1.5;
+  }
+  return std::nullopt;
+}
+
+/// Fills the points and the bounds of a fit.
+/// @param place    logarithm of the size at an argument of the curve
+/// @param profile  largest likelihood of the curves with an argument at the logarithm of a size
+void add_bounds(DetectionFit& fit, double spread, const std::function<double(double)>& place,
+                const std::function<double(double, double)>& profile) {
+  const auto bound = [&](double probability) -> std::optional<double> {
+    const double z = argument_of(fit.form, probability);
+    const std::optional<double> x = upper_place([&](double at) { return profile(z, at); },
+                                                fit.log_likelihood, place(z), spread);
+    return x ? std::optional(std::exp(*x)) : std::nullopt;
+  };
+  const auto size = [&](double probability) {
+    return std::exp(place(argument_of(fit.form, probability)));
+  };
+  fit.a50 = size(0.5);
+  fit.a90 = size(0.9);
+  fit.a50_bound = bound(0.5);
+  fit.a90_bound = bound(0.9);
+  for (int i = 1; i < 50; ++i) {
+    const double probability = 0.02 * i;
+    fit.points.push_back(
+        {.size = size(probability), .probability = probability, .bound = bound(probability)});
+  }
+}
+
+void require_size(double size) {
+  require(size > 0 && std::isfinite(size), "size", size, "m", "> 0");
+}
+
+}  // namespace
+
+DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) {
+  if (trials.size() < 10)
+    throw InputError("hit", fmt::format("has {} trials; give at least 10", trials.size()));
+  double smallest_hit = std::numeric_limits<double>::infinity();
+  double largest_hit = 0.0;
+  double smallest_miss = std::numeric_limits<double>::infinity();
+  double largest_miss = 0.0;
+  DetectionFit fit{.form = form, .trials = static_cast<int>(trials.size()), .points = {}};
+  for (const HitOrMiss& trial : trials) {
+    require_size(trial.size);
+    if (trial.hit) ++fit.hits;
+    double& smallest = trial.hit ? smallest_hit : smallest_miss;
+    double& largest = trial.hit ? largest_hit : largest_miss;
+    smallest = std::min(smallest, trial.size);
+    largest = std::max(largest, trial.size);
+  }
+  if (fit.hits == 0 || fit.hits == fit.trials)
+    throw InputError("hit", fmt::format("is {} in all trials; a curve needs cracks that were found "
+                                        "and cracks that were missed",
+                                        fit.hits == 0 ? 0 : 1));
+  if (largest_miss <= smallest_hit && largest_miss < largest_hit)
+    throw InputError("hit",
+                     "is 1 for every crack that is larger than the missed ones, so the trials do "
+                     "not tell the width of the curve; try more cracks between the two");
+  HitTrials of(form, trials);
+  if (of.spread() > 0) of.fit();
+  if (!(of.slope() > 1e-9))
+    throw InputError("hit", "does not rise with the size; a larger crack must be found more often");
+  fit.log_likelihood = of.likelihood();  // (IR-12)
+  add_bounds(
+      fit, of.spread(), [&](double z) { return of.mean() + (z - of.level()) / of.slope(); },
+      [&](double z, double x) { return of.profile(z, x - of.mean()); });
+  return fit;
+}
+
+DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshold) {
+  require(threshold > 0 && std::isfinite(threshold), "threshold", threshold, "1", "> 0");
+  if (trials.size() < 5)
+    throw InputError("signal", fmt::format("has {} trials; give at least 5", trials.size()));
+  const auto n = static_cast<double>(trials.size());
+  const double limit = std::log(threshold);
+  std::vector<double> x;
+  std::vector<double> y;
+  DetectionFit fit{
+      .form = DetectionForm::log_normal, .trials = static_cast<int>(trials.size()), .points = {}};
+  double mean_x = 0.0;
+  double mean_y = 0.0;
+  for (const SizedSignal& trial : trials) {
+    require_size(trial.size);
+    require(trial.signal > 0 && std::isfinite(trial.signal), "signal", trial.signal, "1", "> 0");
+    if (trial.signal > threshold) ++fit.hits;
+    x.push_back(std::log(trial.size));
+    y.push_back(std::log(trial.signal));
+    mean_x += x.back() / n;
+    mean_y += y.back() / n;
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+    yy += (y[i] - mean_y) * (y[i] - mean_y);
+  }
+  const auto [low, high] = std::ranges::minmax(x);
+  if (!(high > low))
+    throw InputError("size", "is the same in all trials; give cracks of other sizes");
+  if (!(xy > 0))
+    throw InputError("signal", "falls with the size; a larger crack must give a larger signal");
+  const double rise = xy / xx;
+  const double squares = yy - rise * xy;
+  if (!(squares > 1e-20 * yy))
+    throw InputError("signal", "lies on a line without scatter; give measured signals");
+  const double deviation = std::sqrt(squares / n);  // (IR-14)
+  const double level = mean_y - rise * mean_x;
+  const auto logarithm = [&](double sigma, double sum) {
+    return -n * (std::log(sigma) + std::log(2 * std::numbers::pi) / 2) - sum / (2 * sigma * sigma);
+  };
+  fit.log_likelihood = logarithm(deviation, squares);
+  // The most likely rise and deviation of the lines that have the argument z at a place, closed.
+  const auto profile = [&](double z, double at) {
+    double dd = 0.0;
+    double dv = 0.0;
+    double d = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      dd += (x[i] - at) * (x[i] - at);
+      dv += (x[i] - at) * (y[i] - limit);
+      d += x[i] - at;
+    }
+    double E = 0.0;
+    double F = 0.0;
+    double G = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double e = y[i] - limit - dv / dd * (x[i] - at);
+      const double g = 1 - d / dd * (x[i] - at);
+      E += e * e;
+      F += e * g;
+      G += g * g;
+    }
+    const double u = (z * F + std::sqrt(z * z * F * F + 4 * E * n)) / (2 * E);
+    return logarithm(1 / u, E - 2 * z / u * F + z * z / (u * u) * G);
+  };
+  add_bounds(
+      fit, high - low, [&](double z) { return (limit - level + z * deviation) / rise; }, profile);
+  return fit;
+}
+
+}  // namespace strainwave

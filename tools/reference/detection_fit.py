@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Curves of detection fitted to trials, with their 95 % bound.
+
+Equations (IR-12), (IR-13), (IR-14) for examples/detection_hits.csv and
+examples/detection_signals.csv.  Independent of the C++: the product uses Newton's method, and a
+closed form for signals; this program uses the simplex of Nelder and Mead, and searches the other
+parameter of a bound by it too.  `--trials` writes the two examples, which are drawn from a model.
+"""
+import csv
+import pathlib
+import sys
+
+import numpy as np
+from scipy.optimize import brentq, minimize
+from scipy.stats import logistic, norm
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HITS = ROOT / "examples" / "detection_hits.csv"
+SIGNALS = ROOT / "examples" / "detection_signals.csv"
+THRESHOLD = 120.0
+FALL = norm.ppf(0.95) ** 2
+FORMS = {"log_logistic": logistic, "log_normal": norm}
+
+
+def write_trials():
+    rng = np.random.default_rng(7)
+    head = "# Drawn by tools/reference/detection_fit.py from a model; no test was made.\n"
+    size = np.round(np.exp(rng.uniform(np.log(0.3), np.log(5), 60)), 2)
+    hit = rng.random(60) < logistic.cdf(np.log(size / 1.1) / 0.35)
+    HITS.write_text(head + "size [mm],hit\n" + "".join(f"{a:.2f},{int(h)}\n" for a, h in zip(size, hit)))
+    size = np.round(np.exp(rng.uniform(np.log(0.3), np.log(5), 30)), 2)
+    signal = np.exp(np.log(100) + 1.1 * np.log(size) + 0.3 * rng.standard_normal(30))
+    SIGNALS.write_text(head + "size [mm],signal\n"
+                       + "".join(f"{a:.2f},{s:.1f}\n" for a, s in zip(size, signal)))
+
+
+def read(path):
+    rows = [row for row in csv.reader(path.read_text().splitlines()) if not row[0].startswith("#")]
+    return np.array(rows[1:], float).T
+
+
+def hits_likelihood(form):
+    size, hit = read(HITS)
+    x, law = np.log(size), FORMS[form]
+
+    def value(x50, width):
+        z = (x - x50) / width
+        return float(np.sum(np.where(hit == 1, law.logcdf(z), law.logsf(z)))) if width > 0 else -1e9
+
+    return value, lambda p: law.ppf(p), x
+
+
+def signal_likelihood():
+    size, signal = read(SIGNALS)
+    x, y = np.log(size), np.log(signal)
+
+    def value(x50, width, rise):
+        if width <= 0 or rise <= 0:
+            return -1e9
+        return float(np.sum(norm.logpdf(y, np.log(THRESHOLD) + rise * (x - x50), width * rise)))
+
+    return value, norm.ppf, x
+
+
+def largest(function, start):
+    best = start
+    for _ in range(6):
+        best = minimize(lambda v: -function(*v), best, method="Nelder-Mead",
+                        options=dict(xatol=1e-11, fatol=1e-13, maxiter=20000, maxfev=20000)).x
+    return best, function(*best)
+
+
+def fitted(value, ppf, x, rest):
+    best, top = largest(value, [np.mean(x), 0.3, *rest])
+    found = {"log_likelihood": (top, "1", 9), "a50": (np.exp(best[0]) / 1e3, "m", 7),
+             "a90": (np.exp(best[0] + best[1] * ppf(0.9)) / 1e3, "m", 7)}
+    for name, p in (("a50_bound", 0.5), ("a90_bound", 0.9)):
+        z = ppf(p)
+        start = [best[1:]]
+
+        def left(place):
+            start[0], at = largest(lambda width, *more: value(place - z * width, width, *more), start[0])
+            return 2 * (top - at) - FALL
+
+        place = best[0] + best[1] * z
+        end = place + 0.05
+        while left(end) < 0:
+            end += 0.05
+        found[name] = (np.exp(brentq(left, end - 0.05, end, xtol=1e-11)) / 1e3, "m", 7)
+    return found
+
+
+def tables():
+    from reference_csv import Table
+
+    table = Table("detection_fit")
+    for case, parts in (("hits_log_logistic", (*hits_likelihood("log_logistic"), [])),
+                        ("hits_log_normal", (*hits_likelihood("log_normal"), [])),
+                        ("signals", (*signal_likelihood(), [1.0]))):
+        for name, (number, unit, digits) in fitted(*parts).items():
+            table.add(f"{case}_{name}", [], number, unit, "simplex of Nelder and Mead", digits=digits)
+    return [table]
+
+
+def main():
+    if "--trials" in sys.argv[1:]:
+        write_trials()
+        return
+    from reference_csv import publish
+
+    publish(*tables())
+
+
+if __name__ == "__main__":
+    main()
