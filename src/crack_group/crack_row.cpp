@@ -34,7 +34,7 @@ class Row {
  public:
   Row(double share, double angle) : a_(share / 2), turn_(std::exp(kI * (pi / 2 + angle))) {
     const double gap = row_gap(share, angle);
-    require(gap > 0, "cracks", share, "1", "the cracks of a row must not touch");
+    require(gap > 0, "share", share, "1", "the cracks of a row must not touch");
     n_ = order_of(gap);
     half_ = n_ / 2;
     const Points points(n_);
@@ -70,16 +70,21 @@ class Row {
             .sliding_by_shear = factor(1, 1)};
   }
 
-  [[nodiscard]] PressedRow pressed() const {
-    const Eigen::VectorXd shear = matrix_.bottomRightCorner(half_, half_)
-                                      .partialPivLu()
-                                      .solve(Eigen::VectorXd::Constant(half_, -1.0));
-    // The last of the points with a traction is the middle.
-    const double pull = matrix_.row(half_ - 1).tail(half_).dot(shear);
-    return {.sliding_by_shear = at_tip(shear), .pull_by_shear = -pull};
+  [[nodiscard]] double pressed() const { return at_tip(sliding()); }
+
+  [[nodiscard]] PullOfRow pull() const {
+    // A positive shear of (FR-6) has the opposite sense of S.
+    const Eigen::VectorXd pulls = -matrix_.topRightCorner(half_, half_) * sliding();
+    return {.least = pulls.minCoeff(), .most = pulls.maxCoeff()};
   }
 
  private:
+  /// Densities of pressed faces under a unit shear.
+  [[nodiscard]] Eigen::VectorXd sliding() const {
+    return matrix_.bottomRightCorner(half_, half_)
+        .partialPivLu()
+        .solve(Eigen::VectorXd::Constant(half_, -1.0));
+  }
   /// @param distance  from the density to the traction, over a
   [[nodiscard]] Influence at(double distance) const {
     const Complex w = a_ * distance * turn_;
@@ -111,21 +116,20 @@ class RowTable {
               values = {row.opening_by_normal, row.sliding_by_normal};
               return true;
             },
-            options()),
+            options(2)),
         by_shear_(
             [angle](const ChebyshevCells::Place& at, ChebyshevCells::Values& values) {
               const RowFactors row = apart_at(std::expm1(at[0]), angle);
               values = {row.opening_by_shear, row.sliding_by_shear};
               return true;
             },
-            options()),
+            options(2)),
         pressed_(
             [angle](const ChebyshevCells::Place& at, ChebyshevCells::Values& values) {
-              const PressedRow row = pressed_at(std::expm1(at[0]), angle);
-              values = {row.sliding_by_shear, row.pull_by_shear};
+              values = {pressed_at(std::expm1(at[0]), angle)};
               return true;
             },
-            options()),
+            options(1)),
         angle_(angle),
         // A box must not reach the cracks that touch.
         end_(std::expm1(std::log1p(largest_row_share(angle, kTouching)) - kWidth)) {}
@@ -139,25 +143,25 @@ class RowTable {
       return apart_at(share, angle_);
     return {normal[0], normal[1], shear[0], shear[1]};
   }
-  [[nodiscard]] PressedRow pressed(double share) {
+  [[nodiscard]] double pressed(double share) {
     ChebyshevCells::Values values{};
     if (share > end_ || !ChebyshevCells::Reader(pressed_)({std::log1p(share)}, values))
       return pressed_at(share, angle_);
-    return {values[0], values[1]};
+    return values[0];
   }
 
   [[nodiscard]] static RowFactors apart_at(double share, double angle) {
     return share == 0 ? RowFactors{1.0, 0.0, 0.0, 1.0} : Row(share, angle).apart();
   }
-  [[nodiscard]] static PressedRow pressed_at(double share, double angle) {
-    return share == 0 ? PressedRow{1.0, 0.0} : Row(share, angle).pressed();
+  [[nodiscard]] static double pressed_at(double share, double angle) {
+    return share == 0 ? 1.0 : Row(share, angle).pressed();
   }
 
  private:
   static constexpr double kTouching = 0.05;  ///< least gap in a box, over the half length
   static constexpr double kWidth = 0.125;    ///< of the boxes, in ln(1 + share)
-  static ChebyshevCells::Options options() {
-    return {.widths = {kWidth}, .values = 2, .tolerance = 1e-12};
+  static ChebyshevCells::Options options(std::size_t values) {
+    return {.widths = {kWidth}, .values = values, .tolerance = 1e-12};
   }
 
   ChebyshevCells by_normal_;
@@ -167,8 +171,8 @@ class RowTable {
   double end_;
 };
 
-/// The table of an angle.  Tables of the last angles are kept: they save time and do not change the
-/// answer, which depends on the angle and the share alone.
+/// The table of an angle.  Up to 64 tables are kept: they save time and do not change the answer,
+/// which depends on the angle and the share alone.
 std::shared_ptr<RowTable> table_of(double angle) {
   constexpr std::size_t kKept = 64;
   static std::mutex mutex;
@@ -190,7 +194,8 @@ std::shared_ptr<RowTable> table_of(double angle) {
 /// the share.
 template <std::size_t N, class F>
 std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& angle, const F& f) {
-  constexpr double kStep = 1e-3;
+  // Beside neighbours that touch, the step is short.
+  const double step = 1e-3 * std::min(1.0, row_gap(std::max(share.value, 1e-6), angle.value));
   const auto slopes = [&](double along_share, double along_angle) {
     const auto at = [&](double steps) -> std::array<double, N> {
       return f(std::abs(share.value + steps * along_share), angle.value + steps * along_angle);
@@ -201,12 +206,12 @@ std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& 
     const auto far_behind = at(-2.0);
     std::array<double, N> slope{};
     for (std::size_t i = 0; i < N; ++i)
-      slope[i] = (8 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) / (12 * kStep);
+      slope[i] = (8 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) / (12 * step);
     return slope;
   };
   const std::array<double, N> value = f(share.value, angle.value);
-  const auto by_share = slopes(kStep, 0.0);
-  const auto by_angle = slopes(0.0, kStep);
+  const auto by_share = slopes(step, 0.0);
+  const auto by_angle = slopes(0.0, step);
   std::array<DualReal, N> result;
   for (std::size_t i = 0; i < N; ++i)
     result[i] = chain(share, value[i], by_share[i]) + chain(angle, 0.0, by_angle[i]);
@@ -226,15 +231,14 @@ BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& ang
   return {f[0], f[1], f[2], f[3]};
 }
 
-PressedRow pressed_row(double share, double angle) { return table_of(angle)->pressed(share); }
+double pressed_row(double share, double angle) { return table_of(angle)->pressed(share); }
 
-BasicPressedRow<DualReal> pressed_row(const DualReal& share, const DualReal& angle) {
-  const auto f = with_derivatives<2>(share, angle, [](double x, double beta) {
-    const PressedRow row = pressed_row(x, beta);
-    return std::array{row.sliding_by_shear, row.pull_by_shear};
-  });
-  return {f[0], f[1]};
+DualReal pressed_row(const DualReal& share, const DualReal& angle) {
+  return with_derivatives<1>(
+      share, angle, [](double x, double beta) { return std::array{pressed_row(x, beta)}; })[0];
 }
+
+PullOfRow pull_of_row(double share, double angle) { return Row(share, angle).pull(); }
 
 double row_gap(double share, double angle) {
   const StraightCrack crack{.centre = 0.0, .half_length = share / 2, .angle = pi / 2 + angle};

@@ -364,11 +364,12 @@ class Maker {
       // stress (CG-7).
       RowFactors row{1.0, 0.0, 0.0, 1.0};
       if (solution.count > 1) row = row_factors(solution.row_share(size.size), solution.angle);
+      // Few neighbours are under the whole stress at once, so what they shield does not count.
+      const double opened = std::max(1.0, row.opening_by_normal);
+      const double slid = std::max(1.0, row.sliding_by_shear);
       for (FrontIntensity& at : front)
-        at.assembly = {
-            (row.opening_by_normal * bending.normal + row.opening_by_shear * bending.shear) * root,
-            (row.sliding_by_normal * bending.normal + row.sliding_by_shear * bending.shear) * root,
-            0.0};
+        at.assembly = {(opened * bending.normal + row.opening_by_shear * bending.shear) * root,
+                       (row.sliding_by_normal * bending.normal + slid * bending.shear) * root, 0.0};
       return front;
     };
     made.bending = tube_bending(made, wall.mean_radius);
@@ -391,8 +392,11 @@ class Maker {
     made.range_text = made.range_end == shell
                           ? "a shell parameter of 4"
                           : "the length of the tube, or half of its circumference";
-    if (crack.count > 1)
+    if (crack.count > 1) {
       in_row(made, {crack.count, crack.angle}, wall, gear_.flexspline->stress_nonuniformity);
+      end_where_row_is_known(made, crack);
+    }
+
     use(made, {"FA-6", "FA-8"});
     if (made.assembly) {
       use(made, {"FA-14"});
@@ -456,6 +460,26 @@ class Maker {
       made.length_end = longest_in_row(crack, wall);
       use(made, {"CG-7"});
     }
+  }
+
+  /// Ends the range of a row where its solution ends (CG-7), (CG-8) for another reason than the
+  /// gap.
+  void end_where_row_is_known(DriveCrack& made, WallThroughCrack crack) const {
+    const auto known = [&](double half_length) {
+      crack.half_length = half_length;
+      return loads_.row_state(crack) == CrackLoads<double>::RowState::holds;
+    };
+    if (made.moduli.anisotropic || known(made.range_end)) return;
+    constexpr int kHalvings = 40;
+    double inside = 0.0;
+    double beyond = made.range_end;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (inside + beyond) / 2;
+      (known(middle) ? inside : beyond) = middle;
+    }
+    made.range_end = inside;
+    made.range_text =
+        "where the influence of the cracks of the row on each other is no longer known";
   }
 
   /// Half length at which the influence of surface cracks of a row on each other is no longer small

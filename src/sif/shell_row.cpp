@@ -16,10 +16,9 @@ using std::numbers::pi;
 /// Share at which the table ends; it falls from a stacked to a collinear row.
 template <class Real>
 Real end_of_share(const Real& angle) {
-  using std::cos, std::sin, std::sqrt;
-  const Real sine = sin(angle);
-  const Real cosine = cos(angle);
-  return kRowShareEnd / sqrt(sine * sine + 0.5 * cosine * cosine);
+  using std::pow, std::sin, std::sqrt;
+  const Real slanted = pow(sin(angle), 6.0);
+  return kRowShareEnd / sqrt(slanted + kRowStacked * (1 - slanted));
 }
 
 /// Chebyshev polynomials of a place in [0, 1]; beyond, those of its end.

@@ -45,9 +45,9 @@ BasicCrackPlaneStress<Real> with_neighbours(const BasicThroughCrackInTube<Real>&
   const Real share = crack.row_share(a);
   BasicCrackPlaneStress<Real> result;
   if (!crack.open) {
-    const BasicPressedRow<Real> row = pressed_row(share, crack.row_angle());
+    const Real sliding = pressed_row(share, crack.row_angle());
     for (const std::size_t i : {kAxial, kTorsion})
-      result.shear[i] = row.sliding_by_shear * stress.shear[i];  // (CG-7)
+      result.shear[i] = sliding * stress.shear[i];  // (CG-7)
     return result;
   }
   const BasicRowFactors<Real> row = row_factors(share, crack.row_angle());

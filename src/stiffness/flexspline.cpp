@@ -15,7 +15,6 @@
 #include "member_support.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/section_materials.hpp"
-#include "strainwave/sif/tube/shell_row.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -334,12 +333,6 @@ ModelAccuracy without_curvature(const sif::ThroughCrackInTube& row) {
           accuracy::kRowInFlatSheet.source};
 }
 
-/// Whether the table of (CG-8) contains the row.
-bool in_table_of_rows(const sif::ThroughCrackInTube& row) {
-  return row.shell_correction &&
-         row.row_share(row.half_length) <= sif::largest_tabulated_share(row.angle);
-}
-
 /// Notes what the neighbours of a row of through cracks change.
 void FlexsplineCracks::note_row(const std::string& path,
                                 const LoadedCrack<sif::ThroughCrackInTube>& row) {
@@ -378,15 +371,16 @@ ModelAccuracy FlexsplineCracks::note_row(const std::string& path, const WallSurf
   if (bound > kLargestRowBound)
     member.unusable_because = fmt::format(
         "{}: the {} surface cracks lie so close that through cracks of their length would change "
-        "each other's compliance by more than {:g} %; give a smaller count or shorter cracks",
+        "each other's energy release rate by more than {:g} %; give a smaller count or shorter "
+        "cracks",
         path, crack.count, 100 * kLargestRowBound);
   else
     member.notes.push_back(
         {.code = "crack.row_of_surface_cracks",
          .text = fmt::format(
              "the compliances of the {} surface cracks of the row are added; through cracks of "
-             "their length would change each other's compliance by {:.2g} %, and surface cracks "
-             "influence each other less",
+             "their length would change each other's energy release rate by up to {:.2g} %, and "
+             "surface cracks are taken to influence each other less",
              crack.count, 100 * bound),
          .path = path,
          .equation = "CG-7",
@@ -406,6 +400,12 @@ std::string row_fault(CrackLoads<double>::RowState state, const std::string& pat
           "{}: the gap between neighbours of the row is less than {:g} of the half length, where "
           "the cracks are about to grow together; give shorter cracks or a smaller count",
           path, kLeastRowGap);
+    case RowState::beyond_table:
+      return fmt::format(
+          "{}: the cracks of the row lie closer than the table of their influence in a curved "
+          "wall; "
+          "give shorter cracks or a smaller count",
+          path);
     case RowState::laminate:
       return fmt::format(
           "{}: the influence of cracks on each other is not derived for a laminate; give count = 1",
@@ -474,7 +474,7 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
   if (crack.count > 1) {
     note_row(report.path, loaded);
     const ModelAccuracy flat = without_curvature(loaded.solution);
-    const ModelAccuracy row = in_table_of_rows(loaded.solution) ? accuracy::kRowOfCracks : flat;
+    const ModelAccuracy row = crack.shell_correction ? accuracy::kRowOfCracks : flat;
     accuracy.compliance_rests_on.push_back(row);
     for (double* const of : {&accuracy.wall.axial, &accuracy.wall.torsion})
       *of = accuracy::combined(*of, row);

@@ -208,8 +208,15 @@ std::vector<CrackStrength> crack_strength(const GearSet& gear,
                                           std::span<const CrackReport> reports) {
   check(gear);
   std::vector<CrackStrength> result;
-  for (const DriveCrack& crack : drive_cracks(gear))
+  for (DriveCrack& crack : drive_cracks(gear)) {
+    // A surface crack of a row is assessed with its shape, so the end of its length ends its depth.
+    const double end = crack.length_end * crack.size.aspect_ratio;
+    if (crack.count > 1 && end < crack.range_end) {
+      crack.range_end = end;
+      crack.range_text = "where the surface cracks of the row influence each other too much";
+    }
     result.push_back(strength_of(gear, crack, reports));
+  }
   return result;
 }
 

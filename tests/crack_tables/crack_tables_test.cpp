@@ -88,6 +88,13 @@ std::vector<Case> cases() {
                    crack.half_length = dice.uniform(2.5, 3.5) * mm;
                    crack.angle = dice.uniform(0.75, 0.85);
                  }});
+  WallThroughCrack in_line = row;
+  in_line.angle = pi / 2;
+  all.push_back(
+      {"through: row in one line", with_wall_crack(in_line), [](GearSet& g, test::Dice& dice) {
+         std::get<WallThroughCrack>(g.flexspline->crack[0]).half_length =
+             dice.uniform(3.2, 3.4) * mm;  // the cracks would touch at 4.13 mm, in the same box
+       }});
   WallSurfaceCrack surface;
   surface.depth = 0.5 * mm;
   surface.half_length = 1 * mm;

@@ -11,6 +11,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/crack_group/crack_row.hpp"
 #include "strainwave/crack_group/straight_cracks.hpp"
+#include "strainwave/sif/tube/shell_row.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
@@ -139,18 +140,21 @@ TEST(RowOfCracks, BehaviourNote) {
             *report_of(through_row(1, a, kQuarter)).positive.at_output.relative_uncertainty);
 }
 
-// Kind: limit.  Where the cracks nearly touch, the answer cannot be used.
+// Kind: limit.  Where the cracks nearly touch, or lie closer than the table of their influence, the
+// answer cannot be used.
 TEST(RowOfCracks, LimitGap) {
   const double a = 4 * mm;
-  const double most = largest_row_share(1.4);
-  const int count = row_with(most, a).count;
-  const auto refusal = [&](int of) {
-    return flexspline_compliance(through_row(of, a, 1.4)).unusable_because;
+  const auto refusal = [&](int of, bool shell) {
+    return flexspline_compliance(through_row(of, a, 1.4, shell)).unusable_because;
   };
-  EXPECT_EQ(refusal(count - 2), "");
-  EXPECT_NE(refusal(count + 2).find("less than 0.2 of the half length"), std::string::npos);
-  EXPECT_TRUE(series_compliance<double>(through_row(count - 2, a, 1.4)).usable);
-  EXPECT_FALSE(series_compliance<double>(through_row(count + 2, a, 1.4)).usable);
+  const int flat = row_with(largest_row_share(1.4), a).count;
+  EXPECT_EQ(refusal(row_with(0.7, a).count, false), "");
+  EXPECT_NE(refusal(flat + 2, false).find("less than 0.2 of the half length"), std::string::npos);
+  const int curved = row_with(sif::largest_tabulated_share(1.4), a).count;
+  EXPECT_EQ(refusal(curved - 1, true), "");
+  EXPECT_NE(refusal(curved + 1, true).find("closer than the table"), std::string::npos);
+  EXPECT_TRUE(series_compliance<double>(through_row(curved - 1, a, 1.4, true)).usable);
+  EXPECT_FALSE(series_compliance<double>(through_row(curved + 1, a, 1.4, true)).usable);
 }
 
 // Kind: limit.  Neighbours may press faces together that the load opens a little; then no model

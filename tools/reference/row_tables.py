@@ -18,15 +18,16 @@ import numpy as np
 import crack_rows
 from shell_tables import lobatto
 
-ANGLES, LAMBDAS, SHARES = 9, 9, 8
-LARGEST_LAMBDA, LEAST_SHARE, END = 4.0, 0.1, 0.85
+ANGLES, LAMBDAS, SHARES = 9, 9, 12
+LARGEST_LAMBDA, LEAST_SHARE, END, STACKED = 4.0, 0.1, 0.85, 0.15
 TERMS, NU = crack_rows.TERMS, crack_rows.NU
 EVEN, ODD = np.arange(0, 2 * TERMS, 2), np.arange(1, 2 * TERMS, 2)
 
 
 def largest_share(beta):
-    """Largest 2 a/p of the table: 0.85 for cracks in one line, 1.2 for cracks side by side."""
-    return END / np.sqrt(np.sin(beta) ** 2 + 0.5 * np.cos(beta) ** 2)
+    """Largest 2 a/p of the table: 0.85 for cracks in one line, 1.7 at 45 degrees, 2.2 for axial cracks."""
+    slanted = np.sin(beta) ** 6
+    return END / np.sqrt(slanted + STACKED * (1 - slanted))
 
 
 def factors(matrix):
@@ -89,6 +90,8 @@ inline constexpr std::size_t kRowColumns = 8;
 /// Least share of the nodes, over the largest one, and the largest 2 a/p of cracks in one line.
 inline constexpr double kRowLeastShare = {LEAST_SHARE};
 inline constexpr double kRowShareEnd = {END};
+/// Square of this share over that of stacked cracks.
+inline constexpr double kRowStacked = {STACKED};
 
 // clang-format off
 /// Coefficients of nn, tn, bn, cn, nt, tt, bt, ct over (2 a/p)^2.

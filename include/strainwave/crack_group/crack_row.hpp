@@ -37,25 +37,28 @@ using RowFactors = BasicRowFactors<double>;
 [[nodiscard]] BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& angle);
 /// @}
 
-/// A row whose faces are pressed together and slide without friction; eq. (CG-7).
-template <class Real>
-struct BasicPressedRow {
-  Real sliding_by_shear{};  ///< K_II over tau sqrt(pi a) [-]; 1 for a crack alone
-  /// Normal stress that the neighbours cause at the middle of the faces, over tau [-]; 0 for a
-  /// crack alone
-  Real pull_by_shear{};
-};
-/// BasicPressedRow without derivatives.
-using PressedRow = BasicPressedRow<double>;
-
-/// Factors of a row whose faces are pressed together; as row_factors.
+/// K_II over tau sqrt(pi a) of a row whose faces are pressed together and slide without friction
+/// [-]; 1 for a crack alone; eq. (CG-7).
 /// @param share  2 a/p, length of a crack over the pitch of the row [-]; >= 0
 /// @param angle  beta [rad]
 /// @throws InputError  if neighbours touch
 /// @{
-[[nodiscard]] PressedRow pressed_row(double share, double angle);
-[[nodiscard]] BasicPressedRow<DualReal> pressed_row(const DualReal& share, const DualReal& angle);
+[[nodiscard]] double pressed_row(double share, double angle);
+[[nodiscard]] DualReal pressed_row(const DualReal& share, const DualReal& angle);
 /// @}
+
+/// Normal stress that the neighbours of a row cause on faces that are pressed together, over the
+/// shear stress tau of the sheet on them [-].
+struct PullOfRow {
+  double least = 0.0;  ///< along the faces; <= most
+  double most = 0.0;   ///< along the faces
+};
+
+/// The pull of the neighbours on pressed faces; eq. (CG-7).
+/// @param share  2 a/p, length of a crack over the pitch of the row [-]; > 0
+/// @param angle  beta [rad]
+/// @throws InputError  if neighbours touch
+[[nodiscard]] PullOfRow pull_of_row(double share, double angle);
 
 /// Smallest distance between neighbours of a row, over the half length of a crack [-]; 0 if they
 /// touch.

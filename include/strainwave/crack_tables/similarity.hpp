@@ -26,6 +26,7 @@
 ///     shape(p, x, part)  numbers of a crack with arguments x in its own unit of length, whose
 ///                        compliance f_i is; its switches are those of p
 ///     size_of(p)         the power of lengths in w_i
+///     known(p)           whether the solution exists for these numbers
 
 namespace strainwave {
 
@@ -57,6 +58,9 @@ struct Similarity<sif::ThroughCrackInTube> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.half_length / p.wall_thickness), std::log(p.wall_thickness / p.mean_radius),
             p.angle, p.poissons_ratio};
+  }
+  static bool known(const Parameters& p) {
+    return p.count == 1 || row_gap(p.row_share(p.half_length), p.row_angle()) >= kLeastRowGap;
   }
   static auto fixed(const Parameters& p) {
     return std::tuple(p.shell_correction, p.thin_sheet, p.count, p.in_line);
@@ -103,6 +107,7 @@ struct Similarity<sif::SurfaceCrack<N>> {
             p.half_width ? std::log(*p.half_width / p.thickness) : 0.0,
             kSheared ? p.poissons_ratio : 0.0};
   }
+  static bool known(const Parameters&) { return true; }
   static auto fixed(const Parameters& p) {
     return std::tuple(p.loading, p.half_width.has_value(), p.count);
   }
@@ -144,6 +149,7 @@ struct Similarity<sif::EdgeCrack> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / (p.thickness - p.depth))};
   }
+  static bool known(const Parameters&) { return true; }
   static auto fixed(const Parameters& p) { return p.loading; }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli,
                                        Faces faces) {
@@ -173,6 +179,7 @@ struct Similarity<sif::AnnularCrackSolid> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / (p.diameter / 2 - p.depth))};
   }
+  static bool known(const Parameters&) { return true; }
   static auto fixed(const Parameters& p) { return p.polynomials; }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.shear};
@@ -199,6 +206,7 @@ struct Similarity<sif::AnnularCrackHollow> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / (p.outer_radius - p.inner_radius)), p.inner_radius / p.outer_radius};
   }
+  static bool known(const Parameters&) { return true; }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.shear};
@@ -229,6 +237,7 @@ struct Similarity<sif::ShaftSurfaceSolid> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / p.diameter), std::log(p.half_length / p.diameter)};
   }
+  static bool known(const Parameters&) { return true; }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<double, 2> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.opening, size_of(p) / moduli.shear};
@@ -261,6 +270,7 @@ struct Similarity<sif::ShaftSurfaceHollow> {
     return {std::log(p.depth / (p.outer_radius - p.inner_radius)),
             std::log(p.depth / p.half_length), p.inner_radius / p.outer_radius, p.poissons_ratio};
   }
+  static bool known(const Parameters&) { return true; }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<double, 2> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.opening, size_of(p) / moduli.shear};

@@ -31,6 +31,7 @@
 #include "strainwave/sif/member/shaft_surface.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/solution.hpp"
+#include "strainwave/sif/tube/shell_row.hpp"
 
 /// @file
 /// Cracks of a drive with their solutions and loads, in the scalar `Real`: double, or DualReal for
@@ -43,9 +44,15 @@ namespace strainwave {
 /// curvature counts [-].
 inline constexpr double kMetalPoissonsRatio = 0.3;
 
-/// Share 2 a/p up to which torsion alone leaves open faces of a row open and pressed ones pressed
-/// [-].
+/// Angle [rad] and share 2 a/p [-] up to which torsion alone leaves open faces of a row open and
+/// pressed ones pressed, along their whole length.
+/// @{
+inline constexpr double kTorsionKeepsFacesAngle = 1.2;
 inline constexpr double kTorsionKeepsFaces = 1.5;
+/// @}
+/// Influence of the cracks of a row on each other in a curved wall over that in a flat sheet, at
+/// most for cracks near each other [-]; tests/data/crack_rows.csv has 1.39.
+inline constexpr double kCurvatureOfRow = 1.5;
 
 /// Largest `CrackLoads::row_bound` at which a row of surface cracks has a usable answer [-].
 inline constexpr double kLargestRowBound = 0.25;
@@ -364,10 +371,11 @@ class CrackLoads {
   }
   /// Whether the solution of a row of through cracks holds (CG-7).
   enum class RowState {
-    holds,      ///< the crack is alone, or its row is known
-    too_close,  ///< the gaps are too narrow
-    laminate,   ///< the interaction is known in an isotropic wall only
-    faces,      ///< the neighbours open or press faces that the load alone presses or opens
+    holds,         ///< the crack is alone, or its row is known
+    too_close,     ///< the gaps are too narrow
+    beyond_table,  ///< the curvature between the cracks is not tabulated
+    laminate,      ///< the interaction is known in an isotropic wall only
+    faces,         ///< the neighbours open or press faces that the load alone presses or opens
   };
   [[nodiscard]] RowState row_state(const WallThroughCrack& crack) const {
     if (crack.count == 1) return RowState::holds;
@@ -377,32 +385,35 @@ class CrackLoads {
     const double r = value_of(wall_of(crack.section).mean_radius);
     if (row_gap_of(crack, r, crack.angle) < kLeastRowGap) return RowState::too_close;
     const double share = crack.half_length * crack.count / (std::numbers::pi * r);
-    if (share <= kTorsionKeepsFaces && gear_.load.axial_force == 0) return RowState::holds;
+    if (crack.shell_correction && share > sif::largest_tabulated_share(crack.angle))
+      return RowState::beyond_table;
+    if (share <= kTorsionKeepsFaces && std::abs(crack.angle) <= kTorsionKeepsFacesAngle &&
+        gear_.load.axial_force == 0)
+      return RowState::holds;
     return neighbours_keep_faces(crack, share) ? RowState::holds : RowState::faces;
   }
 
-  /// Largest change of the compliance of a row of surface cracks that through cracks of the same
-  /// length would cause, as a share of it [-]; infinite if their row is not known.  Surface cracks
-  /// influence each other less than these.
+  /// Estimate of the largest change of G of a surface crack by its row: that of through cracks of
+  /// its length in a flat sheet under any load, with a margin for the curvature, as a share of G
+  /// [-]; infinite if their row is not known.
   [[nodiscard]] double row_bound(const WallSurfaceCrack& crack) const {
     if (crack.count == 1) return 0.0;
     const double r = value_of(wall_of(crack.section).mean_radius);
     if (row_gap_of(crack, r, crack.angle) < kLeastRowGap)
       return std::numeric_limits<double>::infinity();
     const double share = crack.half_length * crack.count / (std::numbers::pi * r);
-    const RowFactors apart = row_factors(share, crack.angle);
-    const double pressed = pressed_row(share, crack.angle).sliding_by_shear;
-    double largest = std::abs(pressed * pressed - 1);
-    const auto stress = value_of_plane(crack);
-    for (const std::size_t i : {kAxial, kTorsion}) {
-      const double N = stress.normal[i];
-      const double S = stress.shear[i];
-      const double K_I = apart.opening_by_normal * N + apart.opening_by_shear * S;
-      const double K_II = apart.sliding_by_normal * N + apart.sliding_by_shear * S;
-      if (N != 0 || S != 0)
-        largest = std::max(largest, std::abs((K_I * K_I + K_II * K_II) / (N * N + S * S) - 1));
-    }
-    return largest;
+    // Root of the extreme changes of G over all directions of the stress: singular values of F.
+    const RowFactors F = row_factors(share, crack.angle);
+    const double sum =
+        F.opening_by_normal * F.opening_by_normal + F.sliding_by_normal * F.sliding_by_normal +
+        F.opening_by_shear * F.opening_by_shear + F.sliding_by_shear * F.sliding_by_shear;
+    const double product =
+        F.opening_by_normal * F.sliding_by_shear - F.opening_by_shear * F.sliding_by_normal;
+    const double root = std::sqrt(std::max(0.0, sum * sum / 4 - product * product));
+    const double pressed = pressed_row(share, crack.angle);
+    const double largest =
+        std::max({sum / 2 + root - 1, 1 - (sum / 2 - root), std::abs(pressed * pressed - 1)});
+    return kCurvatureOfRow * largest;
   }
 
   /// A groove has no solution that sweeps an area.
@@ -492,15 +503,15 @@ class CrackLoads {
   [[nodiscard]] bool neighbours_keep_faces(const WallThroughCrack& crack, double share) const {
     const auto stress = value_of_plane(crack);
     const double P = gear_.load.axial_force;
-    const double T = std::abs(gear_.load.torque);
+    const double T = gear_.load.torque == 0 && P == 0 ? 1.0 : std::abs(gear_.load.torque);
     const BothSenses state = faces_of(crack);
     const RowFactors apart = row_factors(share, crack.angle);
-    const PressedRow pressed = pressed_row(share, crack.angle);
+    const PullOfRow pull = pull_of_row(share, crack.angle);
     const auto kept = [&](double torque, Faces of) {
       const double N = stress.normal[kAxial] * P + stress.normal[kTorsion] * torque;
       const double S = stress.shear[kAxial] * P + stress.shear[kTorsion] * torque;
       const double rounding = 1e-9 * (std::abs(N) + std::abs(S));
-      if (of == Faces::pressed) return N + pressed.pull_by_shear * S <= rounding;
+      if (of == Faces::pressed) return N + std::max(pull.least * S, pull.most * S) <= rounding;
       return apart.opening_by_normal * N + apart.opening_by_shear * S >= -rounding;
     };
     return kept(T, state.positive) && kept(-T, state.negative);

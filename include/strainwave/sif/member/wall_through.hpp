@@ -53,7 +53,8 @@ class BasicThroughCrackFamily;
 /// 0.45: 19 %).  Near 0 and 90 degrees, K_II at the inner face is too small by up to 28 % of the
 /// largest K in the wall.  As a thin sheet, the added compliance is 9 % too large at a = 0.05 t,
 /// and 5 % too small at a shell parameter of 4.
-/// In a row of cracks, the flat sheet tells what the neighbours change (CG-7).
+/// In a row of cracks, the flat sheet (CG-7) and the curvature between the cracks (CG-8) tell what
+/// the neighbours change.
 template <class Real>
 struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
