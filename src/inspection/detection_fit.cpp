@@ -20,6 +20,8 @@ namespace {
 constexpr int kMostSteps = 200;
 /// Rounding of a sum of logarithms, relative.
 constexpr double kRounding = 1e-13;
+/// Step of Newton's method over the curve at which it ends, relative: the next one is its square.
+constexpr double kSmallStep = 1e-9;
 /// Square of the normal quantile of 0.95: a bound on one side with 95 % confidence (IR-13).
 const double kOneSided = normal_quantile(0.95) * normal_quantile(0.95);
 
@@ -77,7 +79,8 @@ class HitTrials {
   }
 
   /// The most likely level and slope (IR-12) by Newton's method; the likelihood is concave.
-  void fit() {
+  /// @return whether the steps have become as small as rounding
+  [[nodiscard]] bool fit() {
     double value = at(level_, slope_);
     for (int step = 0; step < kMostSteps; ++step) {
       double g0 = 0.0;
@@ -96,18 +99,23 @@ class HitTrials {
       const double determinant = h00 * h11 - h01 * h01;
       const double d0 = -(h11 * g0 - h01 * g1) / determinant;
       const double d1 = -(h00 * g1 - h01 * g0) / determinant;
+      if (std::abs(d0) + std::abs(d1) < kSmallStep * (std::abs(level_) + std::abs(slope_))) {
+        level_ += d0;
+        slope_ += d1;
+        return true;
+      }
       double share = 1.0;
       double better = at(level_ + d0, slope_ + d1);
       while (better < value - kRounding * std::abs(value) && share > 1e-10) {
         share /= 2;
         better = at(level_ + share * d0, slope_ + share * d1);
       }
-      if (!(share > 1e-10)) return;
+      if (!(share > 1e-10)) return false;
       level_ += share * d0;
       slope_ += share * d1;
-      if (std::abs(d0) + std::abs(d1) < kRounding * (std::abs(level_) + std::abs(slope_))) return;
       value = better;
     }
+    return false;
   }
   [[nodiscard]] double level() const { return level_; }
   [[nodiscard]] double slope() const { return slope_; }
@@ -222,12 +230,18 @@ DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) 
     throw InputError("hit", fmt::format("is {} in all trials; a curve needs cracks that were found "
                                         "and cracks that were missed",
                                         fit.hits == 0 ? 0 : 1));
-  if (largest_miss <= smallest_hit && largest_miss < largest_hit)
+  HitTrials of(form, trials);
+  // Then the likelihood rises with the slope without an end.
+  if (of.spread() > 0 && largest_miss <= smallest_hit)
     throw InputError("hit",
                      "is 1 for every crack that is larger than the missed ones, so the trials do "
                      "not tell the width of the curve; try more cracks between the two");
-  HitTrials of(form, trials);
-  if (of.spread() > 0) of.fit();
+  // Then it rises as the slope falls without an end, and there is no maximum either.
+  const bool falls = largest_hit <= smallest_miss;
+  if (of.spread() > 0 && !falls && !of.fit())
+    throw InputError("hit",
+                     "has no curve that is surely the most likely one; try more cracks of other "
+                     "sizes");
   if (!(of.slope() > 1e-9))
     throw InputError("hit", "does not rise with the size; a larger crack must be found more often");
   fit.log_likelihood = of.likelihood();  // (IR-12)

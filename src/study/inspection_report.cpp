@@ -74,17 +74,20 @@ class Study {
     return u;
   }
 
-  [[nodiscard]] std::vector<DrawnLife> draws(const Progress& progress) const {
+  /// @param cracks  paths of the cracks that grow in the drive of the file
+  [[nodiscard]] std::vector<DrawnLife> draws(const std::vector<std::string>& cracks,
+                                             const Progress& progress) const {
     const Parallel parallel{.block = 4, .threads = options_.threads};
     return shared_rows<DrawnLife>(
         static_cast<std::size_t>(options_.draws), parallel, progress, options_.shared, [&] {
-          return [this, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
-                     std::size_t index, DrawnLife& life) { life = draw(*drive, index); };
+          return [this, &cracks, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
+                     std::size_t index, DrawnLife& life) { life = draw(*drive, cracks, index); };
         });
   }
 
  private:
-  [[nodiscard]] DrawnLife draw(DrawnDrive& drive, std::size_t index) const {
+  [[nodiscard]] DrawnLife draw(DrawnDrive& drive, const std::vector<std::string>& cracks,
+                               std::size_t index) const {
     std::vector<double> z = normals_of(index);
     normals_.correlate(z);
     for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
@@ -96,7 +99,8 @@ class Study {
       result.arrested = trace.end == DriveEnd::arrested;
       result.out_of_range = trace.end == DriveEnd::range;
       result.unfinished = trace.end == DriveEnd::too_slow;
-      result.refused = trace.end == DriveEnd::not_known;
+      // Inspections find a crack by its place in the list of the file.
+      result.refused = trace.end == DriveEnd::not_known || trace.cracks != cracks;
     } catch (const Error&) {
       result.refused = true;
     }
@@ -391,7 +395,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
             "s", "at most 1000 inspections up to the end of service");
 
   const Study study(gear, options);
-  std::vector<DrawnLife> draws = study.draws(progress);
+  std::vector<DrawnLife> draws = study.draws(nominal.cracks, progress);
   std::vector<DrawnPart> parts;
   std::vector<double> lives;
   for (DrawnLife& draw : draws) {
@@ -432,10 +436,10 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     report.method = MethodOfInspection{};
     if (is_measurement(method->method)) {
       const auto governing = std::ranges::find(nominal.cracks, nominal.governing);
+      if (governing == nominal.cracks.end()) refuse_without_end(method->method);
       const auto k = static_cast<std::size_t>(governing - nominal.cracks.begin());
       double smallest = std::numeric_limits<double>::infinity();
-      if (governing != nominal.cracks.end())
-        for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
+      for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
       MeasuredDetection measured =
           measured_detection(gear, *method, options.growth, smallest, Progress());
       std::vector<bool> seen(nominal.cracks.size(), false);

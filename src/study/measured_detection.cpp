@@ -84,6 +84,13 @@ std::optional<double> size_found(const std::vector<DetectionPoint>& points, doub
 
 }  // namespace
 
+void refuse_without_end(InspectionMeans method) {
+  throw InputError("inspection.method",
+                   fmt::format("is \"{}\", which needs a crack that ends the life at the "
+                               "values of the file; look for the cracks by a curve instead",
+                               enum_name(method)));
+}
+
 MeasuredDetection measured_detection(const GearSet& gear, const Inspection& asked,
                                      const GrowthOptions& growth, double smallest,
                                      const Progress& progress) {
@@ -92,10 +99,7 @@ MeasuredDetection measured_detection(const GearSet& gear, const Inspection& aske
   const GrowthReport grown = grow_cracks(gear, options, progress);
   // A crack that leaves the range of its solution counts as a failure there.
   if (grown.governing.empty() || !(grown.life || grown.end == DriveEnd::range))
-    throw InputError("inspection.method",
-                     fmt::format("is \"{}\", which needs a crack that ends the life at the "
-                                 "values of the file; look for the cracks by a curve instead",
-                                 enum_name(asked.method)));
+    refuse_without_end(asked.method);
   const std::vector<DriveCrack> first = drive_cracks(gear);
   const DriveCrack governing = crack_at(first, grown.governing);
   if (governing.acts_in_coupled_drive && asked.method != InspectionMeans::resonance)

@@ -177,6 +177,16 @@ TEST(DetectionFit, InputIsRefused) {
   EXPECT_NE(message(trials).find("is 0 in all trials"), std::string::npos);
   for (HitOrMiss& trial : trials) trial.hit = trial.size > 1e-3;
   EXPECT_NE(message(trials).find("do not tell the width"), std::string::npos);
+  // Only one size has both, the larger one or the smaller one, so no curve is the most likely.
+  const auto of_two_sizes = [](int at_small, int at_large) {
+    std::vector<HitOrMiss> two;
+    for (int i = 0; i < 10; ++i) two.push_back({.size = 1e-3, .hit = i < at_small});
+    for (int i = 0; i < 10; ++i) two.push_back({.size = 2e-3, .hit = i < at_large});
+    return two;
+  };
+  EXPECT_NE(message(of_two_sizes(0, 5)).find("do not tell the width"), std::string::npos);
+  EXPECT_NE(message(of_two_sizes(5, 10)).find("do not tell the width"), std::string::npos);
+  EXPECT_EQ(message(of_two_sizes(1, 9)).find("hit"), std::string::npos);
   for (HitOrMiss& trial : trials) trial.hit = trial.size < 1e-3;
   EXPECT_NE(message(trials).find("does not rise with the size"), std::string::npos);
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i] = {.size = 1e-3, .hit = i % 2 == 0};

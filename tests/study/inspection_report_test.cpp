@@ -35,6 +35,13 @@ GearSet only_coefficient() {
   return gear;
 }
 
+InputScatter scatter_of(const std::string& path, double relative_standard_deviation) {
+  InputScatter scatter;
+  scatter.path = path;
+  scatter.relative_standard_deviation = relative_standard_deviation;
+  return scatter;
+}
+
 InspectionOptions options_of(int draws, std::optional<double> until = std::nullopt) {
   InspectionOptions options;
   options.growth.tolerance = 1e-6;
@@ -509,6 +516,38 @@ TEST(InspectionReport, InputMeasurements) {
   GearSet still = inspected_shaft(measured_by(InspectionMeans::stiffness, 0.01));
   still.material.at("steel").growth_bounds.emplace().threshold = 40e6;
   EXPECT_NE(message(still).find("needs a crack that ends the life"), std::string::npos);
+  // The crack of the inner ring does not grow, because the balls are not known, and it breaks at
+  // once.
+  GearSet ring = read_gear_set_file(STRAINWAVE_EXAMPLES "/article_duty.toml");
+  std::get<RaceSurfaceCrack>(ring.wave_generator->crack.at(0)).depth = 8e-3;
+  ring.scatter = {scatter_of("flexspline.crack[0].half_length", 0.1)};
+  ring.inspection = measured_by(InspectionMeans::stiffness, 0.01);
+  const LifeTrace trace = life_trace(ring);
+  ASSERT_EQ(trace.governing, "wave_generator.crack[0]");
+  ASSERT_EQ(std::ranges::count(trace.cracks, trace.governing), 0);
+  EXPECT_NE(message(ring).find("needs a crack that ends the life"), std::string::npos);
+}
+
+// Kind: behaviour (IR-3).  A draw in which a crack of the file cannot grow is left out, because the
+// crack would be taken for another one.
+TEST(InspectionReport, BehaviourADrawWithoutACrackOfTheFile) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml");
+  RimAxialCrack rim;
+  rim.depth = 0.1e-3;
+  gear.flexspline->crack = {rim, gear.flexspline->crack.at(1)};
+  InputScatter scatter = scatter_of("duty.block[0].torque", 0.1);
+  scatter.relative_standard_deviation.reset();
+  scatter.distribution = ScatterDistribution::table;
+  // In half of the draws the coupled drive, and so the crack of the rim, has no solution.
+  scatter.quantile = {{0.0, 0.99}, {0.5, 1.0}, {0.5, 1e4}, {1.0, 1.01e4}};
+  gear.scatter = {scatter};
+  InspectionOptions options = options_of(60, 2 * kHour);
+  options.growth.stop.time = 36;
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3};
+  options.times.every = 1 * kHour;
+  const InspectionReport report = inspection_report(gear, options);
+  EXPECT_GT(report.outcomes.refused, 15);
+  EXPECT_LT(report.outcomes.refused, 45);
 }
 
 // Kind: behaviour.  The documents contain the curve and all tables.
