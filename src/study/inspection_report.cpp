@@ -387,9 +387,15 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     throw InputError("until",
                      "must be given, because the life at the values of the file has no end");
   report.until = options.until.value_or(nominal.life.value_or(0.0));
-  for (const double time : options.times.at)
-    require(time < report.until, FieldPath("at"), time, "s",
+  const auto before_end = [&](const char* field, double time) {
+    require(time < report.until, FieldPath(field), time, "s",
             [&] { return fmt::format("before the end of service, {}", hours(report.until)); });
+  };
+  for (const double time : options.times.at) before_end("at", time);
+  if (options.times.first)
+    before_end("first", *options.times.first);
+  else if (options.times.every)
+    before_end("every", *options.times.every);
   if (options.times.every)
     require(*options.times.every * kMostInspections >= report.until, "every", *options.times.every,
             "s", "at most 1000 inspections up to the end of service");
@@ -563,6 +569,18 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
            .equation = "IR-10",
            .severity = Severity::care,
            .next_step = "Compare with the coupled drive, strainwave torsion --compare."});
+    const bool several =
+        schedule.size() > 1 ||
+        std::ranges::any_of(report.plans, [](const auto& plan) { return plan.inspections > 1; });
+    if (several && report.method->method != InspectionMeans::one_sided_stiffness)
+      report.notes.push_back(
+          {.code = "inspection.record",
+           .text = "the error of the first record of a drive is the same in all of its "
+                   "inspections, and it is left out; the risk is then too low",
+           .path = "inspection.noise",
+           .equation = "IR-11",
+           .severity = Severity::care,
+           .next_step = "Take the mean of many measurements as the first record."});
     if (!report.method->a90)
       report.notes.push_back(
           {.code = "inspection.not_found",
@@ -573,8 +591,8 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
            .next_step = "Look for the crack itself, or measure with less noise."});
   }
   if (report.bound_risk)
-    report.sentence +=
-        fmt::format(" With the detection that the trials prove, it is {:.3g}.", *report.bound_risk);
+    report.sentence += fmt::format(
+        " With the lower 95 % bound of detection at each size, it is {:.3g}.", *report.bound_risk);
   if (report.method && report.method->trials && !report.method->a90_bound)
     report.notes.push_back(
         {.code = "inspection.trials",
