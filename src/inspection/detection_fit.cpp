@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -163,12 +164,13 @@ class HitTrials {
   double slope_ = 0.0;
 };
 
-/// The larger place at which twice the logarithm of the likelihood has fallen by kOneSided (IR-13).
-/// @param best    place of the largest likelihood
+/// The larger place at which a function changes its sign; absent: it is not positive up to there.
+/// @param left    what is left over, negative at `best`
+/// @param best    place of the curve
 /// @param spread  of the places of the trials, > 0
-std::optional<double> upper_place(const std::function<double(double)>& profile, double largest,
-                                  double best, double spread) {
-  const auto left = [&](double x) { return 2 * (largest - profile(x)) - kOneSided; };
+std::optional<double> upper_place(const std::function<double(double)>& left, double best,
+                                  double spread) {
+  if (left(best) >= 0) return best;
   double below = best;
   double step = spread / 64;
   for (double above = best + step; above < best + 64 * spread; above = below + step) {
@@ -180,14 +182,15 @@ std::optional<double> upper_place(const std::function<double(double)>& profile, 
 }
 
 /// Fills the points and the bounds of a fit.
-/// @param place    logarithm of the size at an argument of the curve
-/// @param profile  largest likelihood of the curves with an argument at the logarithm of a size
+/// @param place  logarithm of the size at an argument of the curve
+/// @param left   of an argument of the curve and the logarithm of a size: positive if the trials
+///               show with 95 % confidence that the curve has the argument at a smaller size
 void add_bounds(DetectionFit& fit, double spread, const std::function<double(double)>& place,
-                const std::function<double(double, double)>& profile) {
+                const std::function<double(double, double)>& left) {
   const auto bound = [&](double probability) -> std::optional<double> {
     const double z = argument_of(fit.form, probability);
-    const std::optional<double> x = upper_place([&](double at) { return profile(z, at); },
-                                                fit.log_likelihood, place(z), spread);
+    const std::optional<double> x =
+        upper_place([&](double at) { return left(z, at); }, place(z), spread);
     return x ? std::optional(std::exp(*x)) : std::nullopt;
   };
   const auto size = [&](double probability) {
@@ -247,7 +250,9 @@ DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) 
   fit.log_likelihood = of.likelihood();  // (IR-12)
   add_bounds(
       fit, of.spread(), [&](double z) { return of.mean() + (z - of.level()) / of.slope(); },
-      [&](double z, double x) { return of.profile(z, x - of.mean()); });
+      [&](double z, double x) {
+        return 2 * (fit.log_likelihood - of.profile(z, x - of.mean())) - kOneSided;  // (IR-13)
+      });
   return fit;
 }
 
@@ -291,35 +296,17 @@ DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshol
     throw InputError("signal", "lies on a line without scatter; give measured signals");
   const double deviation = std::sqrt(squares / n);  // (IR-14)
   const double level = mean_y - rise * mean_x;
-  const auto logarithm = [&](double sigma, double sum) {
-    return -n * (std::log(sigma) + std::log(2 * std::numbers::pi) / 2) - sum / (2 * sigma * sigma);
-  };
-  fit.log_likelihood = logarithm(deviation, squares);
-  // The most likely rise and deviation of the lines that have the argument z at a place, closed.
-  const auto profile = [&](double z, double at) {
-    double dd = 0.0;
-    double dv = 0.0;
-    double d = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      dd += (x[i] - at) * (x[i] - at);
-      dv += (x[i] - at) * (y[i] - limit);
-      d += x[i] - at;
-    }
-    double E = 0.0;
-    double F = 0.0;
-    double G = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double e = y[i] - limit - dv / dd * (x[i] - at);
-      const double g = 1 - d / dd * (x[i] - at);
-      E += e * e;
-      F += e * g;
-      G += g * g;
-    }
-    const double u = (z * F + std::sqrt(z * z * F * F + 4 * E * n)) / (2 * E);
-    return logarithm(1 / u, E - 2 * z / u * F + z * z / (u * u) * G);
+  fit.log_likelihood = -n * (std::log(deviation) + std::log(2 * std::numbers::pi) / 2) -
+                       squares / 2 / (deviation * deviation);
+  const double scatter = std::sqrt(squares / (n - 2));
+  const auto left = [&](double z, double at) {  // (IR-14)
+    using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    const double root = std::sqrt(1 / n + (at - mean_x) * (at - mean_x) / xx);
+    const boost::math::non_central_t_distribution<double, Policy> law(n - 2, z / root);
+    return boost::math::cdf(law, (level + rise * at - limit) / (scatter * root)) - 0.95;
   };
   add_bounds(
-      fit, high - low, [&](double z) { return (limit - level + z * deviation) / rise; }, profile);
+      fit, high - low, [&](double z) { return (limit - level + z * deviation) / rise; }, left);
   return fit;
 }
 
