@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -20,6 +21,8 @@ namespace {
 constexpr int kMostSteps = 200;
 /// Rounding of a sum of logarithms, relative.
 constexpr double kRounding = 1e-13;
+/// Step of Newton's method over the curve at which it ends, relative: the next one is its square.
+constexpr double kSmallStep = 1e-9;
 /// Square of the normal quantile of 0.95: a bound on one side with 95 % confidence (IR-13).
 const double kOneSided = normal_quantile(0.95) * normal_quantile(0.95);
 
@@ -77,7 +80,8 @@ class HitTrials {
   }
 
   /// The most likely level and slope (IR-12) by Newton's method; the likelihood is concave.
-  void fit() {
+  /// @return whether the steps have become as small as rounding
+  [[nodiscard]] bool fit() {
     double value = at(level_, slope_);
     for (int step = 0; step < kMostSteps; ++step) {
       double g0 = 0.0;
@@ -96,18 +100,23 @@ class HitTrials {
       const double determinant = h00 * h11 - h01 * h01;
       const double d0 = -(h11 * g0 - h01 * g1) / determinant;
       const double d1 = -(h00 * g1 - h01 * g0) / determinant;
+      if (std::abs(d0) + std::abs(d1) < kSmallStep * (std::abs(level_) + std::abs(slope_))) {
+        level_ += d0;
+        slope_ += d1;
+        return true;
+      }
       double share = 1.0;
       double better = at(level_ + d0, slope_ + d1);
       while (better < value - kRounding * std::abs(value) && share > 1e-10) {
         share /= 2;
         better = at(level_ + share * d0, slope_ + share * d1);
       }
-      if (!(share > 1e-10)) return;
+      if (!(share > 1e-10)) return false;
       level_ += share * d0;
       slope_ += share * d1;
-      if (std::abs(d0) + std::abs(d1) < kRounding * (std::abs(level_) + std::abs(slope_))) return;
       value = better;
     }
+    return false;
   }
   [[nodiscard]] double level() const { return level_; }
   [[nodiscard]] double slope() const { return slope_; }
@@ -155,12 +164,13 @@ class HitTrials {
   double slope_ = 0.0;
 };
 
-/// The larger place at which twice the logarithm of the likelihood has fallen by kOneSided (IR-13).
-/// @param best    place of the largest likelihood
+/// The larger place at which a function changes its sign; absent: it is not positive up to there.
+/// @param left    what is left over, negative at `best`
+/// @param best    place of the curve
 /// @param spread  of the places of the trials, > 0
-std::optional<double> upper_place(const std::function<double(double)>& profile, double largest,
-                                  double best, double spread) {
-  const auto left = [&](double x) { return 2 * (largest - profile(x)) - kOneSided; };
+std::optional<double> upper_place(const std::function<double(double)>& left, double best,
+                                  double spread) {
+  if (left(best) >= 0) return best;
   double below = best;
   double step = spread / 64;
   for (double above = best + step; above < best + 64 * spread; above = below + step) {
@@ -172,14 +182,15 @@ std::optional<double> upper_place(const std::function<double(double)>& profile, 
 }
 
 /// Fills the points and the bounds of a fit.
-/// @param place    logarithm of the size at an argument of the curve
-/// @param profile  largest likelihood of the curves with an argument at the logarithm of a size
+/// @param place  logarithm of the size at an argument of the curve
+/// @param left   of an argument of the curve and the logarithm of a size: positive if the trials
+///               show with 95 % confidence that the curve has the argument at a smaller size
 void add_bounds(DetectionFit& fit, double spread, const std::function<double(double)>& place,
-                const std::function<double(double, double)>& profile) {
+                const std::function<double(double, double)>& left) {
   const auto bound = [&](double probability) -> std::optional<double> {
     const double z = argument_of(fit.form, probability);
-    const std::optional<double> x = upper_place([&](double at) { return profile(z, at); },
-                                                fit.log_likelihood, place(z), spread);
+    const std::optional<double> x =
+        upper_place([&](double at) { return left(z, at); }, place(z), spread);
     return x ? std::optional(std::exp(*x)) : std::nullopt;
   };
   const auto size = [&](double probability) {
@@ -222,18 +233,26 @@ DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) 
     throw InputError("hit", fmt::format("is {} in all trials; a curve needs cracks that were found "
                                         "and cracks that were missed",
                                         fit.hits == 0 ? 0 : 1));
-  if (largest_miss <= smallest_hit && largest_miss < largest_hit)
+  HitTrials of(form, trials);
+  // Then the likelihood rises with the slope without an end.
+  if (of.spread() > 0 && largest_miss <= smallest_hit)
     throw InputError("hit",
                      "is 1 for every crack that is larger than the missed ones, so the trials do "
                      "not tell the width of the curve; try more cracks between the two");
-  HitTrials of(form, trials);
-  if (of.spread() > 0) of.fit();
+  // Then it rises as the slope falls without an end, and there is no maximum either.
+  const bool falls = largest_hit <= smallest_miss;
+  if (of.spread() > 0 && !falls && !of.fit())
+    throw InputError("hit",
+                     "has no curve that is surely the most likely one; try more cracks of other "
+                     "sizes");
   if (!(of.slope() > 1e-9))
     throw InputError("hit", "does not rise with the size; a larger crack must be found more often");
   fit.log_likelihood = of.likelihood();  // (IR-12)
   add_bounds(
       fit, of.spread(), [&](double z) { return of.mean() + (z - of.level()) / of.slope(); },
-      [&](double z, double x) { return of.profile(z, x - of.mean()); });
+      [&](double z, double x) {
+        return 2 * (fit.log_likelihood - of.profile(z, x - of.mean())) - kOneSided;  // (IR-13)
+      });
   return fit;
 }
 
@@ -277,35 +296,17 @@ DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshol
     throw InputError("signal", "lies on a line without scatter; give measured signals");
   const double deviation = std::sqrt(squares / n);  // (IR-14)
   const double level = mean_y - rise * mean_x;
-  const auto logarithm = [&](double sigma, double sum) {
-    return -n * (std::log(sigma) + std::log(2 * std::numbers::pi) / 2) - sum / (2 * sigma * sigma);
-  };
-  fit.log_likelihood = logarithm(deviation, squares);
-  // The most likely rise and deviation of the lines that have the argument z at a place, closed.
-  const auto profile = [&](double z, double at) {
-    double dd = 0.0;
-    double dv = 0.0;
-    double d = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      dd += (x[i] - at) * (x[i] - at);
-      dv += (x[i] - at) * (y[i] - limit);
-      d += x[i] - at;
-    }
-    double E = 0.0;
-    double F = 0.0;
-    double G = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double e = y[i] - limit - dv / dd * (x[i] - at);
-      const double g = 1 - d / dd * (x[i] - at);
-      E += e * e;
-      F += e * g;
-      G += g * g;
-    }
-    const double u = (z * F + std::sqrt(z * z * F * F + 4 * E * n)) / (2 * E);
-    return logarithm(1 / u, E - 2 * z / u * F + z * z / (u * u) * G);
+  fit.log_likelihood = -n * (std::log(deviation) + std::log(2 * std::numbers::pi) / 2) -
+                       squares / 2 / (deviation * deviation);
+  const double scatter = std::sqrt(squares / (n - 2));
+  const auto left = [&](double z, double at) {  // (IR-14)
+    using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    const double root = std::sqrt(1 / n + (at - mean_x) * (at - mean_x) / xx);
+    const boost::math::non_central_t_distribution<double, Policy> law(n - 2, z / root);
+    return boost::math::cdf(law, (level + rise * at - limit) / (scatter * root)) - 0.95;
   };
   add_bounds(
-      fit, high - low, [&](double z) { return (limit - level + z * deviation) / rise; }, profile);
+      fit, high - low, [&](double z) { return (limit - level + z * deviation) / rise; }, left);
   return fit;
 }
 

@@ -785,7 +785,19 @@ std::string with_paths_after(std::string text, const toml::table& before, const 
   for_each_path_list(lists, [&]<class Entry>(std::string_view list, const std::vector<Entry>&) {
     adapt({key_step(std::string(list))}, Entry::kPathKeys);
   });
-  adapt({key_step("inspection"), key_step("place")}, std::array<std::string_view, 1>{"crack"});
+  const Steps inspection = {key_step("inspection")};
+  const Steps places = {key_step("inspection"), key_step("place")};
+  const auto places_in = [&] {
+    const toml::table now = parse_toml(text, "text");
+    const toml::node* const node = node_at(now, places);
+    const auto* const entries = node != nullptr ? node->as_array() : nullptr;
+    return entries != nullptr ? entries->size() : 0;
+  };
+  const std::size_t places_before = places_in();
+  adapt(places, std::array<std::string_view, 1>{"crack"});
+  // An inspection without places would see all cracks.
+  if (places_before > 0 && places_in() == 0)
+    text = with_change(text, known_path(inspection), nullptr);
   return text;
 }
 

@@ -167,7 +167,10 @@ std::vector<TitledTable> inspection_tables(const InspectionReport& report) {
 
 std::string inspection_text(const InspectionReport& report, const GearSet& gear) {
   std::string text = name_of(gear) + "\n\n" + paragraph(report.sentence);
-  if (report.half_interval)
+  if (report.half_interval == 0.0)
+    text += paragraph(
+        "At the values of the file the part fails before its crack reaches the size a90.");
+  else if (report.half_interval)
     text +=
         paragraph(fmt::format("At the values of the file, half of the time from the size a90 to "
                               "the end of the life is {} "

@@ -35,6 +35,10 @@ ReportSection inspection_chapter(Draft& draft) {
           "The inspections are {:.4g} h apart: half of the time from the size that nine of ten "
           "inspections find to the end of the life, at the values of the file.",
           *inspected.half_interval / 3600);
+    } else if (inspected.half_interval == 0.0) {
+      remark =
+          "No inspections are planned here, because the part fails before its crack reaches the "
+          "size that nine of ten inspections find, at the values of the file.";
     } else if (inspected.half_interval) {
       remark =
           "No inspections are planned here, because half of the time from the size that nine of "

@@ -74,17 +74,20 @@ class Study {
     return u;
   }
 
-  [[nodiscard]] std::vector<DrawnLife> draws(const Progress& progress) const {
+  /// @param cracks  paths of the cracks that grow in the drive of the file
+  [[nodiscard]] std::vector<DrawnLife> draws(const std::vector<std::string>& cracks,
+                                             const Progress& progress) const {
     const Parallel parallel{.block = 4, .threads = options_.threads};
     return shared_rows<DrawnLife>(
         static_cast<std::size_t>(options_.draws), parallel, progress, options_.shared, [&] {
-          return [this, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
-                     std::size_t index, DrawnLife& life) { life = draw(*drive, index); };
+          return [this, &cracks, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
+                     std::size_t index, DrawnLife& life) { life = draw(*drive, cracks, index); };
         });
   }
 
  private:
-  [[nodiscard]] DrawnLife draw(DrawnDrive& drive, std::size_t index) const {
+  [[nodiscard]] DrawnLife draw(DrawnDrive& drive, const std::vector<std::string>& cracks,
+                               std::size_t index) const {
     std::vector<double> z = normals_of(index);
     normals_.correlate(z);
     for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
@@ -96,7 +99,8 @@ class Study {
       result.arrested = trace.end == DriveEnd::arrested;
       result.out_of_range = trace.end == DriveEnd::range;
       result.unfinished = trace.end == DriveEnd::too_slow;
-      result.refused = trace.end == DriveEnd::not_known;
+      // Inspections find a crack by its place in the list of the file.
+      result.refused = trace.end == DriveEnd::not_known || trace.cracks != cracks;
     } catch (const Error&) {
       result.refused = true;
     }
@@ -383,15 +387,21 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     throw InputError("until",
                      "must be given, because the life at the values of the file has no end");
   report.until = options.until.value_or(nominal.life.value_or(0.0));
-  for (const double time : options.times.at)
-    require(time < report.until, FieldPath("at"), time, "s",
+  const auto before_end = [&](const char* field, double time) {
+    require(time < report.until, FieldPath(field), time, "s",
             [&] { return fmt::format("before the end of service, {}", hours(report.until)); });
+  };
+  for (const double time : options.times.at) before_end("at", time);
+  if (options.times.first)
+    before_end("first", *options.times.first);
+  else if (options.times.every)
+    before_end("every", *options.times.every);
   if (options.times.every)
     require(*options.times.every * kMostInspections >= report.until, "every", *options.times.every,
             "s", "at most 1000 inspections up to the end of service");
 
   const Study study(gear, options);
-  std::vector<DrawnLife> draws = study.draws(progress);
+  std::vector<DrawnLife> draws = study.draws(nominal.cracks, progress);
   std::vector<DrawnPart> parts;
   std::vector<double> lives;
   for (DrawnLife& draw : draws) {
@@ -432,10 +442,10 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     report.method = MethodOfInspection{};
     if (is_measurement(method->method)) {
       const auto governing = std::ranges::find(nominal.cracks, nominal.governing);
+      if (governing == nominal.cracks.end()) refuse_without_end(method->method);
       const auto k = static_cast<std::size_t>(governing - nominal.cracks.begin());
       double smallest = std::numeric_limits<double>::infinity();
-      if (governing != nominal.cracks.end())
-        for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
+      for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
       MeasuredDetection measured =
           measured_detection(gear, *method, options.growth, smallest, Progress());
       std::vector<bool> seen(nominal.cracks.size(), false);
@@ -559,6 +569,18 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
            .equation = "IR-10",
            .severity = Severity::care,
            .next_step = "Compare with the coupled drive, strainwave torsion --compare."});
+    const bool several =
+        schedule.size() > 1 ||
+        std::ranges::any_of(report.plans, [](const auto& plan) { return plan.inspections > 1; });
+    if (several && report.method->method != InspectionMeans::one_sided_stiffness)
+      report.notes.push_back(
+          {.code = "inspection.record",
+           .text = "the error of the first record of a drive is the same in all of its "
+                   "inspections, and it is left out; the risk is then too low",
+           .path = "inspection.noise",
+           .equation = "IR-11",
+           .severity = Severity::care,
+           .next_step = "Take the mean of many measurements as the first record."});
     if (!report.method->a90)
       report.notes.push_back(
           {.code = "inspection.not_found",
@@ -569,8 +591,8 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
            .next_step = "Look for the crack itself, or measure with less noise."});
   }
   if (report.bound_risk)
-    report.sentence +=
-        fmt::format(" With the detection that the trials prove, it is {:.3g}.", *report.bound_risk);
+    report.sentence += fmt::format(
+        " With the lower 95 % bound of detection at each size, it is {:.3g}.", *report.bound_risk);
   if (report.method && report.method->trials && !report.method->a90_bound)
     report.notes.push_back(
         {.code = "inspection.trials",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/roots.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
@@ -70,6 +71,16 @@ DriveCrack crack_at(const std::vector<DriveCrack>& cracks, const std::string& pa
   return *std::ranges::find(cracks, path, &DriveCrack::path);
 }
 
+/// Probability that a measurement calls [-] (IR-11).
+/// @param ratio  change over noise [-]; >= 0
+/// @param z      threshold over noise [-]
+double called(InspectionMeans method, double ratio, double z) {
+  const double above = normal_probability(ratio - z);
+  // The difference of the senses counts by its absolute value, so it may also be below -z.
+  return method == InspectionMeans::one_sided_stiffness ? above + normal_probability(-ratio - z)
+                                                        : above;
+}
+
 /// The size at which a curve through points reaches a probability [m]; absent: it does not.
 std::optional<double> size_found(const std::vector<DetectionPoint>& points, double wanted) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -84,6 +95,13 @@ std::optional<double> size_found(const std::vector<DetectionPoint>& points, doub
 
 }  // namespace
 
+void refuse_without_end(InspectionMeans method) {
+  throw InputError("inspection.method",
+                   fmt::format("is \"{}\", which needs a crack that ends the life at the "
+                               "values of the file; look for the cracks by a curve instead",
+                               enum_name(method)));
+}
+
 MeasuredDetection measured_detection(const GearSet& gear, const Inspection& asked,
                                      const GrowthOptions& growth, double smallest,
                                      const Progress& progress) {
@@ -92,10 +110,7 @@ MeasuredDetection measured_detection(const GearSet& gear, const Inspection& aske
   const GrowthReport grown = grow_cracks(gear, options, progress);
   // A crack that leaves the range of its solution counts as a failure there.
   if (grown.governing.empty() || !(grown.life || grown.end == DriveEnd::range))
-    throw InputError("inspection.method",
-                     fmt::format("is \"{}\", which needs a crack that ends the life at the "
-                                 "values of the file; look for the cracks by a curve instead",
-                                 enum_name(asked.method)));
+    refuse_without_end(asked.method);
   const std::vector<DriveCrack> first = drive_cracks(gear);
   const DriveCrack governing = crack_at(first, grown.governing);
   if (governing.acts_in_coupled_drive && asked.method != InspectionMeans::resonance)
@@ -126,18 +141,22 @@ MeasuredDetection measured_detection(const GearSet& gear, const Inspection& aske
     if (points.empty() || size > points.back().size)
       points.push_back({.size = size, .change = change.of(drive)});
   }
-  const double z = normal_quantile(1 - stated.false_calls);
-  for (DetectionPoint& point : points) {
-    const double called = normal_probability(*point.change / *stated.noise - z);
+  const double alpha = stated.false_calls;
+  const double z =
+      -normal_quantile(asked.method == InspectionMeans::one_sided_stiffness ? alpha / 2 : alpha);
+  for (DetectionPoint& point : points)
     point.probability =
-        std::max(0.0, (called - stated.false_calls) / (1 - stated.false_calls));  // (IR-11)
-  }
+        std::max(0.0, (called(asked.method, *point.change / *stated.noise, z) - alpha) /
+                          (1 - alpha));  // (IR-11)
   // A crack that hides again is not found later: the curve does not rise above what follows.
   for (std::size_t i = points.size() - 1; i-- > 0;)
     points[i].probability = std::min(points[i].probability, points[i + 1].probability);
   stated.threshold = z * *stated.noise;
+  const double ninety = 0.9 * (1 - alpha) + alpha;
   stated.change_ninety =
-      (z + normal_quantile(0.9 * (1 - stated.false_calls) + stated.false_calls)) * *stated.noise;
+      *stated.noise *
+      bracketed_root([&](double ratio) { return called(asked.method, ratio, z) - ninety; }, 0.0,
+                     1 + z - normal_quantile(1 - ninety));
   stated.a50 = size_found(points, 0.5);
   stated.a90 = size_found(points, 0.9);
   stated.change_at_end = points.back().change;

@@ -19,6 +19,9 @@ struct MeasuredDetection {
   MethodOfInspection stated;  ///< with its points
 };
 
+/// Refuses a measurement, because no growing crack ends the life at the values of the file.
+[[noreturn]] void refuse_without_end(InspectionMeans method);
+
 /// Implements theory manual eqs. (IR-10) and (IR-11).
 ///
 /// The drive is grown at the values of the file.  Below the first size of its crack, all cracks

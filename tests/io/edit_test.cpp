@@ -220,6 +220,12 @@ TEST(Edit, ReferenceInspectedPlacesFollowTheirCracks) {
             edit(kShaft, "output_shaft.crack[0]", std::nullopt) + head + place(0));
   EXPECT_EQ(edit(text, "output_shaft.crack[1]", std::nullopt),
             edit(kShaft, "output_shaft.crack[1]", std::nullopt) + head + place(0));
+  // Without its last place the inspection would see all cracks, so it leaves with it.
+  const std::string cost = "\n[inspection.cost]\ncall = 300\n";
+  const std::string one = std::string(kShaft) + head + cost + place(1);
+  EXPECT_EQ(edit(one, "output_shaft.crack[1]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[1]", std::nullopt));
+  EXPECT_EQ(edit(one, "inspection.place[0]", std::nullopt), std::string(kShaft) + head + cost);
 }
 
 TEST(Edit, ReferenceWhatIsRemovedTakesItsComment) {

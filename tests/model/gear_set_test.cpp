@@ -370,6 +370,14 @@ TEST(PathLists, BehaviourPlacesOfTheInspectionGoWithTheirCracks) {
   ASSERT_EQ(gear.inspection->place.size(), 1U);
   EXPECT_EQ(gear.inspection->place[0].crack, "output_shaft.crack[0]");
   EXPECT_NO_THROW(check(gear));
+  // Without its last place it would see all cracks, so it leaves too.
+  gear.output_shaft->crack.clear();
+  drop_lost_paths(gear, before);
+  EXPECT_FALSE(gear.inspection);
+  // An inspection of all cracks stays.
+  gear.inspection = Inspection{.a50 = 1e-3, .a90 = 2e-3};
+  drop_lost_paths(gear, before);
+  EXPECT_TRUE(gear.inspection);
 }
 
 }  // namespace

@@ -35,6 +35,13 @@ GearSet only_coefficient() {
   return gear;
 }
 
+InputScatter scatter_of(const std::string& path, double relative_standard_deviation) {
+  InputScatter scatter;
+  scatter.path = path;
+  scatter.relative_standard_deviation = relative_standard_deviation;
+  return scatter;
+}
+
 InspectionOptions options_of(int draws, std::optional<double> until = std::nullopt) {
   InspectionOptions options;
   options.growth.tolerance = 1e-6;
@@ -137,7 +144,11 @@ TEST(InspectionReport, IdentityInspectionsConserve) {
                         1e-9);
   options.method->a50 = 0.05;  // larger than the shaft
   options.method->a90 = 0.1;
-  EXPECT_EQ(inspection_report(gear, options).half_interval, 0.0);
+  const InspectionReport late = inspection_report(gear, options);
+  EXPECT_EQ(late.half_interval, 0.0);
+  const std::string text = inspection_text(late, gear);
+  EXPECT_NE(text.find("fails before its crack reaches the size a90"), std::string::npos);
+  EXPECT_EQ(text.find("half of the time"), std::string::npos);
   for (const RiskPoint& point : report.risk) EXPECT_LE(*point.inspected, point.without);
 }
 
@@ -231,6 +242,15 @@ TEST(InspectionReport, InputIsRefused) {
   options.times.at = {1e9};
   EXPECT_NE(message(gear, options).find("before the end of service"), std::string::npos);
   options.times.at.clear();
+  options.times.every = 1e9;
+  EXPECT_NE(message(gear, options).find("every = 1e+09 s violates: before the end of service"),
+            std::string::npos);
+  options.times.every = 100 * kHour;
+  options.times.first = 1e9;
+  EXPECT_NE(message(gear, options).find("first = 1e+09 s violates: before the end of service"),
+            std::string::npos);
+  options.times.every.reset();
+  options.times.first.reset();
   EXPECT_NE(message(gear, options).find("give at, every or risk"), std::string::npos);
   options.times.every = 1.0;
   EXPECT_NE(message(gear, options).find("at most 1000 inspections"), std::string::npos);
@@ -413,6 +433,21 @@ TEST(InspectionReport, BehaviourAMeasurementThatCannotFind) {
   EXPECT_LT(*sharp.at_end.inspected, 0.1 * sharp.at_end.without);
 }
 
+// Kind: behaviour (IR-11).  Two inspections or more with one first record: its error is left out,
+// and a note says so.  The difference of the senses has no first record.
+TEST(InspectionReport, BehaviourTheErrorOfTheFirstRecord) {
+  InspectionOptions options = options_of(20, 450 * kHour);
+  const auto noted = [&](InspectionMeans method) {
+    return has(inspection_report(inspected_shaft(measured_by(method, 0.01)), options),
+               "inspection.record");
+  };
+  options.times.at = {100 * kHour};
+  EXPECT_FALSE(noted(InspectionMeans::stiffness));
+  options.times.at = {100 * kHour, 200 * kHour};
+  EXPECT_TRUE(noted(InspectionMeans::stiffness));
+  EXPECT_FALSE(noted(InspectionMeans::one_sided_stiffness));
+}
+
 // Kind: behaviour (IR-10).  A crack that leaves the range of its solution counts as a failure
 // there, and the measurement is judged up to this size.
 TEST(InspectionReport, BehaviourAMeasurementUpToTheRange) {
@@ -461,6 +496,37 @@ TEST(InspectionReport, LimitOneSidedStiffnessOfASymmetricCrack) {
   test::expect_relative(*report.at_end.inspected, report.at_end.without, 1e-6);
 }
 
+// Kind: reference (IR-10), (IR-11).  A crack through the barrel at 45 degrees opens under one sense
+// only.  Change and probability follow from the stiffnesses of torsional_stiffness.  Tolerance:
+// 1e-3 of the end of the growth.
+TEST(InspectionReport, ReferenceOneSidedStiffnessOfAnInclinedCrack) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml");
+  gear.flexspline->crack = {gear.flexspline->crack.at(1)};
+  gear.scatter = {scatter_of("flexspline.crack[0].half_length", 0.1)};
+  gear.inspection = measured_by(InspectionMeans::one_sided_stiffness, 0.02, 0.02);
+  const InspectionReport report = inspection_report(gear, options_of(20, 5 * kHour));
+  GearSet cracked = gear;
+  cracked.scatter.clear();
+  cracked.inspection.reset();
+  std::get<WallThroughCrack>(cracked.flexspline->crack[0]).half_length =
+      report.method->size_at_end.value();
+  const StiffnessResult at_end = torsional_stiffness(cracked);
+  const double positive = at_end.positive.stiffness.value;
+  const double negative = at_end.negative.stiffness.value;
+  ASSERT_GT(std::abs(positive - negative), 0.01 * positive);
+  const double change = std::abs(positive - negative) / ((positive + negative) / 2);
+  test::expect_relative(report.method->change_at_end.value(), change, 1e-3);
+  const double z = 2.3263478740408408;  // a normal error is beyond it at either side in 2 %
+  const auto found = [&](double of) {
+    const double call = std::erfc((z - of / 0.02) / std::sqrt(2)) / 2 +
+                        std::erfc((z + of / 0.02) / std::sqrt(2)) / 2;
+    return (call - 0.02) / 0.98;
+  };
+  EXPECT_NEAR(report.method->found_at_end.value(), found(change), 1e-3);
+  test::expect_relative(report.method->threshold.value(), z * 0.02, 1e-9);
+  EXPECT_NEAR(found(report.method->change_ninety.value()), 0.9, 1e-9);
+}
+
 // Kind: crosscheck (IR-10).  A heavy load on the drive: one spring, so the frequency changes by the
 // root of the stiffness.  Tolerance: 1e-3, the inertias of the gear beside the load.
 TEST(InspectionReport, CrosscheckResonanceOfAHeavyLoad) {
@@ -491,7 +557,8 @@ TEST(InspectionReport, BehaviourTrials) {
   EXPECT_EQ(report.method->a90_bound, options.trials->a90_bound);
   EXPECT_GT(report.bound_risk.value(), *report.at_end.inspected);
   EXPECT_LE(report.bound_risk.value(), report.at_end.without);
-  EXPECT_NE(report.sentence.find("With the detection that the trials prove"), std::string::npos);
+  EXPECT_NE(report.sentence.find("With the lower 95 % bound of detection at each size, it is"),
+            std::string::npos);
   EXPECT_NE(inspection_plot(report, scattering_shaft()).find("bound of the trials"),
             std::string::npos);
   options.trials->a90_bound.reset();
@@ -509,6 +576,44 @@ TEST(InspectionReport, InputMeasurements) {
   GearSet still = inspected_shaft(measured_by(InspectionMeans::stiffness, 0.01));
   still.material.at("steel").growth_bounds.emplace().threshold = 40e6;
   EXPECT_NE(message(still).find("needs a crack that ends the life"), std::string::npos);
+  // The crack of the inner ring does not grow, because the balls are not known, and it breaks at
+  // once.
+  GearSet ring = read_gear_set_file(STRAINWAVE_EXAMPLES "/article_duty.toml");
+  ring.material.at("steel") = scattering_shaft().material.at("steel");
+  ring.material.at("steel").fracture_toughness = 0.7e6;
+  auto& race = std::get<RaceSurfaceCrack>(ring.wave_generator->crack.at(0));
+  race.depth = 5e-3;
+  race.contact_factor = 0.99;
+  std::get<WallThroughCrack>(ring.flexspline->crack.at(0)).half_length = 1e-5;
+  std::get<AnnularCrack>(ring.output_shaft->crack.at(0)).depth = 1e-5;
+  ring.scatter = {scatter_of("flexspline.crack[0].half_length", 0.1)};
+  ring.inspection = measured_by(InspectionMeans::stiffness, 0.01);
+  const LifeTrace trace = life_trace(ring);
+  ASSERT_EQ(trace.governing, "wave_generator.crack[0]");
+  ASSERT_EQ(std::ranges::count(trace.cracks, trace.governing), 0);
+  EXPECT_NE(message(ring).find("needs a crack that ends the life"), std::string::npos);
+}
+
+// Kind: behaviour (IR-3).  A draw in which a crack of the file cannot grow is left out, because the
+// crack would be taken for another one.
+TEST(InspectionReport, BehaviourADrawWithoutACrackOfTheFile) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml");
+  RimAxialCrack rim;
+  rim.depth = 0.1e-3;
+  gear.flexspline->crack = {rim, gear.flexspline->crack.at(1)};
+  InputScatter scatter = scatter_of("duty.block[0].torque", 0.1);
+  scatter.relative_standard_deviation.reset();
+  scatter.distribution = ScatterDistribution::table;
+  // In half of the draws the coupled drive, and so the crack of the rim, has no solution.
+  scatter.quantile = {{0.0, 0.99}, {0.5, 1.0}, {0.501, 1e4}, {1.0, 1.01e4}};
+  gear.scatter = {scatter};
+  InspectionOptions options = options_of(60, 2 * kHour);
+  options.growth.stop.time = 36;
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3};
+  options.times.every = 1 * kHour;
+  const InspectionReport report = inspection_report(gear, options);
+  EXPECT_GT(report.outcomes.refused, 15);
+  EXPECT_LT(report.outcomes.refused, 45);
 }
 
 // Kind: behaviour.  The documents contain the curve and all tables.

@@ -4,15 +4,17 @@
 Equations (IR-12), (IR-13), (IR-14) for examples/detection_hits.csv and
 examples/detection_signals.csv.  Independent of the C++: the product uses Newton's method, and a
 closed form for signals; this program uses the simplex of Nelder and Mead, and searches the other
-parameter of a bound by it too.  `--trials` writes the two examples, which are drawn from a model.
+parameter of a bound of hits by it too.  For the bound of signals it integrates the probability over
+the scatter, and the product uses a function for the non-central t.  `--trials` writes the two examples, which are drawn from a model.
 """
 import csv
 import pathlib
 import sys
 
 import numpy as np
+from scipy.integrate import quad
 from scipy.optimize import brentq, minimize
-from scipy.stats import logistic, norm
+from scipy.stats import chi, logistic, norm
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HITS = ROOT / "examples" / "detection_hits.csv"
@@ -62,6 +64,27 @@ def signal_likelihood():
     return value, norm.ppf, x
 
 
+def signal_bound(z):
+    """The confidence that the argument z lies below a place, less 0.95 (IR-14)."""
+    size, signal = read(SIGNALS)
+    x, v = np.log(size), np.log(signal / THRESHOLD)
+    n = len(x)
+    design = np.stack([np.ones(n), x], axis=1)
+    line, rest = np.linalg.lstsq(design, v, rcond=None)[:2]
+    scatter = np.sqrt(rest[0] / (n - 2))
+    inverse = np.linalg.inv(design.T @ design)
+
+    def left(place):
+        at = np.array([1.0, place])
+        root = np.sqrt(at @ inverse @ at)
+        t = (at @ line) / (scatter * root)
+        below = quad(lambda w: norm.cdf(t * w / np.sqrt(n - 2) - z / root) * chi.pdf(w, n - 2),
+                     0, 60, points=[np.sqrt(n - 2)], epsabs=1e-13, epsrel=1e-12, limit=400)[0]
+        return below - 0.95
+
+    return left
+
+
 def largest(function, start):
     best = start
     for _ in range(6):
@@ -76,6 +99,10 @@ def fitted(value, ppf, x, rest):
              "a90": (np.exp(best[0] + best[1] * ppf(0.9)) / 1e3, "m", 7)}
     for name, p in (("a50_bound", 0.5), ("a90_bound", 0.9)):
         z = ppf(p)
+        if rest:
+            place = best[0] + best[1] * z
+            found[name] = (np.exp(brentq(signal_bound(z), place, place + 1, xtol=1e-12)) / 1e3, "m", 7)
+            continue
         start = [best[1:]]
 
         def left(place):
@@ -98,7 +125,9 @@ def tables():
                         ("hits_log_normal", (*hits_likelihood("log_normal"), [])),
                         ("signals", (*signal_likelihood(), [1.0]))):
         for name, (number, unit, digits) in fitted(*parts).items():
-            table.add(f"{case}_{name}", [], number, unit, "simplex of Nelder and Mead", digits=digits)
+            of_signals = case == "signals" and name.endswith("bound")
+            source = "integral over the scatter" if of_signals else "simplex of Nelder and Mead"
+            table.add(f"{case}_{name}", [], number, unit, source, digits=digits)
     return [table]
 
 

@@ -51,8 +51,8 @@ struct DetectionFit {
 /// @param form    of the curve
 /// @param trials  at least 10, with cracks that were found and cracks that were missed
 /// @throws InputError  if there are too few trials, a size is not positive, all cracks were found
-///                     or missed, every found crack is larger than every missed one, or detection
-///                     falls with the size
+///                     or missed, no missed crack is larger than a found one, detection falls with
+///                     the size, or the search for the curve does not end
 [[nodiscard]] DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials);
 
 /// Fits a curve to signals: the logarithm of the signal is a straight line over that of the size

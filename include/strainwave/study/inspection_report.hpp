@@ -185,7 +185,7 @@ struct MethodOfInspection {
   std::optional<double> a90_bound = {};    ///< a90 on the lower bound of trials [m]
   std::optional<int> trials = {};          ///< number of trials behind the curve
   std::string crack = {};            ///< of a measurement: the crack that ends the life of the file
-  std::optional<double> noise = {};  ///< of a measurement [-]
+  std::optional<double> noise = {};  ///< of one measurement; the first record counts as exact [-]
   std::optional<double> threshold = {};      ///< change from which on a measurement calls [-]
   std::optional<double> change_ninety = {};  ///< change that nine of ten measurements find [-]
   std::optional<double> size_at_end = {};    ///< of the crack when it ends the life [m]

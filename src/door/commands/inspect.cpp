@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -174,6 +175,22 @@ void need_curve(const InspectOptions& o) {
   needs_a50(!o.see.empty(), "see");
 }
 
+/// The first of the options that say how cracks are looked for; one of them is given.
+std::string_view given_option(const InspectOptions& o) {
+  const std::array<std::pair<std::string_view, bool>, 9> given = {
+      {{"detection_data", o.detection_data.has_value()},
+       {"method", o.method.has_value()},
+       {"a50", o.a50.has_value()},
+       {"a90", o.a90.has_value()},
+       {"detection", o.detection.has_value()},
+       {"noise", o.noise.has_value()},
+       {"false_calls", o.false_calls.has_value()},
+       {"find", o.find.has_value()},
+       {"repaired_to", o.repaired_to.has_value()}}};
+  const auto found = std::ranges::find_if(given, [](const auto& option) { return option.second; });
+  return found != given.end() ? found->first : "see";
+}
+
 /// The method of the file with what the options say instead; absent: the options say nothing.
 std::optional<Inspection> asked_method(const Request& request, const InspectOptions& o,
                                        std::optional<DetectionFit>& trials) {
@@ -253,6 +270,9 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   needs(o.threshold.has_value(), "threshold", o.detection_data.has_value(), "detection-data");
   needs(o.most.has_value(), "most", o.risk.has_value(), "risk");
   options.method = asked_method(request, o, options.trials);
+  if (options.method && !o.every && !o.risk && o.at.empty())
+    throw OptionError(given_option(o),
+                      "is read with inspections only; give --at, --every or --risk");
   for (const std::string& at : o.at) options.times.at.push_back(time("--at", at));
   if (o.every) options.times.every = time("--every", *o.every);
   if (o.first) options.times.first = time("--first", *o.first);

@@ -1075,8 +1075,9 @@ void check_method(const Inspection& inspection) {
                        fmt::format("must be given for method = \"{}\", whose threshold follows "
                                    "from it",
                                    enum_name(inspection.method)));
-    require(*inspection.false_calls > 0, path / "false_calls", *inspection.false_calls, "1",
-            "> 0 with a measurement, whose threshold follows from it");
+    require(*inspection.false_calls > 0 && *inspection.false_calls < 0.5, path / "false_calls",
+            *inspection.false_calls, "1",
+            "> 0 and < 0.5 with a measurement, whose threshold follows from it");
   } else {
     require(*inspection.a50 < *inspection.a90, path / "a90", *inspection.a90, "m",
             "> a50: a larger crack is found more often");

@@ -147,6 +147,8 @@ void drop_lost_paths(GearSet& gear, const GearSet& before) {
     std::erase_if(gear.inspection->place, [&](const InspectedPlace& place) {
       return std::ranges::find(cracks, place.crack) == cracks.end();
     });
+    // An inspection without places would see all cracks.
+    if (gear.inspection->place.empty()) gear.inspection.reset();
   }
   if (gear.range.empty() && gear.scatter.empty()) return;
   const auto now = numbers_of(gear);
