@@ -208,7 +208,9 @@ TEST(CrackRow, BehaviourTorsionKeepsFaces) {
       const RowFactors apart = row_factors(share, angle);
       EXPECT_GT(apart.opening_by_normal * N + apart.opening_by_shear * S, 0) << angle;
       const PullOfRow pull = pull_of_row(share, angle);
-      if (angle <= 1.2) EXPECT_GT(N + std::min(pull.least * S, pull.most * S), 0) << angle;
+      if (angle <= 1.2) {
+        EXPECT_GT(N + std::min(pull.least * S, pull.most * S), 0) << angle;
+      }
     }
 }
 
