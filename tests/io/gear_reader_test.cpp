@@ -22,6 +22,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "support/article_gear.hpp"
+#include "support/expect.hpp"
 
 namespace strainwave {
 namespace {

@@ -377,6 +377,7 @@ class CrackLoads {
     laminate,      ///< the interaction is known in an isotropic wall only
     faces,         ///< the neighbours open or press faces that the load alone presses or opens
   };
+  /// Whether the solution of this crack's row holds (CG-7), (CG-8).
   [[nodiscard]] RowState row_state(const WallThroughCrack& crack) const {
     if (crack.count == 1) return RowState::holds;
     const Material& of =

@@ -75,6 +75,7 @@ struct RowThroughWall {
 /// sound wall.  The forces are in equilibrium, but the field round the ends of the strips was not
 /// worked out, so this is an estimate and not a bound.
 ///
+/// @param row            the cracks of the row
 /// @param normal_stress  along the normal of the row, as by an axial force [Pa]
 /// @param shear_stress   as by a torque; its sign counts as in (FR-6) [Pa]
 /// @return  empty if neighbours touch

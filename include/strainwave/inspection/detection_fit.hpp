@@ -57,7 +57,7 @@ struct DetectionFit {
 
 /// Fits a curve to signals: the logarithm of the signal is a straight line over that of the size
 /// with a normal error, and a crack is found if its signal is above a threshold; theory manual
-/// eqs. (IR-13) and (IR-14).  The curve is log-normal.
+/// eq. (IR-14).  The curve is log-normal.
 /// @param trials     at least 5, of two sizes or more
 /// @param threshold  of the signal, in its unit; > 0
 /// @throws InputError  if there are too few trials, a number is not positive, all sizes are equal,

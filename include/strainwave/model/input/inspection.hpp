@@ -86,7 +86,7 @@ struct Inspection {
   std::optional<DetectionForm> detection = {};
   std::optional<double> a50 = {};          ///< size found in half of the cases [m]; > 0
   std::optional<double> a90 = {};          ///< size found in nine of ten cases [m]; > a50
-  std::optional<double> noise = {};        ///< of a measurement, relative [-]; > 0
+  std::optional<double> noise = {};        ///< of one measurement, relative [-]; > 0
   std::optional<double> false_calls = {};  ///< probability of a false call [-]; in [0, 1)
   FindLeadsTo find = FindLeadsTo::out;
   std::optional<double> repaired_to = {};  ///< size of a crack after its repair [m]; > 0
