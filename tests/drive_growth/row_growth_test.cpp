@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growth of a row of equal cracks: faster than one crack, until the strips between them collapse.
+// Growth of a row of equal cracks: faster than one crack, until the ligaments between them
+// collapse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,11 +18,10 @@ namespace {
 constexpr const char* kRow = "flexspline.crack[0]";
 
 /// Cracks of a = 2 mm under the torque alone: with one lobe the assembly does not bend the wall.
-GearSet wall_with_row(int count) {
-  return test::cracked_wall(
-      "kind = \"through\"\nhalf_length = \"2 mm\"\nangle = \"45 deg\"\ncount = " +
-          std::to_string(count) + "\n",
-      "100", "1");
+GearSet wall_with_row(int count, const std::string& angle = "45 deg") {
+  return test::cracked_wall("kind = \"through\"\nhalf_length = \"2 mm\"\nangle = \"" + angle +
+                                "\"\ncount = " + std::to_string(count) + "\n",
+                            "100", "1");
 }
 
 GearSet with_yield_strength(GearSet gear, double yield) {
@@ -39,18 +39,18 @@ TEST(RowGrowth, BehaviourFasterThanOneCrack) {
   EXPECT_EQ(std::ranges::find(alone.equations, "CG-7"), alone.equations.end());
 }
 
-// Kind: reference (FA-16), (GR-24).  The life ends where the reference stress of the strips between
-// the cracks is the yield strength, at the largest torque of the duty.  Tolerance: 2 %, the step of
-// the assessment in the size.
-TEST(RowGrowth, ReferenceStripsCollapse) {
+// Kind: reference (FA-16), (GR-24).  The life ends where the reference stress of the ligaments is
+// the yield strength, at the largest torque of the duty.  Tolerance: 5 %, the step of the
+// assessment in the size, which the ligaments feel four times as much.
+TEST(RowGrowth, ReferenceLigamentsCollapse) {
   const double yield = 500e6;
-  const GrowthReport report = grow_cracks(with_yield_strength(wall_with_row(100), yield));
+  const GrowthReport report = grow_cracks(with_yield_strength(wall_with_row(80, "88 deg"), yield));
   ASSERT_EQ(report.end, DriveEnd::assessment) << report.sentence;
   const double r = (0.160 - 0.00224) / 2;
   const double tau = 6000 / (2 * std::numbers::pi * r * r * 0.00224);
   const auto stress = row_reference_stress({.half_length = report.cracks.at(0).events.back().size,
-                                            .angle = std::numbers::pi / 4,
-                                            .pitch = 2 * std::numbers::pi * r / 100},
+                                            .angle = 88 * std::numbers::pi / 180,
+                                            .pitch = 2 * std::numbers::pi * r / 80},
                                            0, tau);
   ASSERT_TRUE(stress.has_value());
   test::expect_relative(*stress, yield, 0.05);

@@ -320,7 +320,6 @@ void check_crack(const FieldPath&, const GearSet&, const ToothCrack&) {
 void check_row(const FieldPath& at, double half_length, double angle, int count, double round) {
   require(kCrackCountField.range.contains(count), at / "count", count, "1",
           rule_text(kCrackCountField.range));
-  if (count == 1) return;
   constexpr double kOneLine = 1e-9;  // cosine of a crack along the row [-]
   const bool in_line = std::abs(std::cos(angle)) < kOneLine;
   require(!in_line || 2 * half_length * count < round, at / "count", count, "1", [&] {
@@ -331,7 +330,7 @@ void check_row(const FieldPath& at, double half_length, double angle, int count,
 
 /// Refuses a table of one crack for a row.
 void require_alone(const FieldPath& at, bool given, int count) {
-  if (given && count > 1)
+  if (given)
     throw InputError(at.text(), fmt::format("is of one crack, but count is {}; leave out the table "
                                             "or give count = 1",
                                             count));
@@ -349,8 +348,9 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmArcCra
   const double radius = crack.radius.value_or(diaphragm.inner_diameter / 2);
   require(radius >= diaphragm.inner_diameter / 2 && radius < diaphragm.outer_diameter / 2,
           at / "radius", radius, "m", "on the diaphragm");
-  check_row(at, crack.half_length, std::numbers::pi / 2, crack.count,
-            2 * std::numbers::pi * radius);
+  if (crack.count != 1)
+    check_row(at, crack.half_length, std::numbers::pi / 2, crack.count,
+              2 * std::numbers::pi * radius);
   require(crack.half_length < std::numbers::pi * radius, at / "half_length", crack.half_length, "m",
           "2 half_length < circumference at its radius");
 }
@@ -407,10 +407,12 @@ double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& c
   const double round = std::numbers::pi * (diameter - wall);
   require(2 * crack.half_length * std::abs(std::sin(crack.angle)) < round, at / "half_length",
           crack.half_length, "m", "2 half_length |sin(angle)| < circumference of the tube");
-  check_row(at, crack.half_length, crack.angle, crack.count, round);
-  if constexpr (requires { crack.compliance_table; })
-    require_alone(at / "compliance_table", crack.compliance_table.has_value(), crack.count);
-  require_alone(at / "turn_table", crack.turn_table.has_value(), crack.count);
+  if (crack.count != 1) {  // a crack alone costs nothing
+    check_row(at, crack.half_length, crack.angle, crack.count, round);
+    if constexpr (requires { crack.compliance_table; })
+      require_alone(at / "compliance_table", crack.compliance_table.has_value(), crack.count);
+    require_alone(at / "turn_table", crack.turn_table.has_value(), crack.count);
+  }
   return wall;
 }
 
