@@ -60,8 +60,8 @@ TitledTable share_table(const InspectionReport& report) {
 
 TitledTable method_table(const MethodOfInspection& method) {
   Table table{.head = {"method of the inspections", "value"}};
-  const auto row = [&](std::string_view words, std::string value) {
-    table.rows.push_back(cells(words, std::move(value)));
+  const auto row = [&](std::string_view words, const std::string& value) {
+    table.rows.push_back(cells(words, value));
   };
   const auto length = [](const std::optional<double>& size) {
     return size ? fmt::format("{:.4g} mm", 1e3 * *size) : std::string("none before the end");

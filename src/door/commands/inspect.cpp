@@ -187,7 +187,8 @@ std::string_view given_option(const InspectOptions& o) {
        {"false_calls", o.false_calls.has_value()},
        {"find", o.find.has_value()},
        {"repaired_to", o.repaired_to.has_value()}}};
-  const auto found = std::ranges::find_if(given, [](const auto& option) { return option.second; });
+  const auto* const found =
+      std::ranges::find_if(given, [](const auto& option) { return option.second; });
   return found != given.end() ? found->first : "see";
 }
 
