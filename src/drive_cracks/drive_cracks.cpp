@@ -23,6 +23,7 @@
 #include "strainwave/sif/bar/bar_annular.hpp"
 #include "strainwave/sif/bar/hollow_annular_outer.hpp"
 #include "strainwave/sif/newman_raju.hpp"
+#include "strainwave/sif/tube/shell_row.hpp"
 
 namespace strainwave {
 namespace {
@@ -394,9 +395,8 @@ class Maker {
                           : "the length of the tube, or half of its circumference";
     if (crack.count > 1) {
       in_row(made, {crack.count, crack.angle}, wall, gear_.flexspline->stress_nonuniformity);
-      end_where_row_is_known(made, crack);
+      end_where_row_is_known(made, crack, wall.mean_radius);
     }
-
     use(made, {"FA-6", "FA-8"});
     if (made.assembly) {
       use(made, {"FA-14"});
@@ -462,37 +462,46 @@ class Maker {
     }
   }
 
-  /// Ends the range of a row where its solution ends (CG-7), (CG-8) for another reason than the
-  /// gap.
-  void end_where_row_is_known(DriveCrack& made, WallThroughCrack crack) const {
+  /// Ends the range of a row at the end of its table (CG-8), or where neighbours open or press its
+  /// faces (CG-7).
+  void end_where_row_is_known(DriveCrack& made, WallThroughCrack crack, double radius) const {
+    if (made.moduli.anisotropic) return;
+    constexpr const char* kText = "the end of what is known of the cracks' influence on each other";
+    const double table =
+        kNearlyAll * sif::largest_tabulated_share(crack.angle) * pi * radius / crack.count;
+    if (crack.shell_correction && table < made.range_end) {
+      made.range_end = table;
+      made.range_text = kText;
+    }
     const auto known = [&](double half_length) {
       crack.half_length = half_length;
       return loads_.row_state(crack) == CrackLoads<double>::RowState::holds;
     };
-    if (made.moduli.anisotropic || known(made.range_end)) return;
+    if (known(made.range_end)) return;
+    made.range_end = last_known(made.range_end, known);
+    made.range_text = kText;
+  }
+
+  /// The largest number up to `end` for which something is known, by halving.
+  template <class Known>
+  [[nodiscard]] static double last_known(double end, const Known& known) {
     constexpr int kHalvings = 40;
     double inside = 0.0;
-    double beyond = made.range_end;
     for (int i = 0; i < kHalvings; ++i) {
-      const double middle = (inside + beyond) / 2;
-      (known(middle) ? inside : beyond) = middle;
+      const double middle = (inside + end) / 2;
+      (known(middle) ? inside : end) = middle;
     }
-    made.range_end = inside;
-    made.range_text =
-        "where the influence of the cracks of the row on each other is no longer known";
+    return inside;
   }
 
   /// Half length at which the influence of surface cracks of a row on each other is no longer small
   /// [m].
   [[nodiscard]] double longest_in_row(WallSurfaceCrack crack, const LongWall& wall) const {
-    constexpr int kHalvings = 40;
-    double known = 0.0;
-    double beyond = largest_row_share(crack.angle) * pi * wall.mean_radius / crack.count;
-    for (int i = 0; i < kHalvings; ++i) {
-      crack.half_length = (known + beyond) / 2;
-      (loads_.row_bound(crack) <= kLargestRowBound ? known : beyond) = crack.half_length;
-    }
-    return known;
+    const double end = largest_row_share(crack.angle) * pi * wall.mean_radius / crack.count;
+    return last_known(end, [&](double half_length) {
+      crack.half_length = half_length;
+      return loads_.row_bound(crack) <= kLargestRowBound;
+    });
   }
 
   void fill(DriveCrack& made, const DiaphragmArcCrack& crack,

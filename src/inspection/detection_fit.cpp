@@ -264,8 +264,10 @@ DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshol
   const double limit = std::log(threshold);
   std::vector<double> x;
   std::vector<double> y;
-  DetectionFit fit{
-      .form = DetectionForm::log_normal, .trials = static_cast<int>(trials.size()), .points = {}};
+  DetectionFit fit{.form = DetectionForm::log_normal,
+                   .of_signals = true,
+                   .trials = static_cast<int>(trials.size()),
+                   .points = {}};
   double mean_x = 0.0;
   double mean_y = 0.0;
   for (const SizedSignal& trial : trials) {

@@ -135,10 +135,13 @@ void check_options(const InspectionOptions& options) {
     throw InputError("every", "is given beside at; give one of them");
 }
 
+bool asks_for_inspections(const InspectionTimes& times) {
+  return times.every || !times.at.empty() || times.risk;
+}
+
 /// How the cracks of a drive are looked for: as asked, or as its file says.
 std::optional<Inspection> method_of(const GearSet& gear, const InspectionOptions& options) {
-  const InspectionTimes& times = options.times;
-  const bool inspected = times.every || !times.at.empty() || times.risk;
+  const bool inspected = asks_for_inspections(options.times);
   if (!options.method) {
     if (inspected && !gear.inspection)
       throw InputError("a50",
@@ -336,8 +339,6 @@ std::ptrdiff_t growing_cracks(const DrawnPart& part) {
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
-std::string millimetres(double size) { return fmt::format("{:.4g} mm", 1e3 * size); }
-
 /// What a measurement can find, in words; it ends with a full stop.
 std::string measurement_words(const MethodOfInspection& method) {
   const std::string_view what = method.method == InspectionMeans::stiffness
@@ -347,12 +348,12 @@ std::string measurement_words(const MethodOfInspection& method) {
                                     : "the difference of the stiffness between the senses";
   std::string words = fmt::format(
       "{} changes {} by {} at its last size before the failure, {}; nine of ten measurements find "
-      "a "
-      "change of {}",
-      method.crack, what, percent(*method.change_at_end), millimetres(*method.size_at_end),
-      percent(*method.change_ninety));
+      "a change of {}",
+      method.crack, what, percent(*method.change_at_end),
+      shown_quantity(*method.size_at_end, "m", 4), percent(*method.change_ninety));
   if (method.a90)
-    return words + fmt::format(", which the crack reaches at {}.", millimetres(*method.a90));
+    return words +
+           fmt::format(", which the crack reaches at {}.", shown_quantity(*method.a90, "m", 4));
   return words + fmt::format(
                      ". The crack does not reach this change before the failure, so it {} in time: "
                      "one measurement just before the failure finds it in {} of the cases.",
@@ -441,18 +442,29 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   if (method) {
     report.method = MethodOfInspection{};
     if (is_measurement(method->method)) {
-      const auto governing = std::ranges::find(nominal.cracks, nominal.governing);
-      if (governing == nominal.cracks.end()) refuse_without_end(method->method);
-      const auto k = static_cast<std::size_t>(governing - nominal.cracks.begin());
-      double smallest = std::numeric_limits<double>::infinity();
-      for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
-      MeasuredDetection measured =
-          measured_detection(gear, *method, options.growth, smallest, Progress());
-      std::vector<bool> seen(nominal.cracks.size(), false);
-      seen[k] = true;
-      search = CrackSearch{.curve = std::move(measured.curve), .seen = std::move(seen)};
-      report.method = std::move(measured.stated);
-      report.equations.insert(report.equations.end(), {"IR-4", "IR-10", "IR-11"});
+      try {
+        const auto governing = std::ranges::find(nominal.cracks, nominal.governing);
+        if (governing == nominal.cracks.end()) refuse_without_end(method->method);
+        const auto k = static_cast<std::size_t>(governing - nominal.cracks.begin());
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const DrawnPart& part : parts) smallest = std::min(smallest, part.sizes[k].front());
+        MeasuredDetection measured =
+            measured_detection(gear, *method, options.growth, smallest, Progress());
+        std::vector<bool> seen(nominal.cracks.size(), false);
+        seen[k] = true;
+        search = CrackSearch{.curve = std::move(measured.curve), .seen = std::move(seen)};
+        report.method = std::move(measured.stated);
+        report.equations.insert(report.equations.end(), {"IR-4", "IR-10", "IR-11"});
+      } catch (const InputError& error) {  // lives and risk need no measurement
+        if (asks_for_inspections(options.times)) throw;
+        report.method.reset();
+        report.notes.push_back(
+            {.code = "inspection.no_measurement",
+             .text = fmt::format("the measurement is left out: {}", error.what()),
+             .path = "inspection.method",
+             .equation = "IR-10",
+             .severity = Severity::care});
+      }
     } else {
       search = CrackSearch{
           .curve = DetectionCurve(method->detection.value_or(DetectionForm::log_logistic),
@@ -467,9 +479,12 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
         report.method->a50_bound = options.trials->a50_bound;
         report.method->a90_bound = options.trials->a90_bound;
         report.method->trials = options.trials->trials;
-        report.equations.insert(report.equations.end(), {"IR-12", "IR-13", "IR-14"});
+        report.equations.insert(report.equations.end(),
+                                {options.trials->of_signals ? "IR-14" : "IR-12", "IR-13"});
       }
     }
+  }
+  if (search) {
     search->repaired_to = method->repaired_to;
     report.method->find = method->find;
     report.method->repaired_to = method->repaired_to;
@@ -540,7 +555,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
         report.bound_risk = inspected_risk(parts, report.until, schedule, low).probability;
       }
   }
-  if (method && method->cost) {
+  if (search && method->cost) {
     report.cost = planned_cost(parts, schedule);
     if (schedule.empty()) report.cost = ExpectedCost{.without = report.cost->without};
     report.equations.emplace_back("IR-15");
@@ -627,7 +642,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
            .text =
                fmt::format("in {} of {} drives a crack is larger than {} at first, and its path "
                            "from there on is not known; a repair reduces it to its first size",
-                           larger, parts.size(), millimetres(*search->repaired_to)),
+                           larger, parts.size(), shown_quantity(*search->repaired_to, "m", 4)),
            .path = "inspection.repaired_to",
            .equation = "IR-9",
            .severity = Severity::information});

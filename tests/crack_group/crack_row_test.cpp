@@ -186,6 +186,18 @@ TEST(CrackRow, IdentityDerivatives) {
   expect_slopes(pressed, [](double x, double b) { return pressed_row(x, b); });
 }
 
+// Kind: limit (CG-7).  Beside neighbours that touch, the derivative is that of sqrt(tan(x)/x), x =
+// pi a/p, too.  Tolerance: 1e-5, the points of the solver at a gap of 0.003.
+TEST(CrackRow, LimitDerivativeBesideTouching) {
+  DualReal share(0.9985);
+  share.partial[0] = 1;
+  const double x = pi * share.value / 2;
+  const double F = std::sqrt(std::tan(x) / x);
+  const double slope = (1 / (std::cos(x) * std::cos(x) * x) - std::tan(x) / (x * x)) / (2 * F);
+  const BasicRowFactors<DualReal> row = row_factors(share, DualReal(pi / 2));
+  test::expect_relative(row.opening_by_normal.partial[0], slope * pi / 2, 1e-5);
+}
+
 // Kind: identity (CG-7).  The gap by hand, and the share at which the gap is the least one.
 TEST(CrackRow, IdentityGaps) {
   EXPECT_NEAR(row_gap(0.5, pi / 2), 2, 1e-12);  // 2 a = p/2, so p - 2 a = 2 a

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "command/field_witness.hpp"
 #include "command/kept_journal.hpp"
@@ -185,6 +186,29 @@ TEST(FeCommands, InputSurfaceCrackOfAShaft) {
   refused({.member = fe_study::Member::output_shaft}, kind + "; remove it");
   gear.output_shaft->crack.erase(gear.output_shaft->crack.begin());
   refused({}, "an output shaft with an annular crack");
+}
+
+// The mesh contains one crack, so a row is refused by its count.
+TEST(FeCommands, InputRowOfCracks) {
+  test::start_mpi();
+  for (const char* name : {"through_crack", "part_through_crack"}) {
+    GearSet gear = example(name);
+    std::visit(
+        [](auto& crack) {
+          if constexpr (requires { crack.count; }) crack.count = 3;
+        },
+        gear.flexspline->crack.front());
+    try {
+      (void)fe_study::plan(gear, {});
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what())
+                    .find("flexspline.crack[0].count = 3 violates: 1, because the mesh contains "
+                          "one crack"),
+                std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 }  // namespace

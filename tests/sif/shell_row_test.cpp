@@ -97,6 +97,8 @@ TEST(ShellRow, LimitEndsOfTheTable) {
   EXPECT_EQ(all(shell_row_excess(1.0, end, 0.6)), all(shell_row_excess(1.0, 2 * end, 0.6)));
   EXPECT_EQ(all(shell_row_excess(kShellRowTableEnd, 0.5, 0.6)), all(shell_row_excess(7, 0.5, 0.6)));
   EXPECT_NEAR(largest_tabulated_share(0.0), 0.85 / std::sqrt(0.15), 1e-12);
+  EXPECT_NEAR(largest_tabulated_share(kRightAngle / 2), 0.85 / std::sqrt(0.125 + 0.15 * 0.875),
+              1e-12);
   EXPECT_NEAR(largest_tabulated_share(kRightAngle), 0.85, 1e-12);
 }
 

@@ -16,6 +16,7 @@
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
+#include "support/reference_csv.hpp"
 
 namespace strainwave {
 namespace {
@@ -44,6 +45,13 @@ CrackReport report_of(const GearSet& gear) { return flexspline_compliance(gear).
 
 double added(const CrackReport& report, bool positive) {
   return (positive ? report.positive : report.negative).at_output.value;
+}
+
+/// Compliance of a flat row over that of its cracks alone, by the work on the faces under torsion.
+double row_ratio(double angle, double share) {
+  const StraightCrack crack{
+      .centre = 0.0, .half_length = share / 2, .angle = std::numbers::pi / 2 + angle};
+  return crack_group(std::array{crack}, {.xy = 1}, {.order = 120, .period = 1.0}).compliance_ratio;
 }
 
 /// A count whose share 2 a/p is near the wanted one, and the share itself.
@@ -172,6 +180,33 @@ TEST(RowOfCracks, LimitFacesThatNeighboursPress) {
   EXPECT_NE(flexspline_compliance(gear).unusable_because.find("faces that the load"),
             std::string::npos)
       << flexspline_compliance(gear).unusable_because;
+}
+
+// Kind: crosscheck (CG-8).  Source: tests/data/crack_rows.csv, solid elements.  Where the curvature
+// between the cracks is left out, the stated uncertainty of the row covers what it is wrong by.
+TEST(RowOfCracks, CrosscheckUncertaintyOfAFlatSheet) {
+  int rows = 0;
+  double least = 1.0;
+  double most = 0.0;
+  for (const test::CsvRow& row : test::read_reference_csv("crack_rows")) {
+    if (row.quantity != "torsion.ratio") continue;
+    GearSet gear = through_row(static_cast<int>(row("cracks")), row("half_length"), row("angle"));
+    gear.drive.pitch_diameter = 2 * row("radius") + row("wall");
+    gear.flexspline->wall_thickness = row("wall");
+    const MemberCompliance member = flexspline_compliance(gear);
+    const auto stated = std::ranges::find_if(member.accuracies, [](const AccuracyBasis& basis) {
+      return basis.source.find("between the cracks is left out") != std::string::npos;
+    });
+    ASSERT_NE(stated, member.accuracies.end()) << row.place;
+    const double flat = row_ratio(row("angle"), 1 / row("pitch_over_length"));
+    EXPECT_LT(std::abs(flat / row.value - 1), stated->relative_uncertainty) << row.place;
+    least = std::min(least, stated->relative_uncertainty);
+    most = std::max(most, stated->relative_uncertainty);
+    ++rows;
+  }
+  EXPECT_EQ(rows, 15);
+  EXPECT_GT(least, 0.05);
+  EXPECT_LE(most, 0.4);
 }
 
 // Kind: behaviour.  Surface cracks are added; the bound by through cracks of their length makes the

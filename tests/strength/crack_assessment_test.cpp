@@ -1031,5 +1031,20 @@ TEST(CrackStrength, BehaviourNotesAndEquations) {
   EXPECT_EQ(of_shaft(gear).notes.size(), 2U);
 }
 
+// Kind: limit (CG-7).  Surface cracks of a row that would influence each other too much are not
+// judged, and a critical depth is not sought among them.
+TEST(CrackAssessment, LimitOfARowOfSurfaceCracks) {
+  const auto row = [](int count) {
+    GearSet gear = griffith(60 * MPa);
+    gear.flexspline->crack = {
+        WallSurfaceCrack{.depth = 0.5 * mm, .half_length = 2 * mm, .count = count}};
+    return of_wall(gear);
+  };
+  EXPECT_EQ(row(10).verdict, Verdict::acceptable) << row(10).sentence;
+  const CrackStrength close = row(120);
+  EXPECT_EQ(close.verdict, Verdict::cannot_tell) << close.sentence;
+  EXPECT_NE(close.sentence.find("influence each other"), std::string::npos) << close.sentence;
+}
+
 }  // namespace
 }  // namespace strainwave

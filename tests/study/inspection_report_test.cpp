@@ -554,6 +554,24 @@ TEST(InspectionReport, BehaviourTrials) {
   options.method = Inspection{.a50 = options.trials->a50, .a90 = options.trials->a90};
   const InspectionReport report = inspection_report(scattering_shaft(), options);
   EXPECT_EQ(report.method->trials, 40);
+  const auto cites = [](const InspectionReport& of, const char* tag) {
+    return std::ranges::find(of.equations, tag) != of.equations.end();
+  };
+  EXPECT_TRUE(cites(report, "IR-12"));
+  EXPECT_FALSE(cites(report, "IR-14"));
+  std::vector<SizedSignal> signals;
+  for (int i = 0; i < 20; ++i) {
+    const double size = 0.3e-3 * std::pow(1.15, i);
+    signals.push_back({.size = size, .signal = 1e3 * size * (i % 2 == 0 ? 1.2 : 0.8)});
+  }
+  InspectionOptions by_signals = options;
+  by_signals.trials = fit_signals(signals, 1.0);
+  by_signals.method = Inspection{.detection = DetectionForm::log_normal,
+                                 .a50 = by_signals.trials->a50,
+                                 .a90 = by_signals.trials->a90};
+  const InspectionReport of_signals = inspection_report(scattering_shaft(), by_signals);
+  EXPECT_TRUE(cites(of_signals, "IR-14"));
+  EXPECT_FALSE(cites(of_signals, "IR-12"));
   EXPECT_EQ(report.method->a90_bound, options.trials->a90_bound);
   EXPECT_GT(report.bound_risk.value(), *report.at_end.inspected);
   EXPECT_LE(report.bound_risk.value(), report.at_end.without);
@@ -565,10 +583,29 @@ TEST(InspectionReport, BehaviourTrials) {
   EXPECT_TRUE(has(inspection_report(scattering_shaft(), options), "inspection.trials"));
 }
 
+// Kind: behaviour.  Without inspections, a measurement that cannot be judged does not withhold the
+// lives; a note says what is missing.
+TEST(InspectionReport, BehaviourWithoutMeasurement) {
+  GearSet gear = inspected_shaft(measured_by(InspectionMeans::resonance, 0.01));
+  const InspectionReport report = inspection_report(gear, options_of(40, 400 * kHour));
+  ASSERT_TRUE(has(report, "inspection.no_measurement"));
+  EXPECT_NE(std::ranges::find(report.notes, "inspection.no_measurement", &Note::code)
+                ->text.find("drivetrain: must be given"),
+            std::string::npos);
+  EXPECT_FALSE(report.method.has_value());
+  EXPECT_FALSE(report.cost.has_value());
+  gear.inspection.reset();
+  const InspectionReport plain = inspection_report(gear, options_of(40, 400 * kHour));
+  EXPECT_EQ(report.at_end.without, plain.at_end.without);
+  EXPECT_FALSE(has(plain, "inspection.no_measurement"));
+}
+
 // Kind: input.  A measurement that cannot be judged.
 TEST(InspectionReport, InputMeasurements) {
-  const auto message = [](const GearSet& gear) {
-    return test::broken_rule([&] { return inspection_report(gear, options_of(20, 400 * kHour)); });
+  InspectionOptions options = options_of(20, 400 * kHour);
+  options.times.every = 100 * kHour;
+  const auto message = [&](const GearSet& gear) {
+    return test::broken_rule([&] { return inspection_report(gear, options); });
   };
   EXPECT_NE(message(inspected_shaft(measured_by(InspectionMeans::resonance, 0.01)))
                 .find("drivetrain: must be given for inspection.method"),

@@ -26,7 +26,7 @@
 ///     shape(p, x, part)  numbers of a crack with arguments x in its own unit of length, whose
 ///                        compliance f_i is; its switches are those of p
 ///     size_of(p)         the power of lengths in w_i
-///     known(p)           whether the solution exists for these numbers
+///     known(p)           whether the solution exists for these numbers; without it, it always does
 
 namespace strainwave {
 
@@ -107,7 +107,6 @@ struct Similarity<sif::SurfaceCrack<N>> {
             p.half_width ? std::log(*p.half_width / p.thickness) : 0.0,
             kSheared ? p.poissons_ratio : 0.0};
   }
-  static bool known(const Parameters&) { return true; }
   static auto fixed(const Parameters& p) {
     return std::tuple(p.loading, p.half_width.has_value(), p.count);
   }
@@ -149,7 +148,6 @@ struct Similarity<sif::EdgeCrack> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / (p.thickness - p.depth))};
   }
-  static bool known(const Parameters&) { return true; }
   static auto fixed(const Parameters& p) { return p.loading; }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli,
                                        Faces faces) {
@@ -179,7 +177,6 @@ struct Similarity<sif::AnnularCrackSolid> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / (p.diameter / 2 - p.depth))};
   }
-  static bool known(const Parameters&) { return true; }
   static auto fixed(const Parameters& p) { return p.polynomials; }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.shear};
@@ -206,7 +203,6 @@ struct Similarity<sif::AnnularCrackHollow> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / (p.outer_radius - p.inner_radius)), p.inner_radius / p.outer_radius};
   }
-  static bool known(const Parameters&) { return true; }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.shear};
@@ -237,7 +233,6 @@ struct Similarity<sif::ShaftSurfaceSolid> {
   static std::array<double, kArguments> arguments(const Parameters& p) {
     return {std::log(p.depth / p.diameter), std::log(p.half_length / p.diameter)};
   }
-  static bool known(const Parameters&) { return true; }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<double, 2> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.opening, size_of(p) / moduli.shear};
@@ -270,7 +265,6 @@ struct Similarity<sif::ShaftSurfaceHollow> {
     return {std::log(p.depth / (p.outer_radius - p.inner_radius)),
             std::log(p.depth / p.half_length), p.inner_radius / p.outer_radius, p.poissons_ratio};
   }
-  static bool known(const Parameters&) { return true; }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<double, 2> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
     return {size_of(p) / moduli.opening, size_of(p) / moduli.shear};

@@ -369,7 +369,7 @@ class CrackLoads {
             .faces = {},
             .in_range = row_gap_of(crack, value_of(r), std::numbers::pi / 2) >= kLeastRowGap};
   }
-  /// Whether the solution of a row of through cracks holds (CG-7).
+  /// What is known of a row of through cracks (CG-7), (CG-8).
   enum class RowState {
     holds,         ///< the crack is alone, or its row is known
     too_close,     ///< the gaps are too narrow
@@ -377,7 +377,7 @@ class CrackLoads {
     laminate,      ///< the interaction is known in an isotropic wall only
     faces,         ///< the neighbours open or press faces that the load alone presses or opens
   };
-  /// Whether the solution of this crack's row holds (CG-7), (CG-8).
+  /// Whether the solution of a crack's row holds (CG-7), (CG-8).
   [[nodiscard]] RowState row_state(const WallThroughCrack& crack) const {
     if (crack.count == 1) return RowState::holds;
     const Material& of =
@@ -403,7 +403,7 @@ class CrackLoads {
     if (row_gap_of(crack, r, crack.angle) < kLeastRowGap)
       return std::numeric_limits<double>::infinity();
     const double share = crack.half_length * crack.count / (std::numbers::pi * r);
-    // Root of the extreme changes of G over all directions of the stress: singular values of F.
+    // G over all directions of the stress: squares of the singular values of F.
     const RowFactors F = row_factors(share, crack.angle);
     const double sum =
         F.opening_by_normal * F.opening_by_normal + F.sliding_by_normal * F.sliding_by_normal +

@@ -42,6 +42,7 @@ struct DetectionFit {
   /// the size a90 on the lower bound with 95 % confidence, a90/95 [m]; absent: not bounded
   std::optional<double> a90_bound = {};
   double log_likelihood = 0.0;          ///< largest logarithm of the likelihood [-]
+  bool of_signals = false;              ///< whether the trials are signals, else hits and misses
   int trials = 0;                       ///< number of trials
   int hits = 0;                         ///< of them finds, or signals above the threshold
   std::vector<FittedDetection> points;  ///< by rising probability, 0.02 to 0.98

@@ -158,47 +158,46 @@ DetectionFit fitted_detection(const Request& request, const InspectOptions& o, D
   return fit_signals(read, *o.threshold);
 }
 
+/// An option that says how cracks are looked for, in the place of a field of [inspection].
+struct MethodOption {
+  std::string_view field;
+  std::string_view option;
+  bool given;
+};
+
+std::array<MethodOption, 9> method_options(const InspectOptions& o) {
+  return {{{"method", "method", o.method.has_value()},
+           {"a50", "a50", o.a50.has_value()},
+           {"a90", "a90", o.a90.has_value()},
+           {"detection", "detection", o.detection.has_value()},
+           {"noise", "noise", o.noise.has_value()},
+           {"false_calls", "false_calls", o.false_calls.has_value()},
+           {"find", "find", o.find.has_value()},
+           {"repaired_to", "repaired_to", o.repaired_to.has_value()},
+           {"place", "see", !o.see.empty()}}};
+}
+
+/// The first of the options that say how cracks are looked for; empty: none is given.
+std::string_view given_option(const InspectOptions& o) {
+  if (o.detection_data) return "detection_data";
+  for (const MethodOption& of : method_options(o))
+    if (of.given) return of.option;
+  return {};
+}
+
 /// Refuses what needs a curve of the options, because the file has no [inspection].
 void need_curve(const InspectOptions& o) {
   if (o.a50.has_value() != o.a90.has_value())
     throw OptionError(o.a50 ? "a90" : "a50", "must be given: a50 and a90 belong together");
-  const auto needs_a50 = [&](bool given, const char* option) {
-    if (given && !o.a50)
-      throw OptionError(option, "is read with --a50 or with [inspection] in the file only");
-  };
-  needs_a50(o.method.has_value(), "method");
-  needs_a50(o.detection.has_value(), "detection");
-  needs_a50(o.noise.has_value(), "noise");
-  needs_a50(o.false_calls.has_value(), "false_calls");
-  needs_a50(o.find.has_value(), "find");
-  needs_a50(o.repaired_to.has_value(), "repaired_to");
-  needs_a50(!o.see.empty(), "see");
-}
-
-/// The first of the options that say how cracks are looked for; one of them is given.
-std::string_view given_option(const InspectOptions& o) {
-  const std::array<std::pair<std::string_view, bool>, 9> given = {
-      {{"detection_data", o.detection_data.has_value()},
-       {"method", o.method.has_value()},
-       {"a50", o.a50.has_value()},
-       {"a90", o.a90.has_value()},
-       {"detection", o.detection.has_value()},
-       {"noise", o.noise.has_value()},
-       {"false_calls", o.false_calls.has_value()},
-       {"find", o.find.has_value()},
-       {"repaired_to", o.repaired_to.has_value()}}};
-  const auto* const found =
-      std::ranges::find_if(given, [](const auto& option) { return option.second; });
-  return found != given.end() ? found->first : "see";
+  if (o.a50) return;
+  throw OptionError(given_option(o), "is read with --a50 or with [inspection] in the file only");
 }
 
 /// The method of the file with what the options say instead; absent: the options say nothing.
 std::optional<Inspection> asked_method(const Request& request, const InspectOptions& o,
                                        std::optional<DetectionFit>& trials) {
   const std::optional<Inspection>& table = request.drive.gear.inspection;
-  const bool asked = o.method || o.a50 || o.a90 || o.detection || o.noise || o.false_calls ||
-                     o.find || o.repaired_to || o.detection_data || !o.see.empty();
-  if (!asked) return std::nullopt;
+  if (given_option(o).empty()) return std::nullopt;
   const InspectionMeans means = o.method.value_or(table ? table->method : InspectionMeans::curve);
   const bool measured = is_measurement(means);
   if (!table && !measured && !o.detection_data) need_curve(o);
@@ -243,19 +242,9 @@ void throw_at_option(const InputError& error, const InspectOptions& o, bool has_
   if (!error.field().starts_with(kTable)) return;
   const std::string key =
       error.field().substr(kTable.size(), error.field().find('[') - kTable.size());
-  const std::array<std::pair<std::string_view, bool>, 9> given = {
-      {{"method", o.method.has_value()},
-       {"a50", o.a50.has_value()},
-       {"a90", o.a90.has_value()},
-       {"detection", o.detection.has_value()},
-       {"noise", o.noise.has_value()},
-       {"false_calls", o.false_calls.has_value()},
-       {"find", o.find.has_value()},
-       {"repaired_to", o.repaired_to.has_value()},
-       {"place", !o.see.empty()}}};
-  for (const auto& [name, is_given] : given)
-    if (name == key && (is_given || !has_table))
-      throw OptionError(name == "place" ? "see" : name,
+  for (const MethodOption& of : method_options(o))
+    if (of.field == key && (of.given || !has_table))
+      throw OptionError(of.option,
                         error.rule().empty()
                             ? std::string(error.what()).substr(error.field().size() + 2)
                             : fmt::format("{} violates: {}", error.value(), error.rule()));

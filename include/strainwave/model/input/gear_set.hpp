@@ -310,7 +310,8 @@ void for_each_path_list(Gear& gear, const F& f) {
 }
 
 /// Removes the entries of the lists of for_each_path_list whose numbers are no longer in the drive
-/// or have changed their values, and the places of the inspection whose cracks are no longer there.
+/// or have changed their values, and places of the inspection without a crack; the last takes it
+/// along.
 /// @param gear    the drive as it is now; its lists are changed
 /// @param before  the drive for which the lists were written
 void drop_lost_paths(GearSet& gear, const GearSet& before);
