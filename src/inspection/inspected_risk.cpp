@@ -18,13 +18,31 @@ constexpr double kTail = 0.025;
 constexpr std::size_t kPlaces = 48;
 constexpr int kMostRounds = 40;
 
+double total_weight(std::span<const DrawnPart> parts) {
+  double total = 0.0;
+  for (const DrawnPart& part : parts) total += part.weight;
+  return total;
+}
+
+/// Weight of a further part that might fail: that of the heaviest part that does (IR-16).
+double further_weight(std::span<const DrawnPart> parts, double until) {
+  double of_failing = 0.0;
+  double of_all = 0.0;
+  for (const DrawnPart& part : parts) {
+    of_all = std::max(of_all, part.weight);
+    if (part.failure <= until) of_failing = std::max(of_failing, part.weight);
+  }
+  return of_failing > 0 ? of_failing : of_all;
+}
+
 /// The risk alone, for searches.
 double risk_of(std::span<const DrawnPart> parts, double until, std::span<const double> inspections,
                const CrackSearch& search) {
   double sum = 0.0;
   for (const DrawnPart& part : parts)
-    if (part.failure <= until) sum += inspected_course(part, until, inspections, search).failed;
-  return sum / static_cast<double>(parts.size());
+    if (part.failure <= until)
+      sum += part.weight * inspected_course(part, until, inspections, search).failed;
+  return sum / total_weight(parts);
 }
 
 /// One part whose cracks are repaired; the state is the last inspection that repaired.
@@ -183,8 +201,33 @@ InspectedCourse inspected_course(const DrawnPart& part, double until,
   return course;
 }
 
+RiskEstimate weighted_risk(double sum, double squares, double further, double total) {
+  using ChiSquared = boost::math::chi_squared;
+  RiskEstimate risk{.probability = sum / total};
+  if (squares > 0)
+    risk.low = squares / (2 * sum) *
+               boost::math::quantile(ChiSquared(2 * sum * sum / squares), kTail) / total;
+  const double most = sum + further;
+  const double square = squares + further * further;
+  const double upper =
+      square / (2 * most) * boost::math::quantile(ChiSquared(2 * most * most / square), 1 - kTail);
+  risk.high = std::min(1.0, upper / total);
+  return risk;
+}
+
 RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
   using Binomial = boost::math::binomial;
+  if (std::ranges::any_of(parts, [](const DrawnPart& part) { return part.weight != 1; })) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const DrawnPart& part : parts) {
+      if (part.failure > until) continue;
+      sum += part.weight;
+      squares += part.weight * part.weight;
+    }
+    return weighted_risk(sum, squares, further_weight(parts, until),
+                         total_weight(parts));  // (IR-16)
+  }
   const auto n = static_cast<double>(parts.size());
   const auto failed = static_cast<double>(
       std::ranges::count_if(parts, [&](const DrawnPart& part) { return part.failure <= until; }));
@@ -196,25 +239,19 @@ RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
 
 RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                             std::span<const double> inspections, const CrackSearch& search) {
-  using ChiSquared = boost::math::chi_squared;
-  const auto n = static_cast<double>(parts.size());
   double sum = 0.0;
   double squares = 0.0;
   for (const DrawnPart& part : parts) {
     if (part.failure > until) continue;
-    const double left = inspected_course(part, until, inspections, search).failed;  // (IR-4)
+    const double left =
+        part.weight * inspected_course(part, until, inspections, search).failed;  // (IR-4)
     sum += left;
     squares += left * left;
   }
-  RiskEstimate risk{.probability = sum / n};
-  if (squares > 0)
-    risk.low =
-        squares / (2 * sum) * boost::math::quantile(ChiSquared(2 * sum * sum / squares), kTail) / n;
-  // A further part may fail before all inspections, with the whole weight 1.
-  const double scale = (squares + 1) / (2 * (sum + 1));
-  const double freedom = 2 * (sum + 1) * (sum + 1) / (squares + 1);
-  risk.high = std::min(failure_risk(parts, until).high,
-                       scale * boost::math::quantile(ChiSquared(freedom), 1 - kTail) / n);
+  // A further part may fail before all inspections, with its whole weight.
+  RiskEstimate risk =
+      weighted_risk(sum, squares, further_weight(parts, until), total_weight(parts));
+  risk.high = std::min(failure_risk(parts, until).high, risk.high);
   return risk;
 }
 
@@ -249,7 +286,7 @@ InspectionPlan least_plan(std::span<const DrawnPart> placing, std::span<const Dr
   std::vector<DrawnPart> failing;
   for (const DrawnPart& part : placing)
     if (part.failure <= until) failing.push_back(part);
-  const double share = static_cast<double>(failing.size()) / static_cast<double>(placing.size());
+  const double share = total_weight(failing) / total_weight(placing);
   // A new time stands last until the end, and a course needs them in their order.
   const auto risk_at = [&](std::span<const DrawnPart> parts, std::vector<double> times) {
     std::ranges::sort(times);

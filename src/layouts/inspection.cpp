@@ -35,7 +35,10 @@ TitledTable outcome_table(const InspectionReport& report) {
   row("its cracks stand still: endless life", report.outcomes.arrested);
   if (report.outcomes.unfinished > 0)
     row("no end in the longest duty that is computed", report.outcomes.unfinished);
-  return {.title = fmt::format("Outcomes of {} drawn drives", report.draws),
+  return {.title = fmt::format("Outcomes of {} drawn drives{}", report.draws,
+                               report.importance_sampling
+                                   ? ", half of them about the failures, with smaller weights"
+                                   : ""),
           .table = std::move(table)};
 }
 
@@ -56,6 +59,20 @@ TitledTable share_table(const InspectionReport& report) {
     table.rows.push_back(cells(share.path, share_text(share.share)));
   return {.title = "What the scatter of the life comes from, linear part (IR-8)",
           .table = std::move(table)};
+}
+
+TitledTable importance_table(const DrawsAboutFailures& about) {
+  Table table{.head = {"input", "unit", "in the file", "at the failures", "deviations"},
+              .align = "llrrr"};
+  for (const FailureInput& input : about.inputs)
+    table.rows.push_back(cells(input.path, input.unit, shown_number(input.value, 4),
+                               shown_number(input.at_centre, 4),
+                               fmt::format("{:+.2f}", input.deviations)));
+  return {.title = "Centre of the draws about the failures (UQ-10), (IR-16)",
+          .table = std::move(table),
+          .remark = fmt::format("The {} plain draws alone give {} (95 % limits {} to {}).",
+                                about.plain_draws, share_text(about.plain),
+                                share_text(about.plain_low), share_text(about.plain_high))};
 }
 
 TitledTable method_table(const MethodOfInspection& method) {
@@ -157,6 +174,7 @@ TitledTable plan_table(const InspectionReport& report) {
 
 std::vector<TitledTable> inspection_tables(const InspectionReport& report) {
   std::vector<TitledTable> tables = {outcome_table(report), percentile_table(report)};
+  if (report.importance_sampling) tables.push_back(importance_table(*report.importance_sampling));
   if (!report.shares.empty()) tables.push_back(share_table(report));
   if (report.method) tables.push_back(method_table(*report.method));
   if (!report.inspections.empty()) tables.push_back(inspection_table(report));

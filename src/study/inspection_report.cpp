@@ -7,6 +7,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "drawn_drive.hpp"
@@ -21,6 +22,7 @@
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/drive_growth/longest_duty.hpp"
+#include "strainwave/uncertainty/failure_centre.hpp"
 #include "strainwave/uncertainty/normal.hpp"
 
 namespace strainwave {
@@ -32,6 +34,7 @@ constexpr int kRiskPoints = 61;
 constexpr int kMostDraws = 1'000'000;
 constexpr double kMostInspections = 1000;
 constexpr std::array kShares = {0.01, 0.1, 0.5, 0.9};
+constexpr std::size_t kCentreDraws = 200;  // of a round of the search for the failures
 
 /// What became of one draw.
 struct DrawnLife {
@@ -45,7 +48,7 @@ struct DrawnLife {
 template <class Archive>
 void archive(Archive& to, DrawnLife& life) {
   to(life.refused, life.unfinished, life.out_of_range, life.arrested, life.part.failure,
-     life.part.times, life.part.sizes);
+     life.part.times, life.part.sizes, life.part.weight);
 }
 
 /// The paths of the cracks that grow, and the part of a trace.
@@ -68,10 +71,53 @@ class Study {
 
   [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
 
+  /// Whether a draw scatters about the failures (IR-16).
+  [[nodiscard]] bool about_failures(std::size_t draw) const {
+    return !centre_.empty() && draw % 2 == 1;
+  }
   [[nodiscard]] std::vector<double> normals_of(std::size_t draw) const {
     std::vector<double> u(laws_.size());
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
+    if (about_failures(draw))
+      for (std::size_t i = 0; i < u.size(); ++i) u[i] += centre_[i];
     return u;
+  }
+
+  /// Lets every other draw scatter about the failures up to a time (UQ-10).
+  FailureCentre centre_draws(double until, const Progress& progress) {
+    const auto make = [&]() -> LimitState {
+      return [this, until, drive = std::make_shared<DrawnDrive>(gear_, gear_.scatter)](
+                 std::span<const double> u) -> std::optional<double> {
+        const DrawnLife life = life_at(*drive, {u.begin(), u.end()});
+        if (life.refused) return std::nullopt;
+        return std::log(life.part.failure / until);
+      };
+    };
+    FailureCentre centre = find_failure_centre(make, laws_.size(),
+                                               {.draws = kCentreDraws,
+                                                .seed = splitmix64(options_.seed, kCentreDraws),
+                                                .threads = options_.threads},
+                                               progress);
+    if (centre.found) centre_ = centre.place;
+    return centre;
+  }
+
+  /// The inputs at the centre of the failures, the most deviating first.
+  [[nodiscard]] std::vector<FailureInput> inputs_at_centre() const {
+    std::vector<double> z = centre_;
+    normals_.correlate(z);
+    std::vector<FailureInput> inputs;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      const NumberAt number = number_at(gear_, gear_.scatter[i].path);
+      inputs.push_back({.path = number.path,
+                        .unit = number.field.unit,
+                        .value = number.value,
+                        .at_centre = laws_[i].at(z[i]),
+                        .deviations = z[i]});
+    }
+    std::ranges::stable_sort(inputs, std::ranges::greater{},
+                             [](const FailureInput& input) { return std::abs(input.deviations); });
+    return inputs;
   }
 
   /// @param cracks  paths of the cracks that grow in the drive of the file
@@ -81,14 +127,18 @@ class Study {
     return shared_rows<DrawnLife>(
         static_cast<std::size_t>(options_.draws), parallel, progress, options_.shared, [&] {
           return [this, &cracks, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
-                     std::size_t index, DrawnLife& life) { life = draw(*drive, cracks, index); };
+                     std::size_t index, DrawnLife& life) {
+            const std::vector<double> u = normals_of(index);
+            life = life_at(*drive, u, &cracks);
+            if (!centre_.empty()) life.part.weight = mixture_weight(u, centre_);  // (IR-16)
+          };
         });
   }
 
  private:
-  [[nodiscard]] DrawnLife draw(DrawnDrive& drive, const std::vector<std::string>& cracks,
-                               std::size_t index) const {
-    std::vector<double> z = normals_of(index);
+  /// @param cracks  paths of the cracks that must grow; null: any
+  [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::vector<double> z,
+                                  const std::vector<std::string>* cracks = nullptr) const {
     normals_.correlate(z);
     for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
     DrawnLife result;
@@ -100,7 +150,7 @@ class Study {
       result.out_of_range = trace.end == DriveEnd::range;
       result.unfinished = trace.end == DriveEnd::too_slow;
       // Inspections find a crack by its place in the list of the file.
-      result.refused = trace.end == DriveEnd::not_known || trace.cracks != cracks;
+      result.refused = trace.end == DriveEnd::not_known || (cracks && trace.cracks != *cracks);
     } catch (const Error&) {
       result.refused = true;
     }
@@ -111,6 +161,7 @@ class Study {
   const InspectionOptions& options_;
   std::vector<ScatterLaw> laws_;
   CorrelatedNormals normals_;
+  std::vector<double> centre_;  ///< u* of the failures; empty: plain draws alone
 };
 
 void check_options(const InspectionOptions& options) {
@@ -178,8 +229,7 @@ std::optional<double> finite(double time) {
 }
 
 /// Percentiles with limits by order statistics (IR-7).
-void add_percentiles(InspectionReport& report, std::vector<double> lives) {
-  std::ranges::sort(lives);
+void add_plain_percentiles(InspectionReport& report, const std::vector<double>& lives) {
   const auto n = static_cast<double>(lives.size());
   const auto at = [&](double rank) {
     const auto i = static_cast<std::size_t>(std::clamp(rank, 1.0, n)) - 1;
@@ -197,39 +247,84 @@ void add_percentiles(InspectionReport& report, std::vector<double> lives) {
   }
 }
 
+/// Percentiles of weighted draws: the times at which the probability of failure and its limits
+/// reach the share (IR-16).
+void add_weighted_percentiles(InspectionReport& report, const std::vector<DrawnPart>& by_life) {
+  double total = 0.0;
+  for (const DrawnPart& part : by_life) total += part.weight;
+  for (const double share : kShares) {
+    LifePercentile row{.share = share, .lower = 0.0};
+    bool low = false;  // whether a time is found
+    bool middle = false;
+    bool high = false;
+    double sum = 0.0;
+    double squares = 0.0;
+    double further = 0.0;
+    for (const DrawnPart& part : by_life) {
+      sum += part.weight;
+      squares += part.weight * part.weight;
+      further = std::max(further, part.weight);
+      const RiskEstimate risk = weighted_risk(sum, squares, further, total);
+      const auto reach = [&](double probability, bool& found, std::optional<double>& time) {
+        if (found || probability < share) return;
+        found = true;
+        time = finite(part.failure);
+      };
+      reach(risk.high, low, row.lower);
+      reach(risk.probability, middle, row.life);
+      reach(risk.low, high, row.upper);
+    }
+    report.percentiles.push_back(row);
+  }
+}
+
+void add_percentiles(InspectionReport& report, const std::vector<DrawnPart>& parts) {
+  std::vector<DrawnPart> by_life;
+  for (const DrawnPart& part : parts)
+    by_life.push_back({.failure = part.failure, .weight = part.weight});
+  std::ranges::stable_sort(by_life, {}, &DrawnPart::failure);
+  if (report.importance_sampling) return add_weighted_percentiles(report, by_life);
+  std::vector<double> lives;
+  for (const DrawnPart& part : by_life) lives.push_back(part.failure);
+  add_plain_percentiles(report, lives);
+}
+
 /// Linear shares of the inputs in the scatter of the logarithm of the lives that end (IR-8).
 void add_shares(InspectionReport& report, const GearSet& gear, const Study& study,
                 const std::vector<DrawnLife>& draws) {
   const std::size_t inputs = gear.scatter.size();
   std::vector<double> logs;
+  std::vector<double> weights;
   std::vector<std::vector<double>> normals;
+  double total = 0.0;
   for (std::size_t i = 0; i < draws.size(); ++i) {
-    if (draws[i].refused || !std::isfinite(draws[i].part.failure) || draws[i].part.failure <= 0)
-      continue;
-    logs.push_back(std::log(draws[i].part.failure));
+    const DrawnPart& part = draws[i].part;
+    if (draws[i].refused || !std::isfinite(part.failure) || part.failure <= 0) continue;
+    logs.push_back(std::log(part.failure));
+    weights.push_back(part.weight);
     normals.push_back(study.normals_of(i));
+    total += part.weight;
   }
   if (logs.size() < 10 * inputs + 10) return;
-  const auto n = static_cast<double>(logs.size());
-  double mean = 0.0;
-  for (const double value : logs) mean += value / n;
-  double variance = 0.0;
-  for (const double value : logs) variance += (value - mean) * (value - mean) / n;
+  const auto mean_of = [&](const auto& value) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < logs.size(); ++k) sum += weights[k] / total * value(k);
+    return sum;
+  };
+  const double mean = mean_of([&](std::size_t k) { return logs[k]; });
+  const double variance =
+      mean_of([&](std::size_t k) { return (logs[k] - mean) * (logs[k] - mean); });
   if (!(variance > 0)) return;
   std::vector<double> slope(inputs, 0.0);
   double linear = 0.0;
   for (std::size_t i = 0; i < inputs; ++i) {
-    double sum = 0.0;
-    double squares = 0.0;
-    double average = 0.0;
-    for (const auto& u : normals) average += u[i] / n;
-    for (std::size_t k = 0; k < logs.size(); ++k) {
-      const double away = normals[k][i] - average;
-      sum += away * (logs[k] - mean);
-      squares += away * away;
-    }
-    slope[i] = sum / squares;
-    linear += sum * sum / squares / n;
+    const double average = mean_of([&](std::size_t k) { return normals[k][i]; });
+    const double with_log =
+        mean_of([&](std::size_t k) { return (normals[k][i] - average) * (logs[k] - mean); });
+    const double square = mean_of(
+        [&](std::size_t k) { return (normals[k][i] - average) * (normals[k][i] - average); });
+    slope[i] = with_log / square;
+    linear += with_log * with_log / square;
   }
   const std::vector<double> shares = study.normals().shares(study.normals().slope_in_z(slope));
   for (std::size_t i = 0; i < inputs; ++i)
@@ -302,14 +397,16 @@ CourseSums course_sums(std::span<const DrawnPart> parts, double until,
                        std::span<const double> inspections, const CrackSearch& search) {
   CourseSums sums{.in_service = std::vector<double>(inspections.size(), 0.0),
                   .found = std::vector<double>(inspections.size(), 0.0)};
-  const auto n = static_cast<double>(parts.size());
+  double total = 0.0;
+  for (const DrawnPart& part : parts) total += part.weight;
   for (const DrawnPart& part : parts) {
     const InspectedCourse course = inspected_course(part, until, inspections, search);
+    const double share = part.weight / total;
     for (std::size_t k = 0; k < course.found.size(); ++k) {
-      sums.in_service[k] += course.in_service[k] / n;
-      sums.found[k] += course.found[k] / n;
+      sums.in_service[k] += share * course.in_service[k];
+      sums.found[k] += share * course.found[k];
     }
-    sums.failed += course.failed / n;
+    sums.failed += share * course.failed;
   }
   return sums;
 }
@@ -337,6 +434,8 @@ std::ptrdiff_t growing_cracks(const DrawnPart& part) {
       part.sizes, [](const std::vector<double>& size) { return size.back() > size.front(); });
 }
 
+std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
+
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 /// What a measurement can find, in words; it ends with a full stop.
@@ -360,8 +459,6 @@ std::string measurement_words(const MethodOfInspection& method) {
                      *method.found_at_end < 0.5 ? "cannot be found so" : "is not surely found so",
                      percent(*method.found_at_end));
 }
-
-std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
 
 std::string risk_words(double probability, double low, double high) {
   return fmt::format("{:.3g} (95 % limits {:.2g} to {:.2g})", probability, low, high);
@@ -401,11 +498,33 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     require(*options.times.every * kMostInspections >= report.until, "every", *options.times.every,
             "s", "at most 1000 inspections up to the end of service");
 
-  const Study study(gear, options);
-  std::vector<DrawnLife> draws = study.draws(nominal.cracks, progress);
+  Study study(gear, options);
+  if (options.importance_sampling) {
+    if (nominal.life && *nominal.life <= report.until)
+      throw InputError("importance-sampling",
+                       fmt::format("is for rare failures, but the drive of the file fails before "
+                                   "the end of service, after {}; give an earlier --until",
+                                   hours(*nominal.life)));
+    const FailureCentre centre = study.centre_draws(report.until, progress.part(0.0, 0.3));
+    if (!centre.found)
+      throw InputError("importance-sampling",
+                       fmt::format("finds no failures up to {}: {}; give a later --until, or leave "
+                                   "the option out",
+                                   hours(report.until), centre.reason));
+    report.importance_sampling = DrawsAboutFailures{
+        .distance = std::sqrt(std::inner_product(centre.place.begin(), centre.place.end(),
+                                                 centre.place.begin(), 0.0)),
+        .rounds = centre.rounds,
+        .inputs = study.inputs_at_centre()};
+    report.equations = {"UQ-10", "UQ-11", "IR-16"};
+  }
+  std::vector<DrawnLife> draws =
+      study.draws(nominal.cracks, options.importance_sampling ? progress.part(0.3, 1.0) : progress);
   std::vector<DrawnPart> parts;
-  std::vector<double> lives;
-  for (DrawnLife& draw : draws) {
+  std::vector<DrawnPart>
+      plain_draws;  // of importance sampling; their weights are those of plain draws
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    DrawnLife& draw = draws[i];
     if (draw.refused) {
       ++report.outcomes.refused;
       continue;
@@ -420,16 +539,17 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     else
       ++report.outcomes.later;
     if (draw.out_of_range) ++report.outcomes.out_of_range;
-    lives.push_back(draw.part.failure);
-    parts.push_back(std::move(draw.part));
+    if (options.importance_sampling && !study.about_failures(i))
+      plain_draws.push_back({.failure = draw.part.failure});
+    parts.push_back(draw.part);
   }
   if (parts.size() < 20)
     throw InputError("scatter", fmt::format("lets {} of {} drawn drives break a rule of the input, "
                                             "so too few lives are left; narrow the scatter",
                                             report.outcomes.refused, options.draws));
-  add_percentiles(report, lives);
+  add_percentiles(report, parts);
   add_shares(report, gear, study, draws);
-  report.equations = {"IR-3", "IR-7", "IR-8"};
+  report.equations.insert(report.equations.end(), {"IR-3", "IR-7", "IR-8"});
 
   std::vector<double> schedule = options.times.at;
   std::ranges::sort(schedule);
@@ -537,6 +657,14 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   for (int i = 0; i < kRiskPoints; ++i)
     report.risk.push_back(point_at(report.until * i / (kRiskPoints - 1)));
   report.at_end = point_at(report.until);
+  if (report.importance_sampling) {
+    DrawsAboutFailures& about = *report.importance_sampling;
+    const RiskEstimate plain = failure_risk(plain_draws, report.until);
+    about.plain_draws = static_cast<int>(plain_draws.size());
+    about.plain = plain.probability;
+    about.plain_low = plain.low;
+    about.plain_high = plain.high;
+  }
   if (!schedule.empty()) {
     const CourseSums sums = course_sums(parts, report.until, schedule, *search);
     for (std::size_t k = 0; k < schedule.size(); ++k) {
@@ -695,12 +823,27 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
          .path = "",
          .equation = "IR-4",
          .severity = Severity::cannot_tell,
-         .next_step = options.times.risk
-                          ? fmt::format("Plan for a smaller --risk, whose upper limit is below the "
-                                        "wanted one, with more than {} draws; the plan at times "
-                                        "of least risk needs twice as many.",
-                                        static_cast<std::int64_t>(std::ceil(3.69 / wanted)))
-                          : "Ask for more --draws."});
+         .next_step =
+             options.importance_sampling ? "Ask for more --draws."
+             : options.times.risk
+                 ? fmt::format("Plan for a smaller --risk, whose upper limit is below the wanted "
+                               "one, with --importance-sampling or more than {} draws; the plan at "
+                               "times of least risk needs twice as many.",
+                               static_cast<std::int64_t>(std::ceil(3.69 / wanted)))
+                 : "Give --importance-sampling, or ask for more --draws."});
+  if (report.importance_sampling) {
+    const int plain_draws = report.importance_sampling->plain_draws;
+    report.notes.push_back(
+        {.code = "inspection.importance",
+         .text = fmt::format("every other draw scatters about the failures that were found; the {} "
+                             "plain draws do not exclude that other ones, far from these, add up "
+                             "to {:.2g} to the probability",
+                             plain_draws, 1 - std::pow(kTail, 1.0 / plain_draws)),
+         .path = "scatter",
+         .equation = "IR-16",
+         .severity = Severity::care,
+         .next_step = "Ask for more --draws if failures may have several causes."});
+  }
   return report;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "strainwave/core/counter_random.hpp"
+#include "strainwave/uncertainty/normal.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -159,6 +160,76 @@ TEST(InspectedRisk, BehaviourLimitsContainTheRisk) {
   const RiskEstimate unharmed = inspected_risk(one, 5, at, kSearch);
   EXPECT_EQ(unharmed.low, 0);
   EXPECT_EQ(unharmed.high, failure_risk(one, 5).high);
+}
+
+// Kind: identity (IR-16).  A part of double weight counts as two; a common factor of all weights
+// changes nothing.
+TEST(InspectedRisk, IdentityWeights) {
+  std::vector<DrawnPart> parts = drawn(60);
+  std::vector<DrawnPart> twice = parts;
+  for (std::size_t i = 0; i < 60; i += 3) {
+    twice.push_back(parts[i]);
+    parts[i].weight = 2;
+  }
+  const double end = 95e3;
+  const std::vector<double> times = {30e3, 60e3};
+  test::expect_relative(failure_risk(parts, end).probability, failure_risk(twice, end).probability,
+                        1e-14);
+  test::expect_relative(inspected_risk(parts, end, times, kSearch).probability,
+                        inspected_risk(twice, end, times, kSearch).probability, 1e-13);
+  const InspectionPlan weighted = equal_plan(parts, end, 0.05, 30, kSearch);
+  EXPECT_GT(weighted.times.size(), 0U);
+  EXPECT_EQ(weighted.times, equal_plan(twice, end, 0.05, 30, kSearch).times);
+  const InspectionPlan least = least_plan(parts, parts, end, 0.1, 30, kSearch);
+  test::expect_relative(least.risk.probability,
+                        least_plan(twice, twice, end, 0.1, 30, kSearch).risk.probability, 1e-9);
+  const RiskEstimate before = failure_risk(parts, end);
+  for (DrawnPart& part : parts) part.weight /= 4;
+  const RiskEstimate after = failure_risk(parts, end);
+  test::expect_relative(after.low, before.low, 1e-12);
+  test::expect_relative(after.high, before.high, 1e-12);
+}
+
+// Kind: limit (IR-16).  Without a failing part the heaviest of all may be the next one to fail:
+// for equal weights 3.69 over their number.
+TEST(InspectedRisk, LimitNoFailureAmongWeights) {
+  std::vector<DrawnPart> parts(100, {.failure = 10, .weight = 0.5});
+  EXPECT_NEAR(failure_risk(parts, 5).high, 0.036889, 1e-6);
+  parts[3].weight = 1.0;
+  EXPECT_NEAR(failure_risk(parts, 5).high, 3.68888 / 50.5, 1e-5);
+  EXPECT_EQ(failure_risk(parts, 5).low, 0);
+  // The heaviest failing part counts, not the heaviest of all.
+  parts[0].failure = 3;
+  const double light = failure_risk(parts, 5).high;
+  EXPECT_NEAR(light, weighted_risk(0.5, 0.25, 0.5, 50.5).high, 1e-15);
+  EXPECT_LT(light, weighted_risk(0.5, 0.25, 1.0, 50.5).high);
+  EXPECT_EQ(weighted_risk(90, 90, 1, 100).high, 1);  // no probability is larger
+}
+
+// Kind: cross-check (IR-16).  ln L is normal, and H is 4 deviations below its mean, so the risk is
+// Phi(-4).  With 200 draws, the limits of 1000 studies contain it in at least 95 % of the cases.
+// Tolerance: 2 %, three standard errors of this share.
+TEST(InspectedRisk, CrosscheckLimitsOfWeightedDrawsHold) {
+  constexpr int kStudies = 1000;
+  constexpr std::size_t kDraws = 200;
+  constexpr double kCentre = 4.2;
+  const double exact = normal_probability(-4);
+  int held = 0;
+  double mean = 0.0;
+  for (int study = 0; study < kStudies; ++study) {
+    std::vector<DrawnPart> parts(kDraws);
+    for (std::size_t n = 0; n < kDraws; ++n) {
+      const double u = counter_normal(static_cast<std::uint64_t>(study) + 11, n, 0) +
+                       (n % 2 == 1 ? kCentre : 0.0);
+      parts[n].failure = std::exp(-0.3 * (u - 4));
+      parts[n].weight = 2 / (1 + std::exp(u * kCentre - kCentre * kCentre / 2));
+    }
+    const RiskEstimate risk = failure_risk(parts, 1.0);
+    held += risk.low <= exact && exact <= risk.high ? 1 : 0;
+    mean += risk.probability / kStudies;
+  }
+  EXPECT_GE(held, 0.93 * kStudies);
+  test::expect_relative(mean, exact, 0.03);
 }
 
 // Kind: identity (IR-2).  Two cracks are missed independently; sizes stay after the last time.

@@ -653,6 +653,119 @@ TEST(InspectionReport, BehaviourADrawWithoutACrackOfTheFile) {
   EXPECT_LT(report.outcomes.refused, 45);
 }
 
+InspectionOptions importance_of(int draws, double until) {
+  InspectionOptions options = options_of(draws, until);
+  options.importance_sampling = true;
+  return options;
+}
+
+// Kind: reference (IR-16), (UQ-10), (UQ-11).  Only C scatters, so ln L is normal, and four
+// deviations before the life of the file the risk is Phi(-4).  The mean of the failures is
+// phi(4)/Phi(-4) = 4.2256 deviations away.  Tolerance: the limits, 0.25 of the risk and 0.3 of the
+// centre, four standard errors.
+TEST(InspectionReport, ReferenceASmallRisk) {
+  const GearSet gear = only_coefficient();
+  const double sigma = std::sqrt(std::log1p(0.25 * 0.25));
+  const double life = *inspection_report(gear, options_of(20)).nominal_life;
+  const InspectionReport report =
+      inspection_report(gear, importance_of(400, life * std::exp(-4 * sigma)));
+  constexpr double kExact = 3.16712e-5;
+  test::expect_relative(report.at_end.without, kExact, 0.25);
+  EXPECT_LT(report.at_end.without_low, kExact);
+  EXPECT_GT(report.at_end.without_high, kExact);
+  EXPECT_LT(report.at_end.without_high, 2 * kExact);
+  ASSERT_TRUE(report.importance_sampling);
+  const DrawsAboutFailures& about = *report.importance_sampling;
+  ASSERT_EQ(about.inputs.size(), 1U);
+  EXPECT_EQ(about.inputs[0].path, "material.steel.growth[0].coefficient");
+  EXPECT_NEAR(about.inputs[0].deviations, 4.2256, 0.3);
+  EXPECT_NEAR(about.distance, std::abs(about.inputs[0].deviations), 1e-12);
+  test::expect_relative(about.inputs[0].at_centre,
+                        about.inputs[0].value * std::exp(sigma * about.inputs[0].deviations), 1e-9);
+  EXPECT_EQ(about.plain_draws, 200);
+  EXPECT_EQ(about.plain, 0);
+  EXPECT_NEAR(about.plain_high, 1 - std::pow(0.025, 1.0 / 200), 1e-12);
+  // The median, and the share of the only input, are those of plain draws.
+  const double median = std::exp(std::log(life));
+  EXPECT_LT(*report.percentiles[2].lower, median);
+  EXPECT_GT(*report.percentiles[2].upper, median);
+  test::expect_relative(*report.percentiles[2].life, median, 0.1);
+  EXPECT_NEAR(report.shares[0].share, 1, 1e-3);
+  const auto cites = [&](const char* tag) {
+    return std::ranges::find(report.equations, tag) != report.equations.end();
+  };
+  EXPECT_TRUE(cites("IR-16") && cites("UQ-10") && cites("UQ-11"));
+  EXPECT_TRUE(has(report, "inspection.importance"));
+  EXPECT_FALSE(has(report, "inspection.draws"));
+  const std::string text = inspection_text(report, gear);
+  EXPECT_NE(text.find("half of them about the failures"), std::string::npos);
+  EXPECT_NE(text.find("Centre of the draws about the failures"), std::string::npos);
+}
+
+// Kind: cross-check (IR-16).  Where both can be had, plain draws and draws about the failures
+// agree, without and with inspections, in percentiles and cost.  Tolerance: their limits overlap.
+TEST(InspectionReport, CrosscheckPlainDrawsAndDrawsAboutFailures) {
+  GearSet gear = scattering_shaft();
+  gear.inspection = Inspection{
+      .a50 = 1e-3, .a90 = 2e-3, .cost = InspectionCost{.inspection = 1, .call = 5, .failure = 100}};
+  const double life = *inspection_report(gear, options_of(20)).nominal_life;
+  InspectionOptions plain = options_of(800, 0.6 * life);
+  plain.times.every = 0.2 * life;
+  InspectionOptions about = plain;
+  about.draws = 400;
+  about.importance_sampling = true;
+  const InspectionReport one = inspection_report(gear, plain);
+  const InspectionReport two = inspection_report(gear, about);
+  ASSERT_GT(one.at_end.without, 0.005);
+  EXPECT_LT(one.at_end.without, 0.15);
+  EXPECT_LT(std::max(one.at_end.without_low, two.at_end.without_low),
+            std::min(one.at_end.without_high, two.at_end.without_high));
+  EXPECT_LT(std::max(*one.at_end.inspected_low, *two.at_end.inspected_low),
+            std::min(*one.at_end.inspected_high, *two.at_end.inspected_high));
+  EXPECT_LT(two.at_end.without_high - two.at_end.without_low,
+            one.at_end.without_high - one.at_end.without_low);
+  for (std::size_t i = 0; i < one.percentiles.size(); ++i) {
+    EXPECT_LT(std::max(*one.percentiles[i].lower, *two.percentiles[i].lower),
+              std::min(*one.percentiles[i].upper, *two.percentiles[i].upper));
+    EXPECT_LE(*two.percentiles[i].lower, *two.percentiles[i].life);
+    EXPECT_LE(*two.percentiles[i].life, *two.percentiles[i].upper);
+  }
+  for (std::size_t i = 0; i < one.shares.size(); ++i) {
+    const auto same = std::ranges::find(two.shares, one.shares[i].path, &LifeShare::path);
+    ASSERT_NE(same, two.shares.end());
+    EXPECT_NEAR(same->share, one.shares[i].share, 0.12);
+  }
+  test::expect_relative(*two.cost->inspected, *one.cost->inspected, 0.1);
+  test::expect_relative(two.cost->without, 100 * two.at_end.without, 1e-12);
+  test::expect_relative(*two.cost->failures, 100 * *two.at_end.inspected, 1e-12);
+}
+
+// Kind: identity (IR-16).  The answer does not depend on the number of threads.
+TEST(InspectionReport, IdentityThreadsOfImportanceSampling) {
+  const GearSet gear = only_coefficient();
+  InspectionOptions options = importance_of(20, 150 * kHour);
+  options.threads = 1;
+  const InspectionReport one = inspection_report(gear, options);
+  options.threads = 3;
+  const InspectionReport three = inspection_report(gear, options);
+  EXPECT_EQ(one.at_end.without, three.at_end.without);
+  EXPECT_GT(one.at_end.without, 0);
+}
+
+// Kind: input.  Draws about failures need rare failures, and some.
+TEST(InspectionReport, InputOfImportanceSampling) {
+  const GearSet gear = only_coefficient();
+  const auto message = [&](double until) {
+    return test::broken_rule([&] { return inspection_report(gear, importance_of(20, until)); });
+  };
+  EXPECT_NE(message(2000 * kHour).find("importance-sampling: is for rare failures, but the drive"),
+            std::string::npos)
+      << message(2000 * kHour);
+  EXPECT_NE(message(1 * kHour).find("no failure is nearer than 8 standard deviations"),
+            std::string::npos)
+      << message(1 * kHour);
+}
+
 // Kind: behaviour.  The documents contain the curve and all tables.
 TEST(InspectionReport, BehaviourDocuments) {
   const GearSet gear = scattering_shaft();

@@ -49,6 +49,8 @@ struct DrawnPart {
   std::vector<double> times = {};  ///< ascending [s]; the sizes stay after the last one
   /// size of each crack at each time [m], shape (cracks, times)
   std::vector<std::vector<double>> sizes = {};
+  /// Its share among all parts over that of a plain draw [-]; > 0, 1 of all parts: plain draws
+  double weight = 1.0;
 
   /// Size of a crack at a time [m]; its logarithm is linear between two times.
   [[nodiscard]] double size_at(std::size_t crack, double time) const;
@@ -102,17 +104,25 @@ struct RiskEstimate {
   double high = 1.0;         ///< upper limit [-]
 };
 
-/// Probability of failure up to a time without inspections; theory manual eq. (IR-3).  The limits
-/// are those of Clopper and Pearson.
+/// A probability from a sum of weights, with the limits of Fay and Feuer; theory manual eqs. (IR-4)
+/// and (IR-16).
+/// @param sum      of the weights of the parts that fail [-]
+/// @param squares  sum of the squares of these weights [-]
+/// @param further  weight of a further part that might fail [-]; > 0
+/// @param total    weight of all parts [-]; > 0
+[[nodiscard]] RiskEstimate weighted_risk(double sum, double squares, double further, double total);
+
+/// Probability of failure up to a time without inspections; theory manual eqs. (IR-3) and (IR-16).
+/// The limits are those of Clopper and Pearson, or of Fay and Feuer if the weights differ.
 /// @param parts  drawn parts; the caller gives at least one
 /// @param until  end of the time at risk [s]
 [[nodiscard]] RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until);
 
-/// Probability of failure up to a time with inspections; theory manual eq. (IR-4).
+/// Probability of failure up to a time with inspections; theory manual eqs. (IR-4) and (IR-16).
 ///
 /// The limits are those of Fay and Feuer for a weighted sum of rare events.  The upper one assumes
 /// that a further part may fail before all inspections, so it does not fall below 3.69 over the
-/// number of parts, or is the limit without inspections where that is lower.
+/// number of plain draws, or is the limit without inspections where that is lower.
 /// @param parts        at least one
 /// @param until        end of the time at risk [s]
 /// @param inspections  times [s], ascending

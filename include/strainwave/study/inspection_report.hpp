@@ -37,8 +37,10 @@ struct InspectionOptions {
   std::optional<Inspection> method;  ///< how cracks are looked for; absent: as the file says
   /// trials from which a50, a90 and form of the method come; absent: none
   std::optional<DetectionFit> trials;
-  InspectionTimes times;   ///< when the drive is inspected
-  int draws = 500;         ///< drawn drives; 20 to 1 000 000
+  InspectionTimes times;  ///< when the drive is inspected
+  int draws = 500;        ///< drawn drives; 20 to 1 000 000
+  /// whether every other draw scatters about the failures up to the end of service, (IR-16)
+  bool importance_sampling = false;
   std::uint64_t seed = 1;  ///< the same seed gives the same draws
   int threads = 0;         ///< 0: as many as the machine runs; the result does not depend on it
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
@@ -66,6 +68,49 @@ struct DrawnOutcomes {
     field(
         {"refused", "", "the drawn numbers break a rule of the input, or have no answer; left out"},
         &O::refused);
+  }
+};
+
+/// One input at the centre of the failures.
+struct FailureInput {
+  static constexpr bool kTableRow = true;
+  std::string path;
+  std::string_view unit;
+  double value = 0.0;       ///< in the file
+  double at_centre = 0.0;   ///< of draws that fail
+  double deviations = 0.0;  ///< of `at_centre`, standard normal [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using I = FailureInput;
+    field({"path", "", "the number that scatters"}, &I::path);
+    field({"unit", "", "SI unit of the number"}, &I::unit);
+    field({"value", kUnitBeside, "value in the file"}, &I::value);
+    field({"at_centre", kUnitBeside, "value about which every other draw scatters"}, &I::at_centre);
+    field({"deviations", "1", "standard normal deviate there"}, &I::deviations);
+  }
+};
+
+/// Draws about the failures up to the end of service (IR-16), and what plain draws say.
+struct DrawsAboutFailures {
+  double distance = 0.0;             ///< of the centre from the inputs of the file, |u*| [-]
+  int rounds = 0;                    ///< of the search for the centre
+  std::vector<FailureInput> inputs;  ///< the most deviating first
+  int plain_draws = 0;               ///< of the others, without refused ones
+  double plain = 0.0;                ///< probability of failure by them alone [-]
+  double plain_low = 0.0;
+  double plain_high = 1.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using D = DrawsAboutFailures;
+    field({"distance", "1", "distance of the centre from the inputs of the file"}, &D::distance);
+    field({"rounds", "", "rounds of draws that found the centre"}, &D::rounds);
+    field({"inputs", "", "the centre, the most deviating input first"}, &D::inputs);
+    field({"plain_draws", "", "draws that do not scatter about the centre"}, &D::plain_draws);
+    field({"plain", "1", "probability of failure without inspections by these alone"}, &D::plain);
+    field({"plain_low", "1", "lower limit with 95 % confidence"}, &D::plain_low);
+    field({"plain_high", "1", "upper limit with 95 % confidence"}, &D::plain_high);
   }
 };
 
@@ -283,7 +328,8 @@ struct InspectionReport {
   std::vector<LifeShare> shares;
   RiskPoint at_end;  ///< at the end of service
   std::vector<RiskPoint> risk;
-  std::optional<MethodOfInspection> method = {};  ///< absent: no inspections
+  std::optional<DrawsAboutFailures> importance_sampling = {};  ///< absent: plain draws alone
+  std::optional<MethodOfInspection> method = {};               ///< absent: no inspections
   std::vector<InspectionRow> inspections;
   std::vector<PlannedInspections> plans;
   /// Risk at the end of service by the lower bound of detection of trials [-]
@@ -309,6 +355,8 @@ struct InspectionReport {
     field({"shares", "", "what the scatter of the life comes from"}, &R::shares);
     field({"at_end", "", "probabilities of failure up to the end of service"}, &R::at_end);
     field({"risk", "", "probabilities of failure over time"}, &R::risk);
+    field({"importance_sampling", "", "the draws about the failures, and what the others say"},
+          &R::importance_sampling);
     field({"method", "", "how inspections find cracks, and what a find leads to"}, &R::method);
     field({"inspections", "", "each inspection"}, &R::inspections);
     field({"bound_risk", "1",
@@ -326,7 +374,7 @@ struct InspectionReport {
 
 /// Draws lives of a drive whose numbers scatter, and states the risk without and with inspections.
 ///
-/// Implements theory manual eqs. (IR-1) to (IR-15).  Draws depend on seed, number and input alone,
+/// Implements theory manual eqs. (IR-1) to (IR-16).  Draws depend on seed, number and input alone,
 /// and are summed in their order, so the bits are the same for any number of threads.
 /// @param gear      has passed `check`, with cracks, a duty and [[scatter]]; its [inspection] says
 ///                  how cracks are looked for
