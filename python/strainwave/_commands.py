@@ -473,7 +473,8 @@ class DriveCommands:
                 threshold: Optional[float] = None, see: Optional[Sequence[Named]] = None,
                 at: Optional[Sequence[Named]] = None, every: Optional[Named] = None,
                 first: Optional[Named] = None, risk: Optional[float] = None,
-                most: Optional[int] = None, draws: Optional[int] = None, seed: Optional[int] = None,
+                most: Optional[int] = None, draws: Optional[int] = None,
+                importance_sampling: Optional[bool] = None, seed: Optional[int] = None,
                 threads: Optional[int] = None, texts: Optional[Mapping[str, str]] = None,
                 progress: ShownProgress = None) -> results.inspect.InspectResult:
         """Compute the risk of cracked drives over hours, and the inspections that lower it.
@@ -509,6 +510,9 @@ class DriveCommands:
                 inspections for it
             most: largest number of inspections of a plan, 1 to 100; 20 if left out
             draws: number of drives drawn from [[scatter]], 20 to 1e6
+            importance_sampling: let every other draw scatter about the failures up to the end of
+                service, for probabilities below about 1e-2; needs an end before the life at the
+                values of the file
             seed: seed of the draws
             threads: threads; 0: as many as the machine runs; the answer does not depend on them
             texts: texts that options name, by their names; an option may also be a pathlib.Path,
@@ -520,7 +524,8 @@ class DriveCommands:
                                  "detection": detection, "noise": noise, "false_calls": false_calls,
                                  "find": find, "repaired_to": repaired_to, "detection_data": detection_data,
                                  "threshold": threshold, "see": see, "at": at, "every": every,
-                                 "first": first, "risk": risk, "most": most, "draws": draws, "seed": seed,
+                                 "first": first, "risk": risk, "most": most, "draws": draws,
+                                 "importance_sampling": importance_sampling, "seed": seed,
                                  "threads": threads}
         answer: results.inspect.InspectResult = self._run("inspect", given, texts, progress)
         return answer

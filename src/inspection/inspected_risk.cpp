@@ -24,15 +24,40 @@ double total_weight(std::span<const DrawnPart> parts) {
   return total;
 }
 
-/// Weight of a further part that might fail: that of the heaviest part that does (IR-16).
-double further_weight(std::span<const DrawnPart> parts, double until) {
-  double of_failing = 0.0;
-  double of_all = 0.0;
-  for (const DrawnPart& part : parts) {
-    of_all = std::max(of_all, part.weight);
-    if (part.failure <= until) of_failing = std::max(of_failing, part.weight);
-  }
-  return of_failing > 0 ? of_failing : of_all;
+/// Sums over the parts that fail up to a time and over the others.
+struct BothSums {
+  WeightSums failing;
+  WeightSums whole;
+};
+BothSums sums_at(std::span<const DrawnPart> parts, double until) {
+  BothSums sums;
+  for (const DrawnPart& part : parts)
+    (part.failure <= until ? sums.failing : sums.whole).add(part.weight);
+  return sums;
+}
+
+/// Limits of Fay and Feuer of the share of a rare kind (IR-4).
+/// @param rare     its parts; `squares` and `sum` may be those of reduced weights
+/// @param further  weight of a further part that might be of this kind
+/// @param total    weight of all parts
+RiskEstimate rare_risk(const WeightSums& rare, double further, double total) {
+  using ChiSquared = boost::math::chi_squared;
+  RiskEstimate risk{.probability = rare.sum / total};
+  if (rare.squares > 0)
+    risk.low = rare.squares / (2 * rare.sum) *
+               boost::math::quantile(ChiSquared(2 * rare.sum * rare.sum / rare.squares), kTail) /
+               total;
+  const double most = rare.sum + further;
+  const double squares = rare.squares + further * further;
+  risk.high = std::min(
+      1.0, squares / (2 * most) *
+               boost::math::quantile(ChiSquared(2 * most * most / squares), 1 - kTail) / total);
+  return risk;
+}
+
+/// Weight of a further part of a kind: the largest of its parts, or of the others if it has none.
+double further_of(const WeightSums& kind, const WeightSums& others) {
+  return kind.largest > 0 ? kind.largest : others.largest;
 }
 
 /// The risk alone, for searches.
@@ -201,32 +226,24 @@ InspectedCourse inspected_course(const DrawnPart& part, double until,
   return course;
 }
 
-RiskEstimate weighted_risk(double sum, double squares, double further, double total) {
-  using ChiSquared = boost::math::chi_squared;
-  RiskEstimate risk{.probability = sum / total};
-  if (squares > 0)
-    risk.low = squares / (2 * sum) *
-               boost::math::quantile(ChiSquared(2 * sum * sum / squares), kTail) / total;
-  const double most = sum + further;
-  const double square = squares + further * further;
-  const double upper =
-      square / (2 * most) * boost::math::quantile(ChiSquared(2 * most * most / square), 1 - kTail);
-  risk.high = std::min(1.0, upper / total);
-  return risk;
+void WeightSums::add(double weight) {
+  sum += weight;
+  squares += weight * weight;
+  largest = std::max(largest, weight);
+}
+
+RiskEstimate weighted_risk(const WeightSums& failing, const WeightSums& whole) {
+  const double total = failing.sum + whole.sum;
+  if (failing.sum <= whole.sum) return rare_risk(failing, further_of(failing, whole), total);
+  const RiskEstimate others = rare_risk(whole, further_of(whole, failing), total);
+  return {.probability = failing.sum / total, .low = 1 - others.high, .high = 1 - others.low};
 }
 
 RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
   using Binomial = boost::math::binomial;
   if (std::ranges::any_of(parts, [](const DrawnPart& part) { return part.weight != 1; })) {
-    double sum = 0.0;
-    double squares = 0.0;
-    for (const DrawnPart& part : parts) {
-      if (part.failure > until) continue;
-      sum += part.weight;
-      squares += part.weight * part.weight;
-    }
-    return weighted_risk(sum, squares, further_weight(parts, until),
-                         total_weight(parts));  // (IR-16)
+    const BothSums sums = sums_at(parts, until);
+    return weighted_risk(sums.failing, sums.whole);  // (IR-16)
   }
   const auto n = static_cast<double>(parts.size());
   const auto failed = static_cast<double>(
@@ -239,18 +256,14 @@ RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
 
 RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
                             std::span<const double> inspections, const CrackSearch& search) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const DrawnPart& part : parts) {
-    if (part.failure > until) continue;
-    const double left =
-        part.weight * inspected_course(part, until, inspections, search).failed;  // (IR-4)
-    sum += left;
-    squares += left * left;
-  }
+  WeightSums left;
+  for (const DrawnPart& part : parts)
+    if (part.failure <= until)
+      left.add(part.weight * inspected_course(part, until, inspections, search).failed);  // (IR-4)
   // A further part may fail before all inspections, with its whole weight.
+  const BothSums sums = sums_at(parts, until);
   RiskEstimate risk =
-      weighted_risk(sum, squares, further_weight(parts, until), total_weight(parts));
+      rare_risk(left, further_of(sums.failing, sums.whole), sums.failing.sum + sums.whole.sum);
   risk.high = std::min(failure_risk(parts, until).high, risk.high);
   return risk;
 }

@@ -49,7 +49,8 @@ TitledTable percentile_table(const InspectionReport& report) {
     table.rows.push_back(cells(fmt::format("{:g}", 100 * p.share), time_text(p.life),
                                time_text(p.lower),
                                p.upper ? time_text(p.upper) : std::string("not known")));
-  return {.title = "Percentiles of the life, limits with 95 % confidence (IR-7)",
+  return {.title = fmt::format("Percentiles of the life, limits with 95 % confidence ({})",
+                               report.importance_sampling ? "IR-16" : "IR-7"),
           .table = std::move(table)};
 }
 

@@ -10,10 +10,10 @@
 #include <numeric>
 #include <utility>
 
-#include "drawn_drive.hpp"
+#include "drawn_lives.hpp"
 #include "drawn_outputs.hpp"
+#include "inspection_notes.hpp"
 #include "measured_detection.hpp"
-#include "scatter_law.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
@@ -34,135 +34,6 @@ constexpr int kRiskPoints = 61;
 constexpr int kMostDraws = 1'000'000;
 constexpr double kMostInspections = 1000;
 constexpr std::array kShares = {0.01, 0.1, 0.5, 0.9};
-constexpr std::size_t kCentreDraws = 200;  // of a round of the search for the failures
-
-/// What became of one draw.
-struct DrawnLife {
-  bool refused = false;     ///< breaks a rule of the input, or has no answer
-  bool unfinished = false;  ///< no end within the longest duty that is computed
-  bool out_of_range = false;
-  bool arrested = false;
-  DrawnPart part;
-};
-
-template <class Archive>
-void archive(Archive& to, DrawnLife& life) {
-  to(life.refused, life.unfinished, life.out_of_range, life.arrested, life.part.failure,
-     life.part.times, life.part.sizes, life.part.weight);
-}
-
-/// The paths of the cracks that grow, and the part of a trace.
-DrawnPart part_of(const LifeTrace& trace) {
-  DrawnPart part{.times = trace.times, .sizes = trace.sizes};
-  if (trace.life)
-    part.failure = *trace.life;
-  else if (trace.end == DriveEnd::range)
-    part.failure = trace.time;
-  return part;
-}
-
-class Study {
- public:
-  Study(const GearSet& gear, const InspectionOptions& options)
-      : gear_(gear), options_(options), normals_(scattering_normals(gear)) {
-    for (const InputScatter& scatter : gear.scatter)
-      laws_.emplace_back(scatter, number_at(gear, scatter.path).value);
-  }
-
-  [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
-
-  /// Whether a draw scatters about the failures (IR-16).
-  [[nodiscard]] bool about_failures(std::size_t draw) const {
-    return !centre_.empty() && draw % 2 == 1;
-  }
-  [[nodiscard]] std::vector<double> normals_of(std::size_t draw) const {
-    std::vector<double> u(laws_.size());
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
-    if (about_failures(draw))
-      for (std::size_t i = 0; i < u.size(); ++i) u[i] += centre_[i];
-    return u;
-  }
-
-  /// Lets every other draw scatter about the failures up to a time (UQ-10).
-  FailureCentre centre_draws(double until, const Progress& progress) {
-    const auto make = [&]() -> LimitState {
-      return [this, until, drive = std::make_shared<DrawnDrive>(gear_, gear_.scatter)](
-                 std::span<const double> u) -> std::optional<double> {
-        const DrawnLife life = life_at(*drive, {u.begin(), u.end()});
-        if (life.refused) return std::nullopt;
-        return std::log(life.part.failure / until);
-      };
-    };
-    FailureCentre centre = find_failure_centre(make, laws_.size(),
-                                               {.draws = kCentreDraws,
-                                                .seed = splitmix64(options_.seed, kCentreDraws),
-                                                .threads = options_.threads},
-                                               progress);
-    if (centre.found) centre_ = centre.place;
-    return centre;
-  }
-
-  /// The inputs at the centre of the failures, the most deviating first.
-  [[nodiscard]] std::vector<FailureInput> inputs_at_centre() const {
-    std::vector<double> z = centre_;
-    normals_.correlate(z);
-    std::vector<FailureInput> inputs;
-    for (std::size_t i = 0; i < z.size(); ++i) {
-      const NumberAt number = number_at(gear_, gear_.scatter[i].path);
-      inputs.push_back({.path = number.path,
-                        .unit = number.field.unit,
-                        .value = number.value,
-                        .at_centre = laws_[i].at(z[i]),
-                        .deviations = z[i]});
-    }
-    std::ranges::stable_sort(inputs, std::ranges::greater{},
-                             [](const FailureInput& input) { return std::abs(input.deviations); });
-    return inputs;
-  }
-
-  /// @param cracks  paths of the cracks that grow in the drive of the file
-  [[nodiscard]] std::vector<DrawnLife> draws(const std::vector<std::string>& cracks,
-                                             const Progress& progress) const {
-    const Parallel parallel{.block = 4, .threads = options_.threads};
-    return shared_rows<DrawnLife>(
-        static_cast<std::size_t>(options_.draws), parallel, progress, options_.shared, [&] {
-          return [this, &cracks, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
-                     std::size_t index, DrawnLife& life) {
-            const std::vector<double> u = normals_of(index);
-            life = life_at(*drive, u, &cracks);
-            if (!centre_.empty()) life.part.weight = mixture_weight(u, centre_);  // (IR-16)
-          };
-        });
-  }
-
- private:
-  /// @param cracks  paths of the cracks that must grow; null: any
-  [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::vector<double> z,
-                                  const std::vector<std::string>* cracks = nullptr) const {
-    normals_.correlate(z);
-    for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
-    DrawnLife result;
-    try {
-      check(drive.gear());
-      const LifeTrace trace = life_trace(drive.gear(), options_.growth);
-      result.part = part_of(trace);
-      result.arrested = trace.end == DriveEnd::arrested;
-      result.out_of_range = trace.end == DriveEnd::range;
-      result.unfinished = trace.end == DriveEnd::too_slow;
-      // Inspections find a crack by its place in the list of the file.
-      result.refused = trace.end == DriveEnd::not_known || (cracks && trace.cracks != *cracks);
-    } catch (const Error&) {
-      result.refused = true;
-    }
-    return result;
-  }
-
-  const GearSet& gear_;
-  const InspectionOptions& options_;
-  std::vector<ScatterLaw> laws_;
-  CorrelatedNormals normals_;
-  std::vector<double> centre_;  ///< u* of the failures; empty: plain draws alone
-};
 
 void check_options(const InspectionOptions& options) {
   require(options.draws >= 20 && options.draws <= kMostDraws, "draws", options.draws, "1",
@@ -250,31 +121,30 @@ void add_plain_percentiles(InspectionReport& report, const std::vector<double>& 
 /// Percentiles of weighted draws: the times at which the probability of failure and its limits
 /// reach the share (IR-16).
 void add_weighted_percentiles(InspectionReport& report, const std::vector<DrawnPart>& by_life) {
-  double total = 0.0;
-  for (const DrawnPart& part : by_life) total += part.weight;
+  std::vector<RiskEstimate> up_to(by_life.size());  // the failures up to each of the lives
+  std::vector<WeightSums> after(by_life.size() + 1);
+  for (std::size_t i = by_life.size(); i-- > 0;) {
+    after[i] = after[i + 1];
+    after[i].add(by_life[i].weight);
+  }
+  WeightSums failing;
+  for (std::size_t i = 0; i < by_life.size(); ++i) {
+    failing.add(by_life[i].weight);
+    up_to[i] = weighted_risk(failing, after[i + 1]);
+  }
   for (const double share : kShares) {
-    LifePercentile row{.share = share, .lower = 0.0};
-    bool low = false;  // whether a time is found
-    bool middle = false;
-    bool high = false;
-    double sum = 0.0;
-    double squares = 0.0;
-    double further = 0.0;
-    for (const DrawnPart& part : by_life) {
-      sum += part.weight;
-      squares += part.weight * part.weight;
-      further = std::max(further, part.weight);
-      const RiskEstimate risk = weighted_risk(sum, squares, further, total);
-      const auto reach = [&](double probability, bool& found, std::optional<double>& time) {
-        if (found || probability < share) return;
-        found = true;
-        time = finite(part.failure);
-      };
-      reach(risk.high, low, row.lower);
-      reach(risk.probability, middle, row.life);
-      reach(risk.low, high, row.upper);
-    }
-    report.percentiles.push_back(row);
+    const auto time_of = [&](double RiskEstimate::*probability) -> std::optional<double> {
+      const auto at = std::ranges::find_if(
+          up_to, [&](const RiskEstimate& risk) { return risk.*probability >= share; });
+      if (at == up_to.end()) return std::nullopt;
+      return finite(by_life[static_cast<std::size_t>(at - up_to.begin())].failure);
+    };
+    const bool before_all = up_to.front().high >= share;  // not bounded by the first life
+    report.percentiles.push_back(
+        {.share = share,
+         .life = time_of(&RiskEstimate::probability),
+         .lower = before_all ? std::optional(0.0) : time_of(&RiskEstimate::high),
+         .upper = time_of(&RiskEstimate::low)});
   }
 }
 
@@ -290,7 +160,7 @@ void add_percentiles(InspectionReport& report, const std::vector<DrawnPart>& par
 }
 
 /// Linear shares of the inputs in the scatter of the logarithm of the lives that end (IR-8).
-void add_shares(InspectionReport& report, const GearSet& gear, const Study& study,
+void add_shares(InspectionReport& report, const GearSet& gear, const DrawnLives& study,
                 const std::vector<DrawnLife>& draws) {
   const std::size_t inputs = gear.scatter.size();
   std::vector<double> logs;
@@ -428,42 +298,6 @@ ExpectedCost cost_of(const InspectionCost& cost, const CourseSums& sums, double 
   return expected;
 }
 
-/// Number of cracks of a part that grow.
-std::ptrdiff_t growing_cracks(const DrawnPart& part) {
-  return std::ranges::count_if(
-      part.sizes, [](const std::vector<double>& size) { return size.back() > size.front(); });
-}
-
-std::string hours(double seconds) { return fmt::format("{:.4g} h", seconds / 3600); }
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
-/// What a measurement can find, in words; it ends with a full stop.
-std::string measurement_words(const MethodOfInspection& method) {
-  const std::string_view what = method.method == InspectionMeans::stiffness
-                                    ? "the stiffness of the drive"
-                                : method.method == InspectionMeans::resonance
-                                    ? "the natural frequency of the drive"
-                                    : "the difference of the stiffness between the senses";
-  std::string words = fmt::format(
-      "{} changes {} by {} at its last size before the failure, {}; nine of ten measurements find "
-      "a change of {}",
-      method.crack, what, percent(*method.change_at_end),
-      shown_quantity(*method.size_at_end, "m", 4), percent(*method.change_ninety));
-  if (method.a90)
-    return words +
-           fmt::format(", which the crack reaches at {}.", shown_quantity(*method.a90, "m", 4));
-  return words + fmt::format(
-                     ". The crack does not reach this change before the failure, so it {} in time: "
-                     "one measurement just before the failure finds it in {} of the cases.",
-                     *method.found_at_end < 0.5 ? "cannot be found so" : "is not surely found so",
-                     percent(*method.found_at_end));
-}
-
-std::string risk_words(double probability, double low, double high) {
-  return fmt::format("{:.3g} (95 % limits {:.2g} to {:.2g})", probability, low, high);
-}
-
 }  // namespace
 
 InspectionReport inspection_report(const GearSet& gear, const InspectionOptions& options,
@@ -487,7 +321,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   report.until = options.until.value_or(nominal.life.value_or(0.0));
   const auto before_end = [&](const char* field, double time) {
     require(time < report.until, FieldPath(field), time, "s",
-            [&] { return fmt::format("before the end of service, {}", hours(report.until)); });
+            [&] { return fmt::format("before the end of service, {}", hours_text(report.until)); });
   };
   for (const double time : options.times.at) before_end("at", time);
   if (options.times.first)
@@ -498,19 +332,19 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     require(*options.times.every * kMostInspections >= report.until, "every", *options.times.every,
             "s", "at most 1000 inspections up to the end of service");
 
-  Study study(gear, options);
+  DrawnLives study(gear, options);
   if (options.importance_sampling) {
     if (nominal.life && *nominal.life <= report.until)
       throw InputError("importance-sampling",
                        fmt::format("is for rare failures, but the drive of the file fails before "
                                    "the end of service, after {}; give an earlier --until",
-                                   hours(*nominal.life)));
+                                   hours_text(*nominal.life)));
     const FailureCentre centre = study.centre_draws(report.until, progress.part(0.0, 0.3));
     if (!centre.found)
       throw InputError("importance-sampling",
                        fmt::format("finds no failures up to {}: {}; give a later --until, or leave "
                                    "the option out",
-                                   hours(report.until), centre.reason));
+                                   hours_text(report.until), centre.reason));
     report.importance_sampling = DrawsAboutFailures{
         .distance = std::sqrt(std::inner_product(centre.place.begin(), centre.place.end(),
                                                  centre.place.begin(), 0.0)),
@@ -521,8 +355,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   std::vector<DrawnLife> draws =
       study.draws(nominal.cracks, options.importance_sampling ? progress.part(0.3, 1.0) : progress);
   std::vector<DrawnPart> parts;
-  std::vector<DrawnPart>
-      plain_draws;  // of importance sampling; their weights are those of plain draws
+  std::vector<DrawnPart> plain_draws;  // beside those about the failures
   for (std::size_t i = 0; i < draws.size(); ++i) {
     DrawnLife& draw = draws[i];
     if (draw.refused) {
@@ -664,6 +497,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     about.plain = plain.probability;
     about.plain_low = plain.low;
     about.plain_high = plain.high;
+    about.elsewhere = 1 - std::pow(kTail, 1.0 / about.plain_draws);
   }
   if (!schedule.empty()) {
     const CourseSums sums = course_sums(parts, report.until, schedule, *search);
@@ -689,161 +523,11 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     report.equations.emplace_back("IR-15");
   }
 
-  const int total = static_cast<int>(parts.size());
-  report.sentence = fmt::format(
-      "Up to {} the probability of failure is {}", hours(report.until),
-      risk_words(report.at_end.without, report.at_end.without_low, report.at_end.without_high));
-  if (report.at_end.inspected)
-    report.sentence +=
-        fmt::format(" without inspections, and {} with {}",
-                    risk_words(*report.at_end.inspected, *report.at_end.inspected_low,
-                               *report.at_end.inspected_high),
-                    schedule.size() == 1 ? std::string("one inspection")
-                                         : fmt::format("{} inspections", schedule.size()));
-  report.sentence += ".";
-  if (report.method && report.method->change_at_end) {
-    report.sentence += " The crack " + measurement_words(*report.method);
-    if (report.method->method != InspectionMeans::resonance)
-      report.notes.push_back(
-          {.code = "inspection.series",
-           .text = "the change of the stiffness is that of the members in series; the contacts of "
-                   "the teeth and other parts make the change of the whole drive smaller",
-           .path = "inspection.method",
-           .equation = "IR-10",
-           .severity = Severity::care,
-           .next_step = "Compare with the coupled drive, strainwave torsion --compare."});
-    const bool several =
-        schedule.size() > 1 ||
-        std::ranges::any_of(report.plans, [](const auto& plan) { return plan.inspections > 1; });
-    if (several && report.method->method != InspectionMeans::one_sided_stiffness)
-      report.notes.push_back(
-          {.code = "inspection.record",
-           .text = "the error of the first record of a drive is the same in all of its "
-                   "inspections, and it is left out; the risk is then too low",
-           .path = "inspection.noise",
-           .equation = "IR-11",
-           .severity = Severity::care,
-           .next_step = "Take the mean of many measurements as the first record."});
-    if (!report.method->a90)
-      report.notes.push_back(
-          {.code = "inspection.not_found",
-           .text = measurement_words(*report.method),
-           .path = report.method->crack,
-           .equation = "IR-11",
-           .severity = Severity::care,
-           .next_step = "Look for the crack itself, or measure with less noise."});
-  }
-  if (report.bound_risk)
-    report.sentence += fmt::format(
-        " With the lower 95 % bound of detection at each size, it is {:.3g}.", *report.bound_risk);
-  if (report.method && report.method->trials && !report.method->a90_bound)
-    report.notes.push_back(
-        {.code = "inspection.trials",
-         .text = fmt::format("{} trials do not bound the size a90 with 95 % confidence",
-                             *report.method->trials),
-         .path = "detection-data",
-         .equation = "IR-13",
-         .severity = Severity::care,
-         .next_step = "Try more cracks, over a wider range of sizes."});
-  if (search && search->repaired_to) {
-    const auto several = std::ranges::count_if(
-        parts, [](const DrawnPart& part) { return growing_cracks(part) > 1; });
-    if (several > 0)
-      report.notes.push_back(
-          {.code = "inspection.other_cracks",
-           .text = fmt::format(
-               "in {} of {} drives several cracks grow, and the path of each is known up to the "
-               "first failure only; after a repair a drive counts as failed when another crack "
-               "reaches this age, so the risk may be too high",
-               several, parts.size()),
-           .path = "inspection.repaired_to",
-           .equation = "IR-9",
-           .severity = Severity::information});
-    const auto larger = std::ranges::count_if(parts, [&](const DrawnPart& part) {
-      for (std::size_t k = 0; k < part.sizes.size(); ++k)
-        if (search->seen[k] && part.sizes[k].front() > *search->repaired_to) return true;
-      return false;
-    });
-    if (larger > 0)
-      report.notes.push_back(
-          {.code = "inspection.first_size",
-           .text =
-               fmt::format("in {} of {} drives a crack is larger than {} at first, and its path "
-                           "from there on is not known; a repair reduces it to its first size",
-                           larger, parts.size(), shown_quantity(*search->repaired_to, "m", 4)),
-           .path = "inspection.repaired_to",
-           .equation = "IR-9",
-           .severity = Severity::information});
-  }
-  if (report.outcomes.arrested > 0)
-    report.notes.push_back(
-        {.code = "inspection.arrested",
-         .text =
-             fmt::format("in {} of {} drives no crack grows any more; their life has no end and "
-                         "is in no mean",
-                         report.outcomes.arrested, total),
-         .path = "duty",
-         .equation = "IR-7",
-         .severity = Severity::information});
-  if (report.outcomes.out_of_range > 0)
-    report.notes.push_back(
-        {.code = "inspection.range",
-         .text =
-             fmt::format("in {} of {} drives a crack leaves the range of its solution, where the "
-                         "rest is not known; this counts as a failure at that time",
-                         report.outcomes.out_of_range, total),
-         .path = nominal.governing,
-         .equation = "IR-3",
-         .severity = Severity::care});
-  if (report.outcomes.refused > 0)
-    report.notes.push_back(
-        {.code = "inspection.refused",
-         .text = fmt::format(
-             "{} of {} draws break a rule of the input, or have no answer, and are left out",
-             report.outcomes.refused, options.draws),
-         .path = "scatter",
-         .equation = "IR-3",
-         .severity = Severity::care,
-         .next_step = "Narrow the scatter, or use a distribution without such values."});
-  const double wanted = options.times.risk.value_or(0.0);
-  const bool resolved = options.times.risk
-                            ? std::ranges::all_of(report.plans,
-                                                  [&](const PlannedInspections& plan) {
-                                                    return plan.reached && plan.risk_high <= wanted;
-                                                  })
-                            : report.at_end.without_low > 0;
-  if (!resolved)
-    report.notes.push_back(
-        {.code = "inspection.draws",
-         .text =
-             options.times.risk
-                 ? "the upper limit of the risk of a plan is above the wanted risk, or the plan "
-                   "does not reach it, so the plan is not proven"
-                 : "no drawn drive fails, so only the upper limit of the risk is known",
-         .path = "",
-         .equation = "IR-4",
-         .severity = Severity::cannot_tell,
-         .next_step =
-             options.importance_sampling ? "Ask for more --draws."
-             : options.times.risk
-                 ? fmt::format("Plan for a smaller --risk, whose upper limit is below the wanted "
-                               "one, with --importance-sampling or more than {} draws; the plan at "
-                               "times of least risk needs twice as many.",
-                               static_cast<std::int64_t>(std::ceil(3.69 / wanted)))
-                 : "Give --importance-sampling, or ask for more --draws."});
-  if (report.importance_sampling) {
-    const int plain_draws = report.importance_sampling->plain_draws;
-    report.notes.push_back(
-        {.code = "inspection.importance",
-         .text = fmt::format("every other draw scatters about the failures that were found; the {} "
-                             "plain draws do not exclude that other ones, far from these, add up "
-                             "to {:.2g} to the probability",
-                             plain_draws, 1 - std::pow(kTail, 1.0 / plain_draws)),
-         .path = "scatter",
-         .equation = "IR-16",
-         .severity = Severity::care,
-         .next_step = "Ask for more --draws if failures may have several causes."});
-  }
+  add_inspection_notes(report, {.options = options,
+                                .parts = parts,
+                                .governing = nominal.governing,
+                                .search = search ? &*search : nullptr,
+                                .inspections = schedule.size()});
   return report;
 }
 

@@ -35,9 +35,6 @@ std::optional<Vector> gradient(const LimitState& margin, const Vector& z, double
   return slope;
 }
 
-/// Beyond this distance a failure has a probability below 1e-15, and the inputs no meaning.
-constexpr double kFarthest = 8.0;
-
 }  // namespace
 
 double DesignPoint::probability() const { return normal_probability(-reliability_index); }
@@ -77,7 +74,7 @@ DesignPoint find_design_point(const LimitState& margin, std::vector<double> star
       point.slope = size;
       return point;
     }
-    if (onto.norm() > 2 * kFarthest) step *= 2 * kFarthest / onto.norm();
+    if (onto.norm() > 2 * kFarthestFailure) step *= 2 * kFarthestFailure / onto.norm();
     // The merit of Zhang and Der Kiureghian falls along the step for a penalty beyond |z|/|slope|.
     penalty = std::max(penalty, 2 * std::max(z.norm(), 1.0) / size);
     const double merit = z.squaredNorm() / 2 + penalty * std::abs(*value);
@@ -96,7 +93,7 @@ DesignPoint find_design_point(const LimitState& margin, std::vector<double> star
         break;
       }
     }
-    if (z.norm() > kFarthest)
+    if (z.norm() > kFarthestFailure)
       return give_up(*at_origin < 0
                          ? "no drive that meets the requirement is nearer than 8 standard "
                            "deviations of the inputs"

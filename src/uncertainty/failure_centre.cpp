@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -15,8 +16,6 @@ namespace {
 
 constexpr double kElite = 0.1;  // of the draws of a round
 constexpr int kMostRounds = 20;
-/// Beyond this distance a failure has a probability below 1e-15, and the inputs no meaning.
-constexpr double kFarthest = 8.0;
 
 double product(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -84,7 +83,7 @@ FailureCentre find_failure_centre(const std::function<LimitState()>& make, std::
         std::ranges::count_if(order, [&](std::size_t n) { return *margins[n] < 0; }));
     const bool enough = failures >= elite;
     centre = round.mean(std::span(order).first(enough ? failures : elite));
-    if (product(centre, centre) > kFarthest * kFarthest)
+    if (product(centre, centre) > kFarthestFailure * kFarthestFailure)
       return give_up("no failure is nearer than 8 standard deviations of the inputs");
     if (enough && std::exchange(among_failures, true)) {  // the second round among failures
       found.found = true;

@@ -198,12 +198,28 @@ TEST(InspectedRisk, LimitNoFailureAmongWeights) {
   parts[3].weight = 1.0;
   EXPECT_NEAR(failure_risk(parts, 5).high, 3.68888 / 50.5, 1e-5);
   EXPECT_EQ(failure_risk(parts, 5).low, 0);
-  // The heaviest failing part counts, not the heaviest of all.
+  // The heaviest failing part counts, not the heaviest of all.  2.79 is half of the 97.5 % quantile
+  // of chi squared with four degrees of freedom, 11.1433.
   parts[0].failure = 3;
-  const double light = failure_risk(parts, 5).high;
-  EXPECT_NEAR(light, weighted_risk(0.5, 0.25, 0.5, 50.5).high, 1e-15);
-  EXPECT_LT(light, weighted_risk(0.5, 0.25, 1.0, 50.5).high);
-  EXPECT_EQ(weighted_risk(90, 90, 1, 100).high, 1);  // no probability is larger
+  EXPECT_NEAR(failure_risk(parts, 5).high, 0.5 * 11.14329 / 2 / 50.5, 1e-6);
+}
+
+// Kind: identity (IR-16).  What fails and what does not are two sides of one share, and the limits
+// of the rarer side are those of both.
+TEST(InspectedRisk, IdentityBothSidesOfAWeightedShare) {
+  WeightSums rare;
+  for (const double weight : {0.2, 0.3, 1.1}) rare.add(weight);
+  WeightSums common;
+  for (int i = 0; i < 40; ++i) common.add(0.5 + 0.03 * i);
+  const RiskEstimate risk = weighted_risk(rare, common);
+  const RiskEstimate other = weighted_risk(common, rare);
+  EXPECT_NEAR(risk.probability + other.probability, 1, 1e-15);
+  EXPECT_NEAR(risk.low + other.high, 1, 1e-15);
+  EXPECT_NEAR(risk.high + other.low, 1, 1e-15);
+  EXPECT_LT(risk.low, risk.probability);
+  EXPECT_GT(risk.high, risk.probability);
+  EXPECT_LT(risk.high, 0.3);
+  EXPECT_EQ(weighted_risk(common, {}).high, 1);
 }
 
 // Kind: cross-check (IR-16).  ln L is normal, and H is 4 deviations below its mean, so the risk is

@@ -685,6 +685,7 @@ TEST(InspectionReport, ReferenceASmallRisk) {
   EXPECT_EQ(about.plain_draws, 200);
   EXPECT_EQ(about.plain, 0);
   EXPECT_NEAR(about.plain_high, 1 - std::pow(0.025, 1.0 / 200), 1e-12);
+  EXPECT_NEAR(about.elsewhere, about.plain_high, 1e-12);
   // The median, and the share of the only input, are those of plain draws.
   const double median = std::exp(std::log(life));
   EXPECT_LT(*report.percentiles[2].lower, median);
@@ -725,6 +726,7 @@ TEST(InspectionReport, CrosscheckPlainDrawsAndDrawsAboutFailures) {
   EXPECT_LT(two.at_end.without_high - two.at_end.without_low,
             one.at_end.without_high - one.at_end.without_low);
   for (std::size_t i = 0; i < one.percentiles.size(); ++i) {
+    ASSERT_TRUE(one.percentiles[i].upper && two.percentiles[i].upper) << i;
     EXPECT_LT(std::max(*one.percentiles[i].lower, *two.percentiles[i].lower),
               std::min(*one.percentiles[i].upper, *two.percentiles[i].upper));
     EXPECT_LE(*two.percentiles[i].lower, *two.percentiles[i].life);

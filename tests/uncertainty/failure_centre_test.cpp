@@ -23,7 +23,7 @@ double along(std::span<const double> u) {
 }
 
 /// Fails beyond a plane.
-LimitState plane(double distance) {
+LimitState beyond_plane(double distance) {
   return [distance](std::span<const double> u) -> std::optional<double> {
     return distance - along(u);
   };
@@ -37,7 +37,7 @@ FailureCentre centre_of(const LimitState& margin, SamplingOptions options = {.dr
 // normal.  Tolerance: 0.35, five standard errors of the mean of some 100 weighted draws.
 TEST(FailureCentre, ReferenceAPlane) {
   for (const double distance : {0.0, 2.0, 4.0, 6.0}) {
-    const FailureCentre centre = centre_of(plane(distance));
+    const FailureCentre centre = centre_of(beyond_plane(distance));
     ASSERT_TRUE(centre.found) << centre.reason;
     const double mean = normal_density(distance) / normal_probability(-distance);
     for (std::size_t i = 0; i < 3; ++i)
@@ -48,7 +48,7 @@ TEST(FailureCentre, ReferenceAPlane) {
 // Kind: identity (UQ-10).  Only the order of the margins and their sign count; drives without an
 // end are the last.
 TEST(FailureCentre, IdentityOnlyTheOrderCounts) {
-  const FailureCentre smooth = centre_of(plane(3));
+  const FailureCentre smooth = centre_of(beyond_plane(3));
   const FailureCentre cubed = centre_of(
       [](std::span<const double> u) -> std::optional<double> { return std::pow(3 - along(u), 3); });
   const FailureCentre endless = centre_of([](std::span<const double> u) -> std::optional<double> {
@@ -57,8 +57,8 @@ TEST(FailureCentre, IdentityOnlyTheOrderCounts) {
   ASSERT_TRUE(smooth.found);
   EXPECT_EQ(smooth.place, cubed.place);
   EXPECT_EQ(smooth.place, endless.place);
-  EXPECT_EQ(smooth.place, centre_of(plane(3), {.draws = 1000, .threads = 3}).place);
-  EXPECT_NE(smooth.place, centre_of(plane(3), {.draws = 1000, .seed = 2}).place);
+  EXPECT_EQ(smooth.place, centre_of(beyond_plane(3), {.draws = 1000, .threads = 3}).place);
+  EXPECT_NE(smooth.place, centre_of(beyond_plane(3), {.draws = 1000, .seed = 2}).place);
   EXPECT_GT(smooth.rounds, 2);
 }
 
@@ -70,7 +70,8 @@ TEST(FailureCentre, BehaviourWithoutFailures) {
     EXPECT_TRUE(centre.place.empty());
     return centre.reason;
   };
-  EXPECT_EQ(reason(plane(9)), "no failure is nearer than 8 standard deviations of the inputs");
+  EXPECT_EQ(reason(beyond_plane(9)),
+            "no failure is nearer than 8 standard deviations of the inputs");
   EXPECT_EQ(reason([](std::span<const double>) { return std::optional(1.0); }),
             "20 rounds of draws do not reach the failures");
   EXPECT_EQ(reason([](std::span<const double> u) -> std::optional<double> {
@@ -99,7 +100,7 @@ TEST(FailureCentre, IdentityWeight) {
 // Kind: cross-check (UQ-11).  Half of the draws about the centre resolve Phi(-4) = 3.167e-5, and
 // leave the mean of a common quantity as it is.  Tolerance: four standard errors.
 TEST(FailureCentre, CrosscheckARareAndACommonMean) {
-  const std::vector<double> centre = centre_of(plane(4)).place;
+  const std::vector<double> centre = centre_of(beyond_plane(4)).place;
   constexpr std::size_t kDraws = 4000;
   double failed = 0.0;
   double squares = 0.0;

@@ -104,13 +104,21 @@ struct RiskEstimate {
   double high = 1.0;         ///< upper limit [-]
 };
 
-/// A probability from a sum of weights, with the limits of Fay and Feuer; theory manual eqs. (IR-4)
-/// and (IR-16).
-/// @param sum      of the weights of the parts that fail [-]
-/// @param squares  sum of the squares of these weights [-]
-/// @param further  weight of a further part that might fail [-]; > 0
-/// @param total    weight of all parts [-]; > 0
-[[nodiscard]] RiskEstimate weighted_risk(double sum, double squares, double further, double total);
+/// Sums over the weights of some parts.
+struct WeightSums {
+  double sum = 0.0;      ///< [-]
+  double squares = 0.0;  ///< sum of the squares [-]
+  double largest = 0.0;  ///< largest weight [-]
+
+  /// Takes one more part into the sums.
+  void add(double weight);
+};
+
+/// The share of the weights of parts that fail among all, with the limits of Fay and Feuer for the
+/// rarer of the two kinds; theory manual eq. (IR-16).
+/// @param failing  the parts that fail
+/// @param whole    the others; at least one part is in either
+[[nodiscard]] RiskEstimate weighted_risk(const WeightSums& failing, const WeightSums& whole);
 
 /// Probability of failure up to a time without inspections; theory manual eqs. (IR-3) and (IR-16).
 /// The limits are those of Clopper and Pearson, or of Fay and Feuer if the weights differ.

@@ -100,6 +100,7 @@ struct DrawsAboutFailures {
   double plain = 0.0;                ///< probability of failure by them alone [-]
   double plain_low = 0.0;
   double plain_high = 1.0;
+  double elsewhere = 1.0;  ///< largest probability of failures that these may have missed [-]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -111,6 +112,9 @@ struct DrawsAboutFailures {
     field({"plain", "1", "probability of failure without inspections by these alone"}, &D::plain);
     field({"plain_low", "1", "lower limit with 95 % confidence"}, &D::plain_low);
     field({"plain_high", "1", "upper limit with 95 % confidence"}, &D::plain_high);
+    field({"elsewhere", "1",
+           "probability of failures far from the centre that the plain draws do not exclude"},
+          &D::elsewhere);
   }
 };
 

@@ -13,6 +13,10 @@ namespace strainwave {
 /// meet the requirement, and empty where the output has no value.
 using LimitState = std::function<std::optional<double>(std::span<const double> z)>;
 
+/// Beyond this distance from the origin a failure has a probability below 1e-15, and the inputs no
+/// meaning [-].
+inline constexpr double kFarthestFailure = 8.0;
+
 /// The failure nearest to the origin, where it is most likely.
 struct DesignPoint {
   bool converged = false;  ///< whether the search found the point

@@ -154,6 +154,66 @@ class Risk(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class Inputs(Part):
+    """The centre, the most deviating input first."""
+
+    path: AnyArray
+    """the number that scatters"""
+    unit: AnyArray
+    """SI unit of the number"""
+    value: AnyArray
+    """value in the file"""
+    at_centre: AnyArray
+    """value about which every other draw scatters"""
+    deviations: FloatArray
+    """standard normal deviate there"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "path": ("path", _to.entries),
+        "unit": ("unit", _to.entries),
+        "value": ("value", _to.entries),
+        "at_centre": ("at_centre", _to.entries),
+        "deviations": ("deviations", _to.floats),
+    }
+    _units: ClassVar[dict[str, str]] = {
+        "deviations": "1",
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ImportanceSampling(Part):
+    """The draws about the failures, and what the others say."""
+
+    distance: Quantity
+    """distance of the centre from the inputs of the file"""
+    rounds: int
+    """rounds of draws that found the centre"""
+    inputs: Inputs
+    """the centre, the most deviating input first"""
+    plain_draws: int
+    """draws that do not scatter about the centre"""
+    plain: Quantity
+    """probability of failure without inspections by these alone"""
+    plain_low: Quantity
+    """lower limit with 95 % confidence"""
+    plain_high: Quantity
+    """upper limit with 95 % confidence"""
+    elsewhere: Quantity
+    """probability of failures far from the centre that the plain draws do not exclude"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "distance": ("distance", _to.quantity),
+        "rounds": ("rounds", _to.plain),
+        "inputs": ("inputs", Inputs._of),
+        "plain_draws": ("plain_draws", _to.plain),
+        "plain": ("plain", _to.quantity),
+        "plain_low": ("plain_low", _to.quantity),
+        "plain_high": ("plain_high", _to.quantity),
+        "elsewhere": ("elsewhere", _to.quantity),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Points(Part):
     """Probability of detection over the size."""
 
@@ -359,6 +419,8 @@ class InspectResult(Result):
     """probabilities of failure up to the end of service"""
     risk: Risk
     """probabilities of failure over time"""
+    importance_sampling: Optional[ImportanceSampling]
+    """the draws about the failures, and what the others say; None if absent"""
     method: Optional[Method]
     """how inspections find cracks, and what a find leads to; None if absent"""
     inspections: Inspections
@@ -387,6 +449,7 @@ class InspectResult(Result):
         "shares": ("shares", Shares._of),
         "at_end": ("at_end", AtEnd._of),
         "risk": ("risk", Risk._of),
+        "importance_sampling": ("importance_sampling", ImportanceSampling._of),
         "method": ("method", Method._of),
         "inspections": ("inspections", Inspections._of),
         "bound_risk": ("bound_risk", _to.quantity),

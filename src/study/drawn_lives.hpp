@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "drawn_drive.hpp"
+#include "scatter_law.hpp"
+#include "strainwave/core/correlated_normals.hpp"
+#include "strainwave/core/progress.hpp"
+#include "strainwave/drive_growth/life_trace.hpp"
+#include "strainwave/inspection/inspected_risk.hpp"
+#include "strainwave/study/inspection_report.hpp"
+#include "strainwave/uncertainty/failure_centre.hpp"
+
+namespace strainwave {
+
+/// What became of one draw.
+struct DrawnLife {
+  bool refused = false;     ///< breaks a rule of the input, or has no answer
+  bool unfinished = false;  ///< no end within the longest duty that is computed
+  bool out_of_range = false;
+  bool arrested = false;
+  DrawnPart part;
+};
+
+/// The failure and the sizes of a trace.  A crack that leaves the range of its solution fails.
+[[nodiscard]] DrawnPart part_of(const LifeTrace& trace);
+
+/// Draws drives of [[scatter]] and grows their cracks.
+class DrawnLives {
+ public:
+  /// @param gear     as of `inspection_report`; outlives this object
+  /// @param options  the same
+  DrawnLives(const GearSet& gear, const InspectionOptions& options);
+
+  [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
+  /// Independent standard normal variables of a draw.
+  [[nodiscard]] std::vector<double> normals_of(std::size_t draw) const;
+  /// Whether a draw scatters about the failures (IR-16).
+  [[nodiscard]] bool about_failures(std::size_t draw) const {
+    return !centre_.empty() && draw % 2 == 1;
+  }
+  /// Lets every other draw scatter about the failures up to a time, if these are found (UQ-10).
+  FailureCentre centre_draws(double until, const Progress& progress);
+  /// The inputs at the centre of the failures, the most deviating first.
+  [[nodiscard]] std::vector<FailureInput> inputs_at_centre() const;
+  /// @param cracks  paths of the cracks that grow in the drive of the file; inspections find a
+  /// crack
+  ///                by its place in this list, so a draw with other growing cracks is refused
+  [[nodiscard]] std::vector<DrawnLife> draws(const std::vector<std::string>& cracks,
+                                             const Progress& progress) const;
+
+ private:
+  [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::vector<double> u,
+                                  const std::vector<std::string>* cracks) const;
+
+  const GearSet& gear_;
+  const InspectionOptions& options_;
+  std::vector<ScatterLaw> laws_;
+  CorrelatedNormals normals_;
+  std::vector<double> centre_;  ///< u* of the failures; empty: plain draws alone
+};
+
+}  // namespace strainwave
