@@ -510,9 +510,9 @@ class DriveCommands:
                 inspections for it
             most: largest number of inspections of a plan, 1 to 100; 20 if left out
             draws: number of drives drawn from [[scatter]], 20 to 1e6
-            importance_sampling: let every other draw scatter about the failures up to the end of
-                service, for probabilities below about 1e-2; needs an end before the life at the
-                values of the file
+            importance_sampling: let draws scatter about the failures up to the end of service too,
+                for probabilities below about 1e-2; needs an `until` before the life at the values
+                of the file
             seed: seed of the draws
             threads: threads; 0: as many as the machine runs; the answer does not depend on them
             texts: texts that options name, by their names; an option may also be a pathlib.Path,

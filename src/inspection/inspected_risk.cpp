@@ -18,12 +18,6 @@ constexpr double kTail = 0.025;
 constexpr std::size_t kPlaces = 48;
 constexpr int kMostRounds = 40;
 
-double total_weight(std::span<const DrawnPart> parts) {
-  double total = 0.0;
-  for (const DrawnPart& part : parts) total += part.weight;
-  return total;
-}
-
 /// Sums over the parts that fail up to a time and over the others.
 struct BothSums {
   WeightSums failing;
@@ -55,19 +49,14 @@ RiskEstimate rare_risk(const WeightSums& rare, double further, double total) {
   return risk;
 }
 
-/// Weight of a further part of a kind: the largest of its parts, or of the others if it has none.
-double further_of(const WeightSums& kind, const WeightSums& others) {
-  return kind.largest > 0 ? kind.largest : others.largest;
-}
-
 /// The risk alone, for searches.
-double risk_of(std::span<const DrawnPart> parts, double until, std::span<const double> inspections,
+double risk_of(const PartSample& sample, double until, std::span<const double> inspections,
                const CrackSearch& search) {
   double sum = 0.0;
-  for (const DrawnPart& part : parts)
+  for (const DrawnPart& part : sample.parts)
     if (part.failure <= until)
       sum += part.weight * inspected_course(part, until, inspections, search).failed;
-  return sum / total_weight(parts);
+  return sum / sample.total_weight();
 }
 
 /// One part whose cracks are repaired; the state is the last inspection that repaired.
@@ -232,39 +221,47 @@ void WeightSums::add(double weight) {
   largest = std::max(largest, weight);
 }
 
-RiskEstimate weighted_risk(const WeightSums& failing, const WeightSums& whole) {
+RiskEstimate weighted_risk(const WeightSums& failing, const WeightSums& whole, double further) {
   const double total = failing.sum + whole.sum;
-  if (failing.sum <= whole.sum) return rare_risk(failing, further_of(failing, whole), total);
-  const RiskEstimate others = rare_risk(whole, further_of(whole, failing), total);
+  if (failing.sum <= whole.sum)
+    return rare_risk(failing, std::max(further, failing.largest), total);
+  const RiskEstimate others =
+      rare_risk(whole, whole.largest > 0 ? whole.largest : failing.largest, total);
   return {.probability = failing.sum / total, .low = 1 - others.high, .high = 1 - others.low};
 }
 
-RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until) {
+double PartSample::total_weight() const {
+  double total = 0.0;
+  for (const DrawnPart& part : parts) total += part.weight;
+  return total;
+}
+
+RiskEstimate failure_risk(const PartSample& sample, double until) {
   using Binomial = boost::math::binomial;
-  if (std::ranges::any_of(parts, [](const DrawnPart& part) { return part.weight != 1; })) {
-    const BothSums sums = sums_at(parts, until);
-    return weighted_risk(sums.failing, sums.whole);  // (IR-16)
+  if (std::ranges::any_of(sample.parts, [](const DrawnPart& part) { return part.weight != 1; })) {
+    const BothSums sums = sums_at(sample.parts, until);
+    return weighted_risk(sums.failing, sums.whole, sample.further);  // (IR-16)
   }
-  const auto n = static_cast<double>(parts.size());
-  const auto failed = static_cast<double>(
-      std::ranges::count_if(parts, [&](const DrawnPart& part) { return part.failure <= until; }));
+  const auto n = static_cast<double>(sample.parts.size());
+  const auto failed = static_cast<double>(std::ranges::count_if(
+      sample.parts, [&](const DrawnPart& part) { return part.failure <= until; }));
   RiskEstimate risk{.probability = failed / n};  // (IR-3)
   if (failed > 0) risk.low = Binomial::find_lower_bound_on_p(n, failed, kTail);
   if (failed < n) risk.high = Binomial::find_upper_bound_on_p(n, failed, kTail);
   return risk;
 }
 
-RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
+RiskEstimate inspected_risk(const PartSample& sample, double until,
                             std::span<const double> inspections, const CrackSearch& search) {
   WeightSums left;
-  for (const DrawnPart& part : parts)
+  for (const DrawnPart& part : sample.parts)
     if (part.failure <= until)
       left.add(part.weight * inspected_course(part, until, inspections, search).failed);  // (IR-4)
   // A further part may fail before all inspections, with its whole weight.
-  const BothSums sums = sums_at(parts, until);
-  RiskEstimate risk =
-      rare_risk(left, further_of(sums.failing, sums.whole), sums.failing.sum + sums.whole.sum);
-  risk.high = std::min(failure_risk(parts, until).high, risk.high);
+  const BothSums sums = sums_at(sample.parts, until);
+  RiskEstimate risk = rare_risk(left, std::max(sample.further, sums.failing.largest),
+                                sums.failing.sum + sums.whole.sum);
+  risk.high = std::min(failure_risk(sample, until).high, risk.high);
   return risk;
 }
 
@@ -277,31 +274,30 @@ std::vector<double> equal_inspections(double first, double interval, double unti
   }
 }
 
-InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until, double wanted,
-                          std::size_t most, const CrackSearch& search) {
+InspectionPlan equal_plan(const PartSample& sample, double until, double wanted, std::size_t most,
+                          const CrackSearch& search) {
   InspectionPlan plan;
   for (std::size_t n = 0; n <= most; ++n) {
     const double interval = until / static_cast<double>(n + 1);
     plan.times.clear();
     for (std::size_t i = 1; i <= n; ++i) plan.times.push_back(interval * static_cast<double>(i));
-    plan.reached = risk_of(parts, until, plan.times, search) <= wanted;
+    plan.reached = risk_of(sample, until, plan.times, search) <= wanted;
     if (plan.reached) break;  // (IR-5)
   }
-  plan.risk = inspected_risk(parts, until, plan.times, search);
+  plan.risk = inspected_risk(sample, until, plan.times, search);
   return plan;
 }
 
-InspectionPlan least_plan(std::span<const DrawnPart> placing, std::span<const DrawnPart> judging,
-                          double until, double wanted, std::size_t most,
-                          const CrackSearch& search) {
+InspectionPlan least_plan(const PartSample& placing, const PartSample& judging, double until,
+                          double wanted, std::size_t most, const CrackSearch& search) {
   InspectionPlan plan;
   // Only parts that fail matter, so the search looks at them alone.
   std::vector<DrawnPart> failing;
-  for (const DrawnPart& part : placing)
+  for (const DrawnPart& part : placing.parts)
     if (part.failure <= until) failing.push_back(part);
-  const double share = total_weight(failing) / total_weight(placing);
+  const double share = PartSample(failing).total_weight() / placing.total_weight();
   // A new time stands last until the end, and a course needs them in their order.
-  const auto risk_at = [&](std::span<const DrawnPart> parts, std::vector<double> times) {
+  const auto risk_at = [&](const PartSample& parts, std::vector<double> times) {
     std::ranges::sort(times);
     return risk_of(parts, until, times, search);
   };

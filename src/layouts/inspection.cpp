@@ -35,11 +35,11 @@ TitledTable outcome_table(const InspectionReport& report) {
   row("its cracks stand still: endless life", report.outcomes.arrested);
   if (report.outcomes.unfinished > 0)
     row("no end in the longest duty that is computed", report.outcomes.unfinished);
-  return {.title = fmt::format("Outcomes of {} drawn drives{}", report.draws,
-                               report.importance_sampling
-                                   ? ", half of them about the failures, with smaller weights"
-                                   : ""),
-          .table = std::move(table)};
+  return {
+      .title = fmt::format(
+          "Outcomes of {} drawn drives{}", report.draws,
+          report.importance_sampling ? ", most of them about failures, with small weights" : ""),
+      .table = std::move(table)};
 }
 
 TitledTable percentile_table(const InspectionReport& report) {
@@ -63,13 +63,15 @@ TitledTable share_table(const InspectionReport& report) {
 }
 
 TitledTable importance_table(const DrawsAboutFailures& about) {
-  Table table{.head = {"input", "unit", "in the file", "at the failures", "deviations"},
-              .align = "llrrr"};
-  for (const FailureInput& input : about.inputs)
-    table.rows.push_back(cells(input.path, input.unit, shown_number(input.value, 4),
-                               shown_number(input.at_centre, 4),
-                               fmt::format("{:+.2f}", input.deviations)));
-  return {.title = "Centre of the draws about the failures (UQ-10), (IR-16)",
+  Table table{.head = {"centre", "input", "in the file", "at the failures", "deviations"},
+              .align = "rlrrr"};
+  for (std::size_t c = 0; c < about.centres.size(); ++c)
+    for (const FailureInput& input : about.centres[c].inputs)
+      table.rows.push_back(cells(fmt::format("{}", c + 1), input.path,
+                                 shown_quantity(input.value, input.unit, 4, input.path),
+                                 shown_quantity(input.at_centre, input.unit, 4, input.path),
+                                 fmt::format("{:+.2f}", input.deviations)));
+  return {.title = "Centres of the draws about failures (UQ-10), (IR-16)",
           .table = std::move(table),
           .remark = fmt::format("The {} plain draws alone give {} (95 % limits {} to {}).",
                                 about.plain_draws, share_text(about.plain),

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -16,7 +18,11 @@
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kCentreDraws = 200;  // of a round of the search for the failures
+/// Draws of a round of the search for failures: at least these, and so many for each input.
+constexpr std::size_t kRoundDraws = 200;
+constexpr std::size_t kRoundDrawsPerInput = 50;
+/// Stream of the search in the numbers of a seed, beyond those of all draws.
+constexpr std::uint64_t kSearchStream = std::uint64_t{1} << 40U;
 
 }  // namespace
 
@@ -44,44 +50,52 @@ DrawnLives::DrawnLives(const GearSet& gear, const InspectionOptions& options)
 std::vector<double> DrawnLives::normals_of(std::size_t draw) const {
   std::vector<double> u(laws_.size());
   for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
-  if (about_failures(draw))
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] += centre_[i];
+  if (about_failures(draw)) {
+    const std::vector<double>& centre = centres_[draw % (centres_.size() + 1) - 1];
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] += centre[i];
+  }
   return u;
 }
 
-FailureCentre DrawnLives::centre_draws(double until, const Progress& progress) {
+FailureCentres DrawnLives::centre_draws(double until, const std::vector<std::string>& cracks,
+                                        const Progress& progress) {
   const auto make = [&]() -> LimitState {
-    return [this, until, drive = std::make_shared<DrawnDrive>(gear_, gear_.scatter)](
+    return [this, until, &cracks, drive = std::make_shared<DrawnDrive>(gear_, gear_.scatter)](
                std::span<const double> u) -> std::optional<double> {
-      const DrawnLife life = life_at(*drive, {u.begin(), u.end()}, nullptr);
+      const DrawnLife life = life_at(*drive, u, cracks);
       if (life.refused) return std::nullopt;
       return std::log(life.part.failure / until);
     };
   };
-  FailureCentre centre = find_failure_centre(make, laws_.size(),
-                                             {.draws = kCentreDraws,
-                                              .seed = splitmix64(options_.seed, kCentreDraws),
-                                              .threads = options_.threads},
-                                             progress);
-  if (centre.found) centre_ = centre.place;
-  return centre;
+  FailureCentres found =
+      find_failure_centres(make, laws_.size(),
+                           {.draws = std::max(kRoundDraws, kRoundDrawsPerInput * laws_.size()),
+                            .seed = splitmix64(options_.seed, kSearchStream),
+                            .threads = options_.threads},
+                           progress);
+  centres_ = found.places;
+  return found;
 }
 
-std::vector<FailureInput> DrawnLives::inputs_at_centre() const {
-  std::vector<double> z = centre_;
-  normals_.correlate(z);
-  std::vector<FailureInput> inputs;
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    const NumberAt number = number_at(gear_, gear_.scatter[i].path);
-    inputs.push_back({.path = number.path,
-                      .unit = number.field.unit,
-                      .value = number.value,
-                      .at_centre = laws_[i].at(z[i]),
-                      .deviations = z[i]});
+std::vector<CentreOfFailures> DrawnLives::centres() const {
+  std::vector<CentreOfFailures> described;
+  for (const std::vector<double>& centre : centres_) {
+    CentreOfFailures& of = described.emplace_back();
+    of.distance = std::sqrt(std::inner_product(centre.begin(), centre.end(), centre.begin(), 0.0));
+    std::vector<double> z = centre;
+    normals_.correlate(z);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      const NumberAt number = number_at(gear_, gear_.scatter[i].path);
+      of.inputs.push_back({.path = number.path,
+                           .unit = number.field.unit,
+                           .value = number.value,
+                           .at_centre = laws_[i].at(z[i]),
+                           .deviations = z[i]});
+    }
+    std::ranges::stable_sort(of.inputs, std::ranges::greater{},
+                             [](const FailureInput& input) { return std::abs(input.deviations); });
   }
-  std::ranges::stable_sort(inputs, std::ranges::greater{},
-                           [](const FailureInput& input) { return std::abs(input.deviations); });
-  return inputs;
+  return described;
 }
 
 std::vector<DrawnLife> DrawnLives::draws(const std::vector<std::string>& cracks,
@@ -92,14 +106,15 @@ std::vector<DrawnLife> DrawnLives::draws(const std::vector<std::string>& cracks,
         return [this, &cracks, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
                    std::size_t index, DrawnLife& life) {
           const std::vector<double> u = normals_of(index);
-          life = life_at(*drive, u, &cracks);
-          if (!centre_.empty()) life.part.weight = mixture_weight(u, centre_);  // (IR-16)
+          life = life_at(*drive, u, cracks);
+          if (!centres_.empty()) life.part.weight = mixture_weight(u, centres_);  // (IR-16)
         };
       });
 }
 
-DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::vector<double> z,
-                              const std::vector<std::string>* cracks) const {
+DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::span<const double> u,
+                              const std::vector<std::string>& cracks) const {
+  std::vector<double> z(u.begin(), u.end());
   normals_.correlate(z);
   for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
   DrawnLife result;
@@ -110,8 +125,7 @@ DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::vector<double> z,
     result.arrested = trace.end == DriveEnd::arrested;
     result.out_of_range = trace.end == DriveEnd::range;
     result.unfinished = trace.end == DriveEnd::too_slow;
-    result.refused =
-        trace.end == DriveEnd::not_known || (cracks != nullptr && trace.cracks != *cracks);
+    result.refused = trace.end == DriveEnd::not_known || trace.cracks != cracks;
   } catch (const Error&) {
     result.refused = true;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,29 +39,32 @@ class DrawnLives {
   [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
   /// Independent standard normal variables of a draw.
   [[nodiscard]] std::vector<double> normals_of(std::size_t draw) const;
-  /// Whether a draw scatters about the failures (IR-16).
+  /// Whether a draw scatters about failures (IR-16).
   [[nodiscard]] bool about_failures(std::size_t draw) const {
-    return !centre_.empty() && draw % 2 == 1;
+    return draw % (centres_.size() + 1) != 0;
   }
-  /// Lets every other draw scatter about the failures up to a time, if these are found (UQ-10).
-  FailureCentre centre_draws(double until, const Progress& progress);
-  /// The inputs at the centre of the failures, the most deviating first.
-  [[nodiscard]] std::vector<FailureInput> inputs_at_centre() const;
-  /// @param cracks  paths of the cracks that grow in the drive of the file; inspections find a
-  /// crack
-  ///                by its place in this list, so a draw with other growing cracks is refused
+  /// Lets draws scatter about the failures up to a time too, if these are found (UQ-10).
+  /// @param cracks  as of `draws`
+  FailureCentres centre_draws(double until, const std::vector<std::string>& cracks,
+                              const Progress& progress);
+  /// The centres of the failures, with the most deviating input first.
+  [[nodiscard]] std::vector<CentreOfFailures> centres() const;
+  /// The lives of all draws.
+  /// @param cracks  paths of the cracks that grow in the drive of the file.  Inspections find a
+  ///                crack by its place in this list, so a draw with other growing cracks is
+  ///                refused.
   [[nodiscard]] std::vector<DrawnLife> draws(const std::vector<std::string>& cracks,
                                              const Progress& progress) const;
 
  private:
-  [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::vector<double> u,
-                                  const std::vector<std::string>* cracks) const;
+  [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::span<const double> u,
+                                  const std::vector<std::string>& cracks) const;
 
   const GearSet& gear_;
   const InspectionOptions& options_;
   std::vector<ScatterLaw> laws_;
   CorrelatedNormals normals_;
-  std::vector<double> centre_;  ///< u* of the failures; empty: plain draws alone
+  std::vector<std::vector<double>> centres_;  ///< u* of failures; empty: plain draws alone
 };
 
 }  // namespace strainwave

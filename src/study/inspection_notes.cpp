@@ -169,6 +169,7 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
          .equation = "IR-3",
          .severity = Severity::care,
          .next_step = "Narrow the scatter, or use a distribution without such values."});
+  const bool weighted = report.importance_sampling.has_value();
   const double wanted = of.options.times.risk.value_or(0.0);
   const bool resolved = of.options.times.risk
                             ? std::ranges::all_of(report.plans,
@@ -185,29 +186,32 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
                    "does not reach it, so the plan is not proven"
                  : "no drawn drive fails, so only the upper limit of the risk is known",
          .path = "",
-         .equation = "IR-4",
+         .equation = weighted ? "IR-16" : "IR-4",
          .severity = Severity::cannot_tell,
          .next_step =
-             of.options.importance_sampling ? "Ask for more --draws."
-             : of.options.times.risk
-                 ? fmt::format("Plan for a smaller --risk, whose upper limit is below the wanted "
+             !of.options.times.risk
+                 ? std::string(weighted ? "Ask for more --draws."
+                                        : "Give --importance-sampling, or ask for more --draws.")
+             : weighted
+                 ? std::string("Plan for a smaller --risk, whose upper limit is below the wanted "
+                               "one, or ask for more --draws.")
+                 : fmt::format("Plan for a smaller --risk, whose upper limit is below the wanted "
                                "one, with --importance-sampling or more than {} draws; the plan at "
                                "times of least risk needs twice as many.",
-                               static_cast<std::int64_t>(std::ceil(3.69 / wanted)))
-                 : "Give --importance-sampling, or ask for more --draws."});
-  if (report.importance_sampling) {
+                               static_cast<std::int64_t>(std::ceil(3.69 / wanted)))});
+  if (weighted)
     report.notes.push_back(
         {.code = "inspection.importance",
-         .text = fmt::format("every other draw scatters about the failures that were found; the {} "
-                             "plain draws do not exclude that other ones, far from these, add up "
-                             "to {:.2g} to the probability",
-                             report.importance_sampling->plain_draws,
-                             report.importance_sampling->elsewhere),
+         .text = fmt::format(
+             "{} of the draws scatter about failures that a search found; failures "
+             "far from these may be missing, and the {} other draws exclude, with "
+             "97.5 % confidence, only a probability above {:.2g} of them",
+             of.parts.size() - static_cast<std::size_t>(report.importance_sampling->plain_draws),
+             report.importance_sampling->plain_draws, report.importance_sampling->elsewhere),
          .path = "scatter",
          .equation = "IR-16",
          .severity = Severity::care,
          .next_step = "Ask for more --draws if failures may have several causes."});
-  }
 }
 
 }  // namespace strainwave

@@ -6,23 +6,17 @@
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <memory>
-#include <numeric>
 #include <utility>
 
 #include "drawn_lives.hpp"
 #include "drawn_outputs.hpp"
 #include "inspection_notes.hpp"
 #include "measured_detection.hpp"
-#include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/parallel.hpp"
-#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/drive_growth/longest_duty.hpp"
-#include "strainwave/uncertainty/failure_centre.hpp"
 #include "strainwave/uncertainty/normal.hpp"
 
 namespace strainwave {
@@ -120,7 +114,8 @@ void add_plain_percentiles(InspectionReport& report, const std::vector<double>& 
 
 /// Percentiles of weighted draws: the times at which the probability of failure and its limits
 /// reach the share (IR-16).
-void add_weighted_percentiles(InspectionReport& report, const std::vector<DrawnPart>& by_life) {
+void add_weighted_percentiles(InspectionReport& report, const std::vector<DrawnPart>& by_life,
+                              double further) {
   std::vector<RiskEstimate> up_to(by_life.size());  // the failures up to each of the lives
   std::vector<WeightSums> after(by_life.size() + 1);
   for (std::size_t i = by_life.size(); i-- > 0;) {
@@ -130,7 +125,7 @@ void add_weighted_percentiles(InspectionReport& report, const std::vector<DrawnP
   WeightSums failing;
   for (std::size_t i = 0; i < by_life.size(); ++i) {
     failing.add(by_life[i].weight);
-    up_to[i] = weighted_risk(failing, after[i + 1]);
+    up_to[i] = weighted_risk(failing, after[i + 1], further);
   }
   for (const double share : kShares) {
     const auto time_of = [&](double RiskEstimate::*probability) -> std::optional<double> {
@@ -148,12 +143,12 @@ void add_weighted_percentiles(InspectionReport& report, const std::vector<DrawnP
   }
 }
 
-void add_percentiles(InspectionReport& report, const std::vector<DrawnPart>& parts) {
+void add_percentiles(InspectionReport& report, const PartSample& sample) {
   std::vector<DrawnPart> by_life;
-  for (const DrawnPart& part : parts)
+  for (const DrawnPart& part : sample.parts)
     by_life.push_back({.failure = part.failure, .weight = part.weight});
   std::ranges::stable_sort(by_life, {}, &DrawnPart::failure);
-  if (report.importance_sampling) return add_weighted_percentiles(report, by_life);
+  if (report.importance_sampling) return add_weighted_percentiles(report, by_life, sample.further);
   std::vector<double> lives;
   for (const DrawnPart& part : by_life) lives.push_back(part.failure);
   add_plain_percentiles(report, lives);
@@ -166,19 +161,21 @@ void add_shares(InspectionReport& report, const GearSet& gear, const DrawnLives&
   std::vector<double> logs;
   std::vector<double> weights;
   std::vector<std::vector<double>> normals;
-  double total = 0.0;
+  WeightSums sums;
   for (std::size_t i = 0; i < draws.size(); ++i) {
     const DrawnPart& part = draws[i].part;
     if (draws[i].refused || !std::isfinite(part.failure) || part.failure <= 0) continue;
     logs.push_back(std::log(part.failure));
     weights.push_back(part.weight);
     normals.push_back(study.normals_of(i));
-    total += part.weight;
+    sums.add(part.weight);
   }
-  if (logs.size() < 10 * inputs + 10) return;
+  // The number of plain draws that would be as precise.
+  const double worth = sums.squares > 0 ? sums.sum * sums.sum / sums.squares : 0.0;
+  if (worth < static_cast<double>(10 * inputs + 10)) return;
   const auto mean_of = [&](const auto& value) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < logs.size(); ++k) sum += weights[k] / total * value(k);
+    for (std::size_t k = 0; k < logs.size(); ++k) sum += weights[k] / sums.sum * value(k);
     return sum;
   };
   const double mean = mean_of([&](std::size_t k) { return logs[k]; });
@@ -263,13 +260,12 @@ struct CourseSums {
   double failed = 0.0;
 };
 
-CourseSums course_sums(std::span<const DrawnPart> parts, double until,
-                       std::span<const double> inspections, const CrackSearch& search) {
+CourseSums course_sums(const PartSample& sample, double until, std::span<const double> inspections,
+                       const CrackSearch& search) {
   CourseSums sums{.in_service = std::vector<double>(inspections.size(), 0.0),
                   .found = std::vector<double>(inspections.size(), 0.0)};
-  double total = 0.0;
-  for (const DrawnPart& part : parts) total += part.weight;
-  for (const DrawnPart& part : parts) {
+  const double total = sample.total_weight();
+  for (const DrawnPart& part : sample.parts) {
     const InspectedCourse course = inspected_course(part, until, inspections, search);
     const double share = part.weight / total;
     for (std::size_t k = 0; k < course.found.size(); ++k) {
@@ -333,27 +329,33 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
             "s", "at most 1000 inspections up to the end of service");
 
   DrawnLives study(gear, options);
+  double further = 1.0;  // weight of a further drive that may fail
   if (options.importance_sampling) {
-    if (nominal.life && *nominal.life <= report.until)
+    const double life = part_of(nominal).failure;
+    if (!options.until)
+      throw InputError("importance-sampling",
+                       fmt::format("needs --until, an end of service before the life at the values "
+                                   "of the file, {}",
+                                   hours_text(life)));
+    if (life <= report.until)
       throw InputError("importance-sampling",
                        fmt::format("is for rare failures, but the drive of the file fails before "
                                    "the end of service, after {}; give an earlier --until",
-                                   hours_text(*nominal.life)));
-    const FailureCentre centre = study.centre_draws(report.until, progress.part(0.0, 0.3));
-    if (!centre.found)
+                                   hours_text(life)));
+    const FailureCentres found =
+        study.centre_draws(report.until, nominal.cracks, progress.part(0.0, 0.6));
+    if (found.places.empty())
       throw InputError("importance-sampling",
-                       fmt::format("finds no failures up to {}: {}; give a later --until, or leave "
-                                   "the option out",
-                                   hours_text(report.until), centre.reason));
-    report.importance_sampling = DrawsAboutFailures{
-        .distance = std::sqrt(std::inner_product(centre.place.begin(), centre.place.end(),
-                                                 centre.place.begin(), 0.0)),
-        .rounds = centre.rounds,
-        .inputs = study.inputs_at_centre()};
+                       fmt::format("finds no failures up to {}: {}; leave the option out, or give "
+                                   "another --until",
+                                   hours_text(report.until), found.reason));
+    report.importance_sampling =
+        DrawsAboutFailures{.centres = study.centres(), .rounds = found.rounds};
     report.equations = {"UQ-10", "UQ-11", "IR-16"};
+    further = found.heaviest;
   }
   std::vector<DrawnLife> draws =
-      study.draws(nominal.cracks, options.importance_sampling ? progress.part(0.3, 1.0) : progress);
+      study.draws(nominal.cracks, options.importance_sampling ? progress.part(0.6, 1.0) : progress);
   std::vector<DrawnPart> parts;
   std::vector<DrawnPart> plain_draws;  // beside those about the failures
   for (std::size_t i = 0; i < draws.size(); ++i) {
@@ -380,14 +382,22 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     throw InputError("scatter", fmt::format("lets {} of {} drawn drives break a rule of the input, "
                                             "so too few lives are left; narrow the scatter",
                                             report.outcomes.refused, options.draws));
-  add_percentiles(report, parts);
+  if (options.importance_sampling) {
+    if (plain_draws.empty())
+      throw InputError("scatter",
+                       "lets all plain draws break a rule of the input; narrow the scatter");
+    for (const DrawnPart& part : parts)
+      if (part.failure <= report.until) further = std::max(further, part.weight);  // (IR-16)
+  }
+  const PartSample sample(parts, further);
+  add_percentiles(report, sample);
   add_shares(report, gear, study, draws);
   report.equations.insert(report.equations.end(), {"IR-3", "IR-7", "IR-8"});
 
   std::vector<double> schedule = options.times.at;
   std::ranges::sort(schedule);
   std::optional<CrackSearch> search;
-  const auto planned_cost = [&](std::span<const DrawnPart> of, std::span<const double> times) {
+  const auto planned_cost = [&](const PartSample& of, std::span<const double> times) {
     return cost_of(method->cost.value_or(InspectionCost{}),
                    course_sums(of, report.until, times, *search),
                    failure_risk(of, report.until).probability, report.method->false_calls);
@@ -446,8 +456,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
       schedule = equal_inspections(options.times.first.value_or(*options.times.every),
                                    *options.times.every, report.until);
     if (options.times.risk) {
-      const auto add = [&](std::string kind, const InspectionPlan& plan,
-                           std::span<const DrawnPart> of) {
+      const auto add = [&](std::string kind, const InspectionPlan& plan, const PartSample& of) {
         PlannedInspections& row = report.plans.emplace_back(
             PlannedInspections{.kind = std::move(kind),
                                .reached = plan.reached,
@@ -461,13 +470,14 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
       };
       const auto most = static_cast<std::size_t>(options.times.most);
       const double wanted = *options.times.risk;
-      const std::span<const DrawnPart> all = parts;
       const std::vector<double> equal =
-          add("equal", equal_plan(parts, report.until, wanted, most, *search), all);
-      const std::size_t half = all.size() / 2;
+          add("equal", equal_plan(sample, report.until, wanted, most, *search), sample);
+      const std::size_t half = parts.size() / 2;
+      const PartSample judging(sample.parts.subspan(half), further);
       add("least",
-          least_plan(all.first(half), all.subspan(half), report.until, wanted, most, *search),
-          all.subspan(half));
+          least_plan(PartSample(sample.parts.first(half), further), judging, report.until, wanted,
+                     most, *search),
+          judging);
       report.equations.insert(report.equations.end(), {"IR-5", "IR-6"});
       if (schedule.empty()) schedule = equal;
     }
@@ -475,13 +485,13 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   }
 
   const auto point_at = [&](double time) {
-    const RiskEstimate without = failure_risk(parts, time);
+    const RiskEstimate without = failure_risk(sample, time);
     RiskPoint point{.time = time,
                     .without = without.probability,
                     .without_low = without.low,
                     .without_high = without.high};
     if (schedule.empty()) return point;
-    const RiskEstimate with = inspected_risk(parts, time, schedule, *search);
+    const RiskEstimate with = inspected_risk(sample, time, schedule, *search);
     point.inspected = with.probability;
     point.inspected_low = with.low;
     point.inspected_high = with.high;
@@ -500,7 +510,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     about.elsewhere = 1 - std::pow(kTail, 1.0 / about.plain_draws);
   }
   if (!schedule.empty()) {
-    const CourseSums sums = course_sums(parts, report.until, schedule, *search);
+    const CourseSums sums = course_sums(sample, report.until, schedule, *search);
     for (std::size_t k = 0; k < schedule.size(); ++k) {
       const std::span<const double> up_to(schedule.data(), k + 1);
       report.inspections.push_back(
@@ -508,17 +518,17 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
            .found = sums.found[k],
            .in_service = sums.in_service[k],
            .false_call = (sums.in_service[k] - sums.found[k]) * report.method->false_calls,
-           .remaining = inspected_risk(parts, report.until, up_to, *search).probability});
+           .remaining = inspected_risk(sample, report.until, up_to, *search).probability});
     }
     if (options.trials)
       if (const std::optional<DetectionCurve> bound = bound_of(*options.trials)) {
         CrackSearch low = *search;
         low.curve = *bound;
-        report.bound_risk = inspected_risk(parts, report.until, schedule, low).probability;
+        report.bound_risk = inspected_risk(sample, report.until, schedule, low).probability;
       }
   }
   if (search && method->cost) {
-    report.cost = planned_cost(parts, schedule);
+    report.cost = planned_cost(sample, schedule);
     if (schedule.empty()) report.cost = ExpectedCost{.without = report.cost->without};
     report.equations.emplace_back("IR-15");
   }

@@ -14,6 +14,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
+#include "strainwave/core/streamed_sample.hpp"
 
 namespace strainwave {
 namespace {
@@ -30,42 +31,26 @@ void archive(Archive& to, Draw& draw) {
   to(draw.value, draw.fate);
 }
 
-/// All draws, stored by their index.
-std::vector<Draw> draws_of(DrawnOutputs& outputs, const ScatterOptions& options,
-                           const Progress& progress) {
-  const auto n = static_cast<std::size_t>(options.samples);
-  const auto fill = [seed = options.seed](std::size_t draw, std::span<double> u) {
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(seed, draw, i);
-  };
-  outputs.prepare(n, fill);
-  const Parallel parallel{.block = 256, .threads = options.threads};
-  return shared_rows<Draw>(n, parallel, progress, options.shared, [&] {
-    return [&fill, u = std::vector<double>(outputs.inputs()),
-            evaluate = std::make_unique<DrawnOutputs::Evaluator>(outputs)](std::size_t of,
-                                                                           Draw& draw) mutable {
-      fill(of, u);
-      draw.fate = (*evaluate)(u, draw.value);
-    };
-  });
+constexpr std::array kQuantiles = {0.05, 0.5, 0.95};
+constexpr std::size_t kDrawsAtATime = 1 << 18;
+constexpr std::size_t kKeptAboutAQuantile = 1 << 20;
+
+/// Counts what becomes of draws.
+void count(Scatter& scatter, const Draw& draw) {
+  scatter.evaluated += draw.fate == Fate::evaluated ? 1 : 0;
+  scatter.refused += draw.fate == Fate::refused ? 1 : 0;
+  scatter.unusable += draw.fate == Fate::unusable ? 1 : 0;
 }
 
-/// Moments and quantiles of one output, summed in the order of the draws.
-void fill_moments(ScatterOutput& output, std::vector<double> values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  output.mean = sum / n;
-  double second = 0.0;
-  double fourth = 0.0;
-  for (const double v : values) {
-    const double square = (v - output.mean) * (v - output.mean);
-    second += square;
-    fourth += square * square;
-  }
+/// Mean, deviations and their errors from sums over the draws.
+/// @param second  sum of the squares of the deviations from the mean
+/// @param fourth  sum of their fourth powers
+void fill_deviations(ScatterOutput& output, double n, double mean, double second, double fourth) {
+  output.mean = mean;
   const double variance = second / (n - 1);  // (SN-8)
   const double deviation = std::sqrt(variance);
-  if (output.mean != 0) {
-    output.relative_deviation = deviation / std::abs(output.mean);
+  if (mean != 0) {
+    output.relative_deviation = deviation / std::abs(mean);
     output.mean_error = output.relative_deviation / std::sqrt(n);
   }
   if (deviation > 0) {
@@ -75,9 +60,136 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
     output.relative_deviation_error =
         output.relative_deviation * std::sqrt(std::max(0.0, kurtosis - 1) / n) / 2;  // (SN-9)
   }
-  output.low = quantile(values, 0.05);
-  output.median = quantile(values, 0.5);
-  output.high = quantile(values, 0.95);
+}
+
+/// Moments and quantiles of one output, summed in the order of the draws.
+void fill_moments(ScatterOutput& output, std::vector<double> values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  const double mean = sum / n;
+  double second = 0.0;
+  double fourth = 0.0;
+  for (const double v : values) {
+    const double square = (v - mean) * (v - mean);
+    second += square;
+    fourth += square * square;
+  }
+  fill_deviations(output, n, mean, second, fourth);
+  output.low = quantile(values, kQuantiles[0]);
+  output.median = quantile(values, kQuantiles[1]);
+  output.high = quantile(values, kQuantiles[2]);
+}
+
+/// The draws of a study.
+class Draws {
+  [[nodiscard]] Parallel parallel() const { return {.block = 256, .threads = options_.threads}; }
+  void fill(std::size_t draw, std::span<double> u) const {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
+  }
+  /// Of one thread: (index, draw) fills the draw of the number first + index.
+  [[nodiscard]] auto evaluator(std::size_t first) const {
+    return [this, first, u = std::vector<double>(outputs_.inputs()),
+            evaluate = std::make_unique<DrawnOutputs::Evaluator>(outputs_)](std::size_t of,
+                                                                            Draw& draw) mutable {
+      fill(first + of, u);
+      draw.fate = (*evaluate)(u, draw.value);
+    };
+  }
+
+ public:
+  Draws(DrawnOutputs& outputs, const ScatterOptions& options)
+      : outputs_(outputs), options_(options) {
+    outputs.prepare(size(), [this](std::size_t of, std::span<double> u) { fill(of, u); });
+  }
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(options_.samples); }
+  /// All draws, stored by their index.
+  [[nodiscard]] std::vector<Draw> all(const Progress& progress) const {
+    return shared_rows<Draw>(size(), parallel(), progress, options_.shared,
+                             [&] { return evaluator(0); });
+  }
+  /// Calls a function with each draw, in their order, and keeps a part of them at a time.
+  template <class F>
+  void each(const Progress& progress, const F& f) const {
+    std::vector<Draw> draws(std::min(size(), kDrawsAtATime));
+    for (std::size_t first = 0; first < size(); first += draws.size()) {
+      const std::size_t n = std::min(draws.size(), size() - first);
+      const auto share = [&](std::size_t at) {
+        return static_cast<double>(at) / static_cast<double>(size());
+      };
+      for_each_index(n, parallel(), progress.part(share(first), share(first + n)), [&] {
+        return
+            [&draws, evaluate = evaluator(first)](std::size_t i) mutable { evaluate(i, draws[i]); };
+      });
+      for (std::size_t i = 0; i < n; ++i) f(draws[i]);
+    }
+  }
+
+ private:
+  const DrawnOutputs& outputs_;
+  const ScatterOptions& options_;
+};
+
+/// Throws if too few draws have a result.
+void need_results(const Scatter& scatter) {
+  if (scatter.evaluated < 2)
+    throw SolverError(fmt::format(
+        "of {} draws, {} break a rule of the input and {} are outside the validity of the model",
+        scatter.samples, scatter.refused, scatter.unusable));
+}
+
+/// Moments and quantiles of draws whose values are kept.
+/// @param columns  index of the value of each output in a draw
+void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std::size_t>& columns,
+                    const ScatterOptions& options, const Progress& progress) {
+  const std::vector<Draw> all = draws.all(progress.part(0.0, 0.95));
+  for (const Draw& draw : all) count(scatter, draw);
+  need_results(scatter);
+  for_each_index(columns.size(), {.threads = options.threads}, progress.part(0.95, 1.0), [&] {
+    return [&](std::size_t y) {
+      std::vector<double> values;
+      values.reserve(static_cast<std::size_t>(scatter.evaluated));
+      for (const Draw& draw : all)
+        if (draw.fate == Fate::evaluated) values.push_back(draw.value[columns[y]]);
+      fill_moments(scatter.outputs[y], std::move(values));
+    };
+  });
+}
+
+/// The same of draws that are too many to be kept.
+void fill_from_passes(Scatter& scatter, const Draws& draws, const std::vector<std::size_t>& columns,
+                      const ScatterOptions& options, const Progress& progress) {
+  const std::size_t kept =
+      std::min(kKeptAboutAQuantile, static_cast<std::size_t>(std::max(options.kept, 16)));
+  std::vector<StreamedMoments> moments(columns.size());
+  std::vector<std::vector<StreamedQuantile>> quantiles(columns.size());
+  for (auto& of_output : quantiles)
+    for (const double p : kQuantiles) of_output.emplace_back(p, kept);
+  bool first = true;
+  for (bool known = false; !known; first = false) {
+    draws.each(first ? progress.part(0.0, 0.95) : progress.part(0.95, 1.0), [&](const Draw& draw) {
+      if (first) count(scatter, draw);
+      if (draw.fate != Fate::evaluated) return;
+      for (std::size_t y = 0; y < columns.size(); ++y) {
+        const double value = draw.value[columns[y]];
+        if (first) moments[y].add(value);
+        for (StreamedQuantile& quantile : quantiles[y]) quantile.add(value);
+      }
+    });
+    need_results(scatter);
+    known = true;
+    for (auto& of_output : quantiles)
+      for (StreamedQuantile& quantile : of_output) known = quantile.end_of_pass() && known;
+  }
+  for (std::size_t y = 0; y < columns.size(); ++y) {
+    ScatterOutput& output = scatter.outputs[y];
+    fill_deviations(output, static_cast<double>(moments[y].count()), moments[y].mean(),
+                    moments[y].second(), moments[y].fourth());
+    output.low = quantiles[y][0].value();
+    output.median = quantiles[y][1].value();
+    output.high = quantiles[y][2].value();
+  }
 }
 
 /// Fills in the first-order result: the contribution of each input to the variance of the
@@ -133,6 +245,9 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   require_scatter(gear);
   require(options.samples >= 2 && options.samples <= kMaxSamples, "--samples", options.samples, "1",
           fmt::format(">= 2 and <= {}", kMaxSamples));
+  require(options.shared == nullptr || options.samples <= options.kept, "--samples",
+          options.samples, "1",
+          fmt::format("<= {} with --shard, because a shard keeps its draws", options.kept));
   require(options.threads >= 0, "--threads", options.threads, "1", ">= 0");
   if (!sensitivity.usable()) throw SolverError(sensitivity.unusable_because);
 
@@ -148,17 +263,6 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                               .source = gear.scatter[i].source});
   scatter.samples = options.samples;
   scatter.seed = options.seed;
-  const std::vector<Draw> draws = draws_of(outputs, options, progress.part(0.0, 0.95));
-  for (const Draw& draw : draws) {
-    scatter.evaluated += draw.fate == Fate::evaluated ? 1 : 0;
-    scatter.refused += draw.fate == Fate::refused ? 1 : 0;
-    scatter.unusable += draw.fate == Fate::unusable ? 1 : 0;
-  }
-  if (scatter.evaluated < 2)
-    throw SolverError(fmt::format(
-        "of {} draws, {} break a rule of the input and {} are outside the validity of the model",
-        scatter.samples, scatter.refused, scatter.unusable));
-
   bool coupled = false;
   std::vector<std::size_t> columns;  // of the draws, for each output
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
@@ -178,15 +282,11 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     columns.push_back(static_cast<std::size_t>(name - names.begin()));
     scatter.outputs.push_back(std::move(output));
   }
-  for_each_index(columns.size(), {.threads = options.threads}, progress.part(0.95, 1.0), [&] {
-    return [&](std::size_t y) {
-      std::vector<double> values;
-      values.reserve(static_cast<std::size_t>(scatter.evaluated));
-      for (const Draw& draw : draws)
-        if (draw.fate == Fate::evaluated) values.push_back(draw.value[columns[y]]);
-      fill_moments(scatter.outputs[y], std::move(values));
-    };
-  });
+  const Draws draws(outputs, options);
+  if (options.samples <= options.kept)
+    fill_from_kept(scatter, draws, columns, options, progress);
+  else
+    fill_from_passes(scatter, draws, columns, options, progress);
   for (const ScatterOutput& output : scatter.outputs) note_nonlinear(scatter, output);
   if (scatter.refused + scatter.unusable > 0)
     scatter.notes.push_back(

@@ -14,33 +14,40 @@
 namespace strainwave {
 namespace {
 
+using Place = std::vector<double>;
+
 constexpr double kElite = 0.1;  // of the draws of a round
 constexpr int kMostRounds = 20;
+constexpr std::size_t kMostCentres = 4;
+/// Failures so much further away than those of the first centre hardly add to the probability.
+constexpr double kFurtherAway = 1.5;
 
 double product(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
+/// Whether a draw is nearer to a centre than to the origin.
+bool covered(std::span<const double> u, const Place& centre) {
+  return product(u, centre) > product(centre, centre) / 2;
+}
+
 /// The draws of one round about a place.
 class Round {
  public:
-  Round(const std::vector<double>& centre, std::uint64_t seed) : centre_(centre), seed_(seed) {}
+  Round(const Place& centre, std::uint64_t seed) : centre_(centre), seed_(seed) {}
 
-  [[nodiscard]] std::vector<double> at(std::size_t n) const {
-    std::vector<double> u = centre_;
+  [[nodiscard]] Place at(std::size_t n) const {
+    Place u = centre_;
     for (std::size_t i = 0; i < u.size(); ++i) u[i] += counter_normal(seed_, n, i);
     return u;
   }
-  [[nodiscard]] double weight(std::span<const double> u) const {
-    return std::exp(product(centre_, centre_) / 2 - product(u, centre_));
-  }
   /// Weighted mean of some of the draws (UQ-10).
-  [[nodiscard]] std::vector<double> mean(std::span<const std::size_t> draws) const {
-    std::vector<double> sum(centre_.size(), 0.0);
+  [[nodiscard]] Place mean(std::span<const std::size_t> draws) const {
+    Place sum(centre_.size(), 0.0);
     double total = 0.0;
     for (const std::size_t n : draws) {
-      const std::vector<double> u = at(n);
-      const double w = weight(u);
+      const Place u = at(n);
+      const double w = std::exp(product(centre_, centre_) / 2 - product(u, centre_));
       total += w;
       for (std::size_t i = 0; i < u.size(); ++i) sum[i] += w * u[i];
     }
@@ -49,53 +56,110 @@ class Round {
   }
 
  private:
-  const std::vector<double>& centre_;
+  const Place& centre_;
   std::uint64_t seed_;
+};
+
+/// The searches for one centre after another.
+class Search {
+ public:
+  Search(const std::function<LimitState()>& make, std::size_t inputs,
+         const SamplingOptions& options, const Progress& progress)
+      : make_(make), inputs_(inputs), options_(options), progress_(progress) {}
+
+  FailureCentres centres() {
+    double farthest = kFarthestFailure;
+    while (found_.places.size() < kMostCentres) {
+      std::optional<Place> place = next(farthest);
+      if (!place) break;
+      if (found_.places.empty())
+        farthest = std::min(farthest, std::sqrt(product(*place, *place)) + kFurtherAway);
+      found_.places.push_back(std::move(*place));
+    }
+    for (const Place& u : failures_)
+      found_.heaviest = std::max(found_.heaviest, mixture_weight(u, found_.places));
+    return std::move(found_);
+  }
+
+ private:
+  /// The centre of the failures that no other centre covers; nothing, with the reason for the first
+  /// one, if there are none.
+  std::optional<Place> next(double farthest) {
+    const auto give_up = [&](const char* reason) {
+      if (found_.places.empty()) found_.reason = reason;
+      return std::nullopt;
+    };
+    Place centre(inputs_, 0.0);
+    bool among_failures = false;
+    double level = std::numeric_limits<double>::infinity();
+    for (int n = 0; n < kMostRounds; ++n) {
+      const Round round(centre,
+                        splitmix64(options_.seed, static_cast<std::uint64_t>(found_.rounds)));
+      const std::vector<double> margins = margins_of(round);
+      std::vector<std::size_t> order;
+      for (std::size_t i = 0; i < margins.size(); ++i)
+        if (margins[i] < std::numeric_limits<double>::infinity()) order.push_back(i);
+      if (order.empty()) return give_up("no drawn drive has an end of its life");
+      std::ranges::stable_sort(order, {}, [&](std::size_t i) { return margins[i]; });
+      const auto failures = static_cast<std::size_t>(
+          std::ranges::count_if(order, [&](std::size_t i) { return margins[i] < 0; }));
+      const std::size_t elite = std::min(order.size(), elite_of(margins.size()));
+      const bool enough = failures >= elite_of(margins.size());
+      if (among_failures || enough)
+        for (std::size_t i = 0; i < failures; ++i) failures_.push_back(round.at(order[i]));
+      centre = round.mean(std::span(order).first(enough ? failures : elite));
+      if (product(centre, centre) > farthest * farthest)
+        return give_up("no failure is nearer than 8 standard deviations of the inputs");
+      if (enough && std::exchange(among_failures, true)) return centre;
+      // Beside a centre that is known, draws that do not come nearer to a failure only approach
+      // the region that this centre covers.
+      const double reached = margins[order[elite - 1]];
+      if (!found_.places.empty() && !enough && reached >= level) return std::nullopt;
+      level = std::min(level, reached);
+    }
+    return give_up("20 rounds of draws do not reach the failures");
+  }
+
+  [[nodiscard]] static std::size_t elite_of(std::size_t draws) {
+    return static_cast<std::size_t>(std::ceil(kElite * static_cast<double>(draws)));
+  }
+  /// Margins of the draws of a round; infinite for draws without a value and for covered ones.
+  std::vector<double> margins_of(const Round& round) {
+    constexpr double kRounds = static_cast<double>(kMostCentres) * kMostRounds;
+    std::vector<double> margins(options_.draws, std::numeric_limits<double>::infinity());
+    const Progress part = progress_.part(found_.rounds / kRounds, (found_.rounds + 1) / kRounds);
+    ++found_.rounds;
+    for_each_index(margins.size(), {.block = 4, .threads = options_.threads}, part, [&] {
+      return [&, margin = make_()](std::size_t n) {
+        const Place u = round.at(n);
+        if (std::ranges::any_of(found_.places, [&](const Place& c) { return covered(u, c); }))
+          return;
+        if (const std::optional<double> value = margin(u)) margins[n] = *value;
+      };
+    });
+    return margins;
+  }
+
+  const std::function<LimitState()>& make_;
+  std::size_t inputs_;
+  const SamplingOptions& options_;
+  const Progress& progress_;
+  FailureCentres found_;
+  std::vector<Place> failures_;  ///< draws that fail, of the last rounds of each search
 };
 
 }  // namespace
 
-FailureCentre find_failure_centre(const std::function<LimitState()>& make, std::size_t inputs,
-                                  const SamplingOptions& options, const Progress& progress) {
-  FailureCentre found;
-  std::vector<double> centre(inputs, 0.0);
-  const auto give_up = [&](std::string reason) {
-    found.reason = std::move(reason);
-    return found;
-  };
-  bool among_failures = false;
-  while (found.rounds < kMostRounds) {
-    const Round round(centre, splitmix64(options.seed, static_cast<std::uint64_t>(found.rounds)));
-    ++found.rounds;
-    std::vector<std::optional<double>> margins(options.draws);
-    for_each_index(margins.size(), {.block = 4, .threads = options.threads}, progress, [&] {
-      return
-          [&margins, &round, margin = make()](std::size_t n) { margins[n] = margin(round.at(n)); };
-    });
-    std::vector<std::size_t> order;
-    for (std::size_t n = 0; n < margins.size(); ++n)
-      if (margins[n] && *margins[n] < std::numeric_limits<double>::infinity()) order.push_back(n);
-    const auto elite =
-        static_cast<std::size_t>(std::ceil(kElite * static_cast<double>(margins.size())));
-    if (order.size() < elite) return give_up("fewer than a tenth of the drawn drives have an end");
-    std::ranges::stable_sort(order, {}, [&](std::size_t n) { return *margins[n]; });
-    const auto failures = static_cast<std::size_t>(
-        std::ranges::count_if(order, [&](std::size_t n) { return *margins[n] < 0; }));
-    const bool enough = failures >= elite;
-    centre = round.mean(std::span(order).first(enough ? failures : elite));
-    if (product(centre, centre) > kFarthestFailure * kFarthestFailure)
-      return give_up("no failure is nearer than 8 standard deviations of the inputs");
-    if (enough && std::exchange(among_failures, true)) {  // the second round among failures
-      found.found = true;
-      found.place = std::move(centre);
-      return found;
-    }
-  }
-  return give_up("20 rounds of draws do not reach the failures");
+FailureCentres find_failure_centres(const std::function<LimitState()>& make, std::size_t inputs,
+                                    const SamplingOptions& options, const Progress& progress) {
+  return Search(make, inputs, options, progress).centres();
 }
 
-double mixture_weight(std::span<const double> u, std::span<const double> centre) {
-  return 2 / (1 + std::exp(product(u, centre) - product(centre, centre) / 2));  // (UQ-11)
+double mixture_weight(std::span<const double> u, std::span<const std::vector<double>> centres) {
+  double sum = 1.0;
+  for (const Place& centre : centres)
+    sum += std::exp(product(u, centre) - product(centre, centre) / 2);
+  return (static_cast<double>(centres.size()) + 1) / sum;  // (UQ-11)
 }
 
 }  // namespace strainwave

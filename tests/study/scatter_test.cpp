@@ -184,6 +184,40 @@ TEST(Scatter, IdentityOtherResultsIgnoreIt) {
   EXPECT_EQ(told({with, {}}), told({sensitivity_of(without), {}}));
 }
 
+// Kind: identity (SN-8).  Draws that are not kept have the same quantiles, bit for bit, and the
+// same moments.  Tolerance: 1e-10, another order of the sums.
+TEST(Scatter, IdentityDrawsThatAreNotKept) {
+  const GearSet gear = example();
+  const Sensitivity sensitivity = sensitivity_of(gear);
+  const Scatter kept = scatter_of(gear, sensitivity, {.samples = 3000});
+  for (const int few : {2999, 500, 20}) {
+    const Scatter passes = scatter_of(gear, sensitivity, {.samples = 3000, .kept = few});
+    EXPECT_EQ(passes.evaluated, kept.evaluated);
+    EXPECT_EQ(passes.refused, kept.refused);
+    EXPECT_EQ(passes.unusable, kept.unusable);
+    ASSERT_EQ(passes.outputs.size(), kept.outputs.size());
+    for (std::size_t y = 0; y < kept.outputs.size(); ++y) {
+      const ScatterOutput& one = kept.outputs[y];
+      const ScatterOutput& two = passes.outputs[y];
+      EXPECT_EQ(two.low, one.low);
+      EXPECT_EQ(two.median, one.median);
+      EXPECT_EQ(two.high, one.high);
+      test::expect_relative(two.mean, one.mean, 1e-12);
+      test::expect_relative(two.relative_deviation, one.relative_deviation, 1e-10);
+      test::expect_relative(two.relative_deviation_error, one.relative_deviation_error, 1e-10);
+      test::expect_relative(two.mean_error, one.mean_error, 1e-10);
+      EXPECT_EQ(two.share, one.share);
+    }
+  }
+  SharedRows share(Share{.part = 1, .parts = 2});
+  try {
+    (void)scatter_of(gear, sensitivity, {.samples = 3000, .shared = &share, .kept = 2999});
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("<= 2999 with --shard"), std::string::npos);
+  }
+}
+
 TEST(Scatter, InputOptions) {
   const GearSet gear = example();
   const Sensitivity sensitivity = sensitivity_of(gear);

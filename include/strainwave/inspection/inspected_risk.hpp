@@ -67,6 +67,24 @@ struct DrawnPart {
                                 const std::vector<bool>& seen) const;
 };
 
+/// Drawn parts that stand for all parts.
+struct PartSample {
+  std::span<const DrawnPart> parts;  ///< at least one
+  /// Weight of a further part that may fail, for upper limits [-]; 1 for plain draws
+  double further = 1.0;
+
+  /// A list of parts is a sample.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  PartSample(std::span<const DrawnPart> of, double weight_of_further = 1.0)
+      : parts(of), further(weight_of_further) {}
+  /// A list of parts is a sample.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  PartSample(const std::vector<DrawnPart>& of, double weight_of_further = 1.0)
+      : parts(of), further(weight_of_further) {}
+  /// Sum of the weights of all parts [-].
+  [[nodiscard]] double total_weight() const;
+};
+
 /// How inspections find cracks, and what a find leads to.
 struct CrackSearch {
   DetectionCurve curve;    ///< of detection
@@ -118,24 +136,27 @@ struct WeightSums {
 /// rarer of the two kinds; theory manual eq. (IR-16).
 /// @param failing  the parts that fail
 /// @param whole    the others; at least one part is in either
-[[nodiscard]] RiskEstimate weighted_risk(const WeightSums& failing, const WeightSums& whole);
+/// @param further  weight of a further part that may fail [-]; > 0
+[[nodiscard]] RiskEstimate weighted_risk(const WeightSums& failing, const WeightSums& whole,
+                                         double further);
 
 /// Probability of failure up to a time without inspections; theory manual eqs. (IR-3) and (IR-16).
-/// The limits are those of Clopper and Pearson, or of Fay and Feuer if the weights differ.
-/// @param parts  drawn parts; the caller gives at least one
-/// @param until  end of the time at risk [s]
-[[nodiscard]] RiskEstimate failure_risk(std::span<const DrawnPart> parts, double until);
+/// The limits are those of Clopper and Pearson, or of Fay and Feuer if the weights differ from 1.
+/// @param sample  drawn parts
+/// @param until   end of the time at risk [s]
+[[nodiscard]] RiskEstimate failure_risk(const PartSample& sample, double until);
 
 /// Probability of failure up to a time with inspections; theory manual eqs. (IR-4) and (IR-16).
 ///
 /// The limits are those of Fay and Feuer for a weighted sum of rare events.  The upper one assumes
-/// that a further part may fail before all inspections, so it does not fall below 3.69 over the
-/// number of plain draws, or is the limit without inspections where that is lower.
-/// @param parts        at least one
+/// that a further part may fail before all inspections.  So it does not fall below 3.69 times the
+/// weight of this part over that of all parts, or is the limit without inspections where that is
+/// lower.
+/// @param sample       drawn parts
 /// @param until        end of the time at risk [s]
 /// @param inspections  times [s], ascending
 /// @param search       how cracks are found
-[[nodiscard]] RiskEstimate inspected_risk(std::span<const DrawnPart> parts, double until,
+[[nodiscard]] RiskEstimate inspected_risk(const PartSample& sample, double until,
                                           std::span<const double> inspections,
                                           const CrackSearch& search);
 
@@ -151,13 +172,13 @@ struct InspectionPlan {
 
 /// The fewest inspections at equal intervals whose risk is at most `wanted`; theory manual eq.
 /// (IR-5).
-/// @param parts   at least one
+/// @param sample  drawn parts
 /// @param until   end of the time at risk [s]; > 0
 /// @param wanted  largest allowed risk [-]
 /// @param most    largest number of inspections
 /// @param search  how cracks are found
-[[nodiscard]] InspectionPlan equal_plan(std::span<const DrawnPart> parts, double until,
-                                        double wanted, std::size_t most, const CrackSearch& search);
+[[nodiscard]] InspectionPlan equal_plan(const PartSample& sample, double until, double wanted,
+                                        std::size_t most, const CrackSearch& search);
 
 /// The fewest inspections at times of least risk whose risk is at most `wanted`; theory manual eq.
 /// (IR-6).  The times are moved in turn until none of them lowers the risk further.
@@ -168,8 +189,8 @@ struct InspectionPlan {
 /// @param wanted   largest allowed risk [-]
 /// @param most     largest number of inspections
 /// @param search   how cracks are found
-[[nodiscard]] InspectionPlan least_plan(std::span<const DrawnPart> placing,
-                                        std::span<const DrawnPart> judging, double until,
-                                        double wanted, std::size_t most, const CrackSearch& search);
+[[nodiscard]] InspectionPlan least_plan(const PartSample& placing, const PartSample& judging,
+                                        double until, double wanted, std::size_t most,
+                                        const CrackSearch& search);
 
 }  // namespace strainwave

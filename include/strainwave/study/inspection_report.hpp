@@ -39,7 +39,7 @@ struct InspectionOptions {
   std::optional<DetectionFit> trials;
   InspectionTimes times;  ///< when the drive is inspected
   int draws = 500;        ///< drawn drives; 20 to 1 000 000
-  /// whether every other draw scatters about the failures up to the end of service, (IR-16)
+  /// whether draws scatter about the failures up to the end of service too, (IR-16)
   bool importance_sampling = false;
   std::uint64_t seed = 1;  ///< the same seed gives the same draws
   int threads = 0;         ///< 0: as many as the machine runs; the result does not depend on it
@@ -71,13 +71,13 @@ struct DrawnOutcomes {
   }
 };
 
-/// One input at the centre of the failures.
+/// One input at a centre of the failures.
 struct FailureInput {
   static constexpr bool kTableRow = true;
   std::string path;
   std::string_view unit;
   double value = 0.0;       ///< in the file
-  double at_centre = 0.0;   ///< of draws that fail
+  double at_centre = 0.0;   ///< at u*
   double deviations = 0.0;  ///< of `at_centre`, standard normal [-]
 
   template <class Visitor>
@@ -86,34 +86,47 @@ struct FailureInput {
     field({"path", "", "the number that scatters"}, &I::path);
     field({"unit", "", "SI unit of the number"}, &I::unit);
     field({"value", kUnitBeside, "value in the file"}, &I::value);
-    field({"at_centre", kUnitBeside, "value about which every other draw scatters"}, &I::at_centre);
+    field({"at_centre", kUnitBeside, "value at the centre of the failures"}, &I::at_centre);
     field({"deviations", "1", "standard normal deviate there"}, &I::deviations);
+  }
+};
+
+/// A place about which failures lie (UQ-10).
+struct CentreOfFailures {
+  double distance = 0.0;             ///< from the inputs of the file, |u*| [-]
+  std::vector<FailureInput> inputs;  ///< the most deviating first
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using C = CentreOfFailures;
+    field({"distance", "1", "distance of the centre from the inputs of the file"}, &C::distance);
+    field({"inputs", "", "the inputs there, the most deviating first"}, &C::inputs);
   }
 };
 
 /// Draws about the failures up to the end of service (IR-16), and what plain draws say.
 struct DrawsAboutFailures {
-  double distance = 0.0;             ///< of the centre from the inputs of the file, |u*| [-]
-  int rounds = 0;                    ///< of the search for the centre
-  std::vector<FailureInput> inputs;  ///< the most deviating first
-  int plain_draws = 0;               ///< of the others, without refused ones
-  double plain = 0.0;                ///< probability of failure by them alone [-]
+  std::vector<CentreOfFailures> centres;  ///< the first found first
+  int rounds = 0;                         ///< of the search for the centres
+  int plain_draws = 0;                    ///< accepted draws about the inputs of the file
+  double plain = 0.0;                     ///< probability of failure by them alone [-]
   double plain_low = 0.0;
   double plain_high = 1.0;
-  double elsewhere = 1.0;  ///< largest probability of failures that these may have missed [-]
+  /// largest probability of failures that these may have missed, with 97.5 % confidence [-]
+  double elsewhere = 1.0;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     using D = DrawsAboutFailures;
-    field({"distance", "1", "distance of the centre from the inputs of the file"}, &D::distance);
-    field({"rounds", "", "rounds of draws that found the centre"}, &D::rounds);
-    field({"inputs", "", "the centre, the most deviating input first"}, &D::inputs);
-    field({"plain_draws", "", "draws that do not scatter about the centre"}, &D::plain_draws);
+    field({"centres", "", "places about which equal numbers of draws scatter"}, &D::centres);
+    field({"rounds", "", "rounds of draws that found the centres"}, &D::rounds);
+    field({"plain_draws", "", "accepted draws about the inputs of the file"}, &D::plain_draws);
     field({"plain", "1", "probability of failure without inspections by these alone"}, &D::plain);
     field({"plain_low", "1", "lower limit with 95 % confidence"}, &D::plain_low);
     field({"plain_high", "1", "upper limit with 95 % confidence"}, &D::plain_high);
     field({"elsewhere", "1",
-           "probability of failures far from the centre that the plain draws do not exclude"},
+           "probability of failures far from the centres that the plain draws do not exclude with "
+           "97.5 % confidence"},
           &D::elsewhere);
   }
 };

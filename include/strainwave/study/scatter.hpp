@@ -18,8 +18,12 @@
 
 namespace strainwave {
 
-/// Largest number of draws in one study; their values, which exact quantiles need, take 480 MB.
-inline constexpr int kMaxSamples = 10'000'000;
+/// Largest number of draws in one study.
+inline constexpr int kMaxSamples = 1'000'000'000;
+/// Largest number of draws whose values are kept; they take 480 MB.  A study of more draws takes
+/// 0.2 GB, because it keeps only values about the quantiles, and draws again if these are not
+/// enough.
+inline constexpr int kKeptSamples = 10'000'000;
 
 /// Draws of a study of scatter.
 struct ScatterOptions {
@@ -28,6 +32,7 @@ struct ScatterOptions {
   /// 0: as many as the machine can run; the result is the same for any number
   int threads = 0;
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
+  int kept = kKeptSamples;       ///< largest number of draws whose values are kept
 };
 
 /// An output under the scatter of the inputs.
@@ -150,7 +155,8 @@ struct SensitivityReport {
 ///
 /// @param gear         the drive, with [[scatter]]; is checked
 /// @param sensitivity  sensitivity of the same gear; must be usable
-/// @param options      draws and threads; `samples` 2 to kMaxSamples; {}: 100 000 draws
+/// @param options      draws and threads; `samples` 2 to kMaxSamples, in shares up to `kept`; {}:
+///                     100 000 draws
 /// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError    if the file gives no scatter, or an option is out of range
 /// @throws SolverError   if fewer than two draws could be evaluated

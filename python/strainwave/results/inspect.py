@@ -155,7 +155,7 @@ class Risk(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Inputs(Part):
-    """The centre, the most deviating input first."""
+    """The inputs there, the most deviating first."""
 
     path: AnyArray
     """the number that scatters"""
@@ -164,7 +164,7 @@ class Inputs(Part):
     value: AnyArray
     """value in the file"""
     at_centre: AnyArray
-    """value about which every other draw scatters"""
+    """value at the centre of the failures"""
     deviations: FloatArray
     """standard normal deviate there"""
 
@@ -181,17 +181,30 @@ class Inputs(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ImportanceSampling(Part):
-    """The draws about the failures, and what the others say."""
+class Centres(Part):
+    """The field `centres`."""
 
     distance: Quantity
     """distance of the centre from the inputs of the file"""
-    rounds: int
-    """rounds of draws that found the centre"""
     inputs: Inputs
-    """the centre, the most deviating input first"""
+    """the inputs there, the most deviating first"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "distance": ("distance", _to.quantity),
+        "inputs": ("inputs", Inputs._of),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ImportanceSampling(Part):
+    """The draws about the failures, and what the others say."""
+
+    centres: tuple[Centres, ...]
+    """places about which equal numbers of draws scatter"""
+    rounds: int
+    """rounds of draws that found the centres"""
     plain_draws: int
-    """draws that do not scatter about the centre"""
+    """accepted draws about the inputs of the file"""
     plain: Quantity
     """probability of failure without inspections by these alone"""
     plain_low: Quantity
@@ -199,12 +212,12 @@ class ImportanceSampling(Part):
     plain_high: Quantity
     """upper limit with 95 % confidence"""
     elsewhere: Quantity
-    """probability of failures far from the centre that the plain draws do not exclude"""
+    """probability of failures far from the centres that the plain draws do not exclude with
+    97.5 % confidence"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
-        "distance": ("distance", _to.quantity),
+        "centres": ("centres", _to.many(Centres._of)),
         "rounds": ("rounds", _to.plain),
-        "inputs": ("inputs", Inputs._of),
         "plain_draws": ("plain_draws", _to.plain),
         "plain": ("plain", _to.quantity),
         "plain_low": ("plain_low", _to.quantity),

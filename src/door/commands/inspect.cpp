@@ -113,9 +113,8 @@ struct InspectOptions {
            .fallback = "500"},
           &O::draws);
     field({"importance_sampling", "",
-           "let every other draw scatter about the failures up to the end of service, for "
-           "probabilities below about 1e-2; needs an end before the life at the values of the "
-           "file"},
+           "let draws scatter about the failures up to the end of service too, for probabilities "
+           "below about 1e-2; needs an --until before the life at the values of the file"},
           &O::importance_sampling);
     field({.name = "seed", .unit = "", .doc = "seed of the draws", .fallback = "1"}, &O::seed);
     field({.name = "threads",
