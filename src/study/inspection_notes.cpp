@@ -116,7 +116,7 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
       report.notes.push_back(
           {.code = "inspection.other_cracks",
            .text = fmt::format(
-               "in {} of {} drives several cracks grow, and the path of each is known up to the "
+               "in {} of {} draws several cracks grow, and the path of each is known up to the "
                "first failure only; after a repair a drive counts as failed when another crack "
                "reaches this age, so the risk may be too high",
                several, of.parts.size()),
@@ -132,7 +132,7 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
       report.notes.push_back(
           {.code = "inspection.first_size",
            .text = fmt::format(
-               "in {} of {} drives a crack is larger than {} at first, and its path "
+               "in {} of {} draws a crack is larger than {} at first, and its path "
                "from there on is not known; a repair reduces it to its first size",
                larger, of.parts.size(), shown_quantity(*of.search->repaired_to, "m", 4)),
            .path = "inspection.repaired_to",
@@ -143,7 +143,7 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
     report.notes.push_back(
         {.code = "inspection.arrested",
          .text =
-             fmt::format("in {} of {} drives no crack grows any more; their life has no end and "
+             fmt::format("in {} of {} draws no crack grows any more; their life has no end and "
                          "is in no mean",
                          report.outcomes.arrested, total),
          .path = "duty",
@@ -153,7 +153,7 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
     report.notes.push_back(
         {.code = "inspection.range",
          .text =
-             fmt::format("in {} of {} drives a crack leaves the range of its solution, where the "
+             fmt::format("in {} of {} draws a crack leaves the range of its solution, where the "
                          "rest is not known; this counts as a failure at that time",
                          report.outcomes.out_of_range, total),
          .path = of.governing,

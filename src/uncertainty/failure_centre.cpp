@@ -21,6 +21,8 @@ constexpr int kMostRounds = 20;
 constexpr std::size_t kMostCentres = 4;
 /// Failures so much further away than those of the first centre hardly add to the probability.
 constexpr double kFurtherAway = 1.5;
+/// A search among more covered draws only approaches the region of a centre that is known.
+constexpr double kMostCovered = 1.0 / 3;
 
 double product(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -111,10 +113,10 @@ class Search {
       if (product(centre, centre) > farthest * farthest)
         return give_up("no failure is nearer than 8 standard deviations of the inputs");
       if (enough && std::exchange(among_failures, true)) return centre;
-      // Beside a centre that is known, draws that do not come nearer to a failure only approach
-      // the region that this centre covers.
       const double reached = margins[order[elite - 1]];
-      if (!found_.places.empty() && !enough && reached >= level) return std::nullopt;
+      const bool aside =
+          static_cast<double>(covered_) > kMostCovered * static_cast<double>(margins.size());
+      if (!found_.places.empty() && !enough && (aside || reached >= level)) return std::nullopt;
       level = std::min(level, reached);
     }
     return give_up("20 rounds of draws do not reach the failures");
@@ -127,16 +129,19 @@ class Search {
   std::vector<double> margins_of(const Round& round) {
     constexpr double kRounds = static_cast<double>(kMostCentres) * kMostRounds;
     std::vector<double> margins(options_.draws, std::numeric_limits<double>::infinity());
+    std::vector<unsigned char> is_covered(options_.draws, 0);
     const Progress part = progress_.part(found_.rounds / kRounds, (found_.rounds + 1) / kRounds);
     ++found_.rounds;
     for_each_index(margins.size(), {.block = 4, .threads = options_.threads}, part, [&] {
       return [&, margin = make_()](std::size_t n) {
         const Place u = round.at(n);
-        if (std::ranges::any_of(found_.places, [&](const Place& c) { return covered(u, c); }))
-          return;
+        is_covered[n] =
+            std::ranges::any_of(found_.places, [&](const Place& c) { return covered(u, c); });
+        if (is_covered[n] != 0) return;
         if (const std::optional<double> value = margin(u)) margins[n] = *value;
       };
     });
+    covered_ = std::ranges::count(is_covered, 1);
     return margins;
   }
 
@@ -145,6 +150,7 @@ class Search {
   const SamplingOptions& options_;
   const Progress& progress_;
   FailureCentres found_;
+  std::ptrdiff_t covered_ = 0;   ///< draws of the last round that a known centre covers
   std::vector<Place> failures_;  ///< draws that fail, of the last rounds of each search
 };
 
