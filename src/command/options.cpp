@@ -15,6 +15,10 @@
 
 namespace strainwave {
 
+double option_quantity(std::string_view option, std::string_view text, std::string_view unit) {
+  return from_option([&] { return parse_quantity(option, text, unit); });
+}
+
 std::string Option::spelled() const {
   std::string name(field.name);
   std::ranges::replace(name, '_', '-');

@@ -37,6 +37,14 @@ auto from_option(const Parse& parse) {
   }
 }
 
+/// The quantity that the text of an option states, in SI units.
+/// @param option  name of the option, for the message
+/// @param text    number and unit, such as "30 N*m"
+/// @param unit    SI unit of the dimension that the text must have
+/// @throws OptionError  if the text states no such quantity
+[[nodiscard]] double option_quantity(std::string_view option, std::string_view text,
+                                     std::string_view unit);
+
 /// What kind of text an option takes.
 enum class OptionKind {
   flag,    ///< "true" or "false"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/accuracy.hpp"
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave {
@@ -36,10 +35,10 @@ struct AccuracyCommandOptions {
 
 AccuracyReport accuracy_of(const Request& request, const AccuracyCommandOptions& options) {
   AccuracyOptions asked{.draws = options.draws};
-  if (options.torque) asked.torque = parse_quantity("--torque", *options.torque, "N*m");
-  if (options.speed) asked.speed = parse_quantity("--speed", *options.speed, "rad/s");
+  if (options.torque) asked.torque = option_quantity("--torque", *options.torque, "N*m");
+  if (options.speed) asked.speed = option_quantity("--speed", *options.speed, "rad/s");
   if (options.tool_radius)
-    asked.tool_radius = parse_quantity("--tool-radius", *options.tool_radius, "m");
+    asked.tool_radius = option_quantity("--tool-radius", *options.tool_radius, "m");
   return accuracy_report(request.drive.gear, asked, request.progress);
 }
 

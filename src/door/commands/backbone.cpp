@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/backbone.hpp"
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave {
@@ -71,14 +70,14 @@ BackboneReport backbone_of(const Request& request, const BackboneOptions& option
                                   .points = options.points};
   const auto read = [](const char* name, const std::optional<std::string>& text, const char* unit,
                        std::optional<double>& value) {
-    if (text) value = parse_quantity(name, *text, unit);
+    if (text) value = option_quantity(name, *text, unit);
   };
   read("--amplitude", options.amplitude, "rad", settings.amplitude);
   read("--load-torque", options.load_torque, "N*m", settings.load_torque);
   read("--from", options.from, "Hz", settings.from);
   read("--to", options.to, "Hz", settings.to);
   for (const std::string& text : options.excitation)
-    settings.excitations.push_back(parse_quantity("--excitation", text, "N*m"));
+    settings.excitations.push_back(option_quantity("--excitation", text, "N*m"));
   return backbone_report(request.drive.gear, settings, request.progress);
 }
 

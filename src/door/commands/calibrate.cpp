@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/calibration.hpp"
 #include "strainwave/study/drive_joint.hpp"
@@ -86,7 +85,7 @@ FrictionTargets given_targets(const GearSet& gear, const CalibrateOptions& optio
                        std::string_view unit) {
     if (!text)
       throw OptionError(name, "must be given for --friction; give all four values, or --catalogue");
-    return from_option([&] { return parse_quantity(name, *text, unit); });
+    return option_quantity(name, *text, unit);
   };
   FrictionTargets targets{
       .no_load_torque = read("no-load-torque", options.no_load_torque, "N*m"),

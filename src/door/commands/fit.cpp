@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/core/enum_list.hpp"
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/growth_fit.hpp"
 
@@ -94,7 +93,7 @@ struct FitOptions {
 
 double positive(const char* name, const std::string& text, std::string_view unit) {
   return from_option([&] {
-    const double value = parse_quantity(name, text, unit);
+    const double value = option_quantity(name, text, unit);
     require(value > 0, name, value, unit, "> 0");
     return value;
   });

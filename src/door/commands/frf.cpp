@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/frf.hpp"
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave {
@@ -37,9 +36,9 @@ struct FrfCommandOptions {
 
 FrfReport frf_of(const Request& request, const FrfCommandOptions& options) {
   FrfOptions asked{.points = options.points};
-  if (options.torque) asked.torque = parse_quantity("--torque", *options.torque, "N*m");
-  if (options.from) asked.from = parse_quantity("--from", *options.from, "Hz");
-  if (options.to) asked.to = parse_quantity("--to", *options.to, "Hz");
+  if (options.torque) asked.torque = option_quantity("--torque", *options.torque, "N*m");
+  if (options.from) asked.from = option_quantity("--from", *options.from, "Hz");
+  if (options.to) asked.to = option_quantity("--to", *options.to, "Hz");
   return frf_report(request.drive.gear, asked, request.progress);
 }
 

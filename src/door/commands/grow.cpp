@@ -6,7 +6,6 @@
 
 #include "numbers_beside.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/sha256.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/version.hpp"
@@ -162,7 +161,7 @@ GrowthStop stop_of(const GearSet& gear, const std::string& until) {
   if (until == "event") return stop;
   constexpr std::string_view kCycles = "cycles";
   if (until.ends_with(kCycles)) {
-    stop.cycles = parse_quantity("--until", until.substr(0, until.size() - kCycles.size()), "1");
+    stop.cycles = option_quantity("--until", until.substr(0, until.size() - kCycles.size()), "1");
     require(*stop.cycles > 0, "--until", *stop.cycles, "1", "> 0");
     return stop;
   }
@@ -172,7 +171,7 @@ GrowthStop stop_of(const GearSet& gear, const std::string& until) {
     stop.crack = path.substr(0, dot == std::string::npos ? 0 : dot);
     for (const DriveCrack& crack : drive_cracks(gear))
       if (crack.path == stop.crack && crack.path + "." + crack.size_name == path) {
-        stop.size = parse_quantity("--until", until.substr(equal + 1), "m");
+        stop.size = option_quantity("--until", until.substr(equal + 1), "m");
         require(stop.size > crack.size.size, "--until", stop.size, "m",
                 "larger than the size in the file");
         return stop;
@@ -181,7 +180,7 @@ GrowthStop stop_of(const GearSet& gear, const std::string& until) {
                                             "the path of its depth or half_length",
                                             shown(path)));
   }
-  stop.time = parse_quantity("--until", until, "s");
+  stop.time = option_quantity("--until", until, "s");
   require(*stop.time > 0, "--until", *stop.time, "s", "> 0");
   return stop;
 }

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/inspection/detection_fit.hpp"
 #include "strainwave/io/history_file.hpp"
@@ -220,13 +219,13 @@ std::optional<Inspection> asked_method(const Request& request, const InspectOpti
   }
   method.method = means;
   if (o.detection) method.detection = o.detection;
-  if (o.a50) method.a50 = parse_quantity("--a50", *o.a50, "m");
-  if (o.a90) method.a90 = parse_quantity("--a90", *o.a90, "m");
+  if (o.a50) method.a50 = option_quantity("--a50", *o.a50, "m");
+  if (o.a90) method.a90 = option_quantity("--a90", *o.a90, "m");
   if (o.noise) method.noise = o.noise;
   if (o.false_calls) method.false_calls = o.false_calls;
   if (o.find == FindLeadsTo::out) method.repaired_to.reset();
   if (o.find) method.find = *o.find;
-  if (o.repaired_to) method.repaired_to = parse_quantity("--repaired-to", *o.repaired_to, "m");
+  if (o.repaired_to) method.repaired_to = option_quantity("--repaired-to", *o.repaired_to, "m");
   if (!o.see.empty()) {
     method.place.clear();
     for (const std::string& path : o.see) method.place.push_back({path});
@@ -259,7 +258,7 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   InspectionOptions options;
   options.growth.tolerance = 1e-6;
   const auto time = [](const char* option, const std::string& text) {
-    return parse_quantity(option, text, "s");
+    return option_quantity(option, text, "s");
   };
   if (o.until) options.until = time("--until", *o.until);
   needs(o.threshold.has_value(), "threshold", o.detection_data.has_value(), "detection-data");

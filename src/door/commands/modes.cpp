@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/modes.hpp"
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave {
@@ -29,7 +28,7 @@ struct ModesOptions {
 
 ModesReport modes_of(const Request& request, const ModesOptions& options) {
   std::optional<double> torque;
-  if (options.torque) torque = parse_quantity("--torque", *options.torque, "N*m");
+  if (options.torque) torque = option_quantity("--torque", *options.torque, "N*m");
   const Progress progress = request.progress;
   ModesReport report =
       modes_report(request.drive.gear, torque, progress.part(0.0, options.growth ? 0.1 : 1.0));

@@ -8,7 +8,6 @@
 
 #include "numbers_beside.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/sha256.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/version.hpp"
@@ -263,9 +262,9 @@ class CurveKeeper {
 SimulationReport simulation_of(const Request& request, const SimulateOptions& options) {
   SimulationSettings settings;
   settings.engine = options.engine;
-  settings.tolerance = parse_quantity("--tolerance", options.tolerance, "rad");
+  settings.tolerance = option_quantity("--tolerance", options.tolerance, "rad");
   if (options.step) {
-    settings.output_step = parse_quantity("--step", *options.step, "s");
+    settings.output_step = option_quantity("--step", *options.step, "s");
     require(settings.output_step > 0, "--step", settings.output_step, "s", "> 0");
   }
   const auto& train = request.drive.gear.drivetrain;
@@ -287,7 +286,7 @@ SimulationReport simulation_of(const Request& request, const SimulateOptions& op
       return keeper->curve(anew, gear, progress);
     };
   }
-  if (options.growth) settings.growth = parse_quantity("--growth", *options.growth, "s");
+  if (options.growth) settings.growth = option_quantity("--growth", *options.growth, "s");
   return request.recording != nullptr
              ? recorded(request, options, teeth_text(teeth), settings)
              : simulation_report(request.drive.gear, settings, request.progress);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/torsion.hpp"
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave {
@@ -87,7 +86,7 @@ Command torsion_command() {
                 {.compare = o.compare,
                  .angles = o.angles.value_or(0),
                  .draws = o.draws,
-                 .cage_phase = parse_quantity("--cage-phase", o.cage_phase, "rad"),
+                 .cage_phase = option_quantity("--cage-phase", o.cage_phase, "rad"),
                  .tolerances = tolerances,
                  .shared = request.shared},
                 request.progress);

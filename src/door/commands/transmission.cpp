@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/transmission.hpp"
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "tooth_file.hpp"
 
@@ -39,7 +38,7 @@ TransmissionReport transmission_of(const Request& request,
                                    const TransmissionCommandOptions& options) {
   const GearSet& gear = request.drive.gear;
   TransmissionOptions made{.draws = options.draws, .seed = options.seed};
-  if (options.torque) made.torque = parse_quantity("--torque", *options.torque, "N*m");
+  if (options.torque) made.torque = option_quantity("--torque", *options.torque, "N*m");
   made.measured = measured_teeth(request, options);
   return transmission_report(gear, made, request.progress);
 }
