@@ -350,12 +350,12 @@ def commands_text(commands):
             + '''
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional, Sequence
+from typing import Any, Literal, Mapping, Optional, Sequence
 
+import strainwave  # noqa: F401  names the drive among the options, for typing.get_type_hints
+
+from . import results
 from .running import Named, ShownProgress, run
-
-if TYPE_CHECKING:
-    from . import results
 ''']
     functions = [command for command in commands if command["takes"] != "drive"]
     methods = [command for command in commands if command["takes"] != "nothing"]
@@ -377,6 +377,17 @@ class DriveCommands:
     return "\n".join(text)
 
 
+LAZY = '''else:
+
+    def __getattr__(name: str) -> Any:
+        """Imports a module when its name is first used, such as by typing.get_type_hints."""
+        try:
+            return import_module(f"{__name__}.{name}")
+        except ModuleNotFoundError:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}") from None
+'''
+
+
 def written():
     """All files by their paths."""
     commands = _library.commands()
@@ -395,8 +406,9 @@ def written():
     modules = sorted(path.stem for path in files if path.parent.name == "results")
     files[PACKAGE / "results" / "__init__.py"] = (
         HEAD.format(doc="The classes of the results, one module for each command.")
-        + "\nfrom typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    from . import (\n"
-        + "".join(f"        {name} as {name},\n" for name in modules) + "    )\n")
+        + "\nfrom importlib import import_module\nfrom typing import TYPE_CHECKING, Any\n\n"
+        + "if TYPE_CHECKING:\n    from . import (\n"
+        + "".join(f"        {name} as {name},\n" for name in modules) + "    )\n" + LAZY)
     return files
 
 

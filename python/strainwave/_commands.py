@@ -4,12 +4,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional, Sequence
+from typing import Any, Literal, Mapping, Optional, Sequence
 
+import strainwave  # noqa: F401  names the drive among the options, for typing.get_type_hints
+
+from . import results
 from .running import Named, ShownProgress, run
-
-if TYPE_CHECKING:
-    from . import results
 
 __all__ = [
     "DriveCommands",

@@ -11,11 +11,12 @@ from __future__ import annotations
 import atexit
 import ctypes
 import json
+import keyword
 import os
 import threading
 from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_ssize_t, c_void_p
 from pathlib import Path
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Collection, Mapping, Optional, Sequence, Union
 
 from .errors import Error, InputError, InternalError, OptionError, SolverError
 
@@ -140,13 +141,22 @@ class _Stop(Exception):
     """The library reports that it was stopped."""
 
 
-def _exception(error: int) -> Exception:
+def _argument(path: str, options: Collection[str]) -> str:
+    """The path of an error; an option, which the library spells in several ways, by the name of
+    Python's argument."""
+    option = (path[2:] if path.startswith("--") else path).replace("-", "_")
+    if option not in options:
+        return path
+    return option + "_" if keyword.iskeyword(option) else option
+
+
+def _exception(error: int, options: Collection[str]) -> Exception:
     code: int = _library.sw_error_code(error)
     message, file, field, value, rule = (string(_library.sw_error_text(error, part))
                                          for part in range(5))
     if code in (INPUT, OPTION):
         kind = OptionError if code == OPTION else InputError
-        return kind(message, file=file, path=field, value=value, rule=rule,
+        return kind(message, file=file, path=_argument(field, options), value=value, rule=rule,
                     line=_library.sw_error_line(error), column=_library.sw_error_column(error))
     if code == NO_ANSWER:
         return SolverError(message)
@@ -159,11 +169,11 @@ def _exception(error: int) -> Exception:
     return InternalError(message)
 
 
-def _succeed(error: Optional[int]) -> None:
-    """Raises what the library reports."""
+def _succeed(error: Optional[int], options: Collection[str] = ()) -> None:
+    """Raises what the library reports of a call that takes these options."""
     if error:
         try:
-            exception = _exception(error)
+            exception = _exception(error, options)
         finally:
             _library.sw_error_free(error)
         raise exception
@@ -217,9 +227,11 @@ if hasattr(os, "register_at_fork"):
 class _Call:
     """One call that can be followed and stopped."""
 
-    def __init__(self, function: Callable[[Any], Any], progress: Optional[Progress]):
+    def __init__(self, function: Callable[[Any], Any], progress: Optional[Progress],
+                 options: Collection[str] = ()) -> None:
         self._function = function
         self._progress = progress
+        self._options = options
         self._error: Optional[int] = None
         self._fault: Optional[BaseException] = None
         self._stop = False
@@ -235,7 +247,7 @@ class _Call:
             if error:
                 _library.sw_error_free(error)
             raise self._fault
-        _succeed(error)
+        _succeed(error, self._options)
 
     def _run(self) -> None:
         with _running:
@@ -369,15 +381,20 @@ def drive_fields(drive: Handle) -> Any:
 
 
 def run(drive: Optional[Handle], command: str, options: str, texts: Mapping[str, str],
-        progress: Optional[Progress] = None) -> Handle:
-    """Runs a command and returns its answer."""
+        progress: Optional[Progress] = None, names: Collection[str] = ()) -> Handle:
+    """Runs a command and returns its answer.
+
+    Args:
+        options: JSON
+        names: names of all options that the command has, for the path of an error
+    """
     kept = [(text(name), text(content)) for name, content in texts.items()]
     attached = (Attachment * len(kept))(*(Attachment(*pair) for pair in kept))
     answer = c_void_p()
     command_text, options_text = text(command), text(options)
     call = _Call(lambda told: _library.sw_run(drive.pointer if drive else None, command_text,
                                               options_text, attached, len(kept), told,
-                                              ctypes.byref(answer)), progress)
+                                              ctypes.byref(answer)), progress, names)
     try:
         call.run()
     except BaseException:
@@ -421,4 +438,4 @@ def batch(drive: Handle, paths: Sequence[str], values: int, n_rows: int, outputs
     return said
 
 
-PathLike = Union[str, "os.PathLike[str]"]
+PathLike = Union[str, os.PathLike[str]]

@@ -158,8 +158,10 @@ class Result(Part):
         return draw(self.svg(), ax)
 
     def to_frame(self) -> "pandas.DataFrame":
-        """The table of the answer (its CSV) as a pandas.DataFrame; `attrs["units"]` names the
-        units.
+        """The table of the answer (its CSV) as a pandas.DataFrame.
+
+        `attrs["units"]` names the units, `attrs["unusable_because"]` says why the numbers must not
+        be used (empty if they may be used), and `attrs["verdict"]` is the verdict as a dict.
 
         Raises:
             ValueError: if the command makes no table
@@ -176,6 +178,8 @@ class Result(Part):
             units[name] = rest[:-1] if rest.endswith("]") else "1"
         frame.columns = pandas.Index(names)
         frame.attrs["units"] = units
+        frame.attrs["unusable_because"] = self.unusable_because
+        frame.attrs["verdict"] = self.verdict.to_dict()
         return frame
 
     def __str__(self) -> str:

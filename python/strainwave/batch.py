@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import html
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
@@ -10,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _library
-from .parts import FloatArray, pandas_module
+from ._units import unit_of
 from .errors import InputError
+from .parts import AnyArray, FloatArray, pandas_module
 from .running import ShownProgress, shown_progress
 
 if TYPE_CHECKING:
@@ -53,16 +55,70 @@ class BatchResult:
                            f"{', '.join(self.outputs)}") from None
         return row
 
+    @property
+    def units(self) -> dict[str, str]:
+        """SI units of the fields and the outputs by their names; "1" for pure numbers."""
+        return {name: unit_of(name) for name in (*self.inputs, *self.outputs)}
+
+    @property
+    def outcomes(self) -> AnyArray:
+        """Outcome of each row as one of ROW_CODES."""
+        return np.array(ROW_CODES)[self.codes]
+
     def to_frame(self) -> "pandas.DataFrame":
-        """One row for each evaluation: the fields, the outputs, and the outcome."""
+        """One row for each evaluation: the fields, the outputs, and the outcome; `attrs["units"]`
+        names the units, and `attrs["faults"]` has the faults."""
         columns: dict[str, Any] = {path: values.ravel() for path, values in self.inputs.items()}
         columns.update({name: self[name].ravel() for name in self.outputs})
-        columns["outcome"] = np.array(ROW_CODES)[self.codes.ravel()]
-        return pandas_module().DataFrame(columns)
+        columns["outcome"] = self.outcomes.ravel()
+        frame = pandas_module().DataFrame(columns)
+        frame.attrs["units"] = self.units
+        frame.attrs["faults"] = dict(self.faults)
+        return frame
+
+    def to_dict(self) -> dict[str, Any]:
+        """Fields, outputs, outcomes, units and faults in dicts and lists, which JSON can write; None
+        where a row has no number."""
+        return {"inputs": {path: _listed(values) for path, values in self.inputs.items()},
+                "outputs": {name: _listed(self[name]) for name in self.outputs},
+                "outcomes": self.outcomes.tolist(), "units": self.units, "faults": dict(self.faults)}
+
+    def _counts(self) -> dict[str, int]:
+        """Number of rows of each outcome that occurs."""
+        counts = np.bincount(self.codes.ravel(), minlength=len(ROW_CODES))
+        return {name: int(count) for name, count in zip(ROW_CODES, counts) if count}
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{count} {name}" for name, count in self._counts().items())
+        return f"<BatchResult of {self.codes.size} rows: {counts or 'none'}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><td>{name}</td><td>{count}</td>"
+                       f"<td>{html.escape(self.faults.get(name, ''))}</td></tr>"
+                       for name, count in self._counts().items())
+        asked = ", ".join(f"{name} [{self.units[name]}]" for name in self.outputs)
+        return (f"<p><strong>{self.codes.size} rows</strong> of {html.escape(asked)}</p>"
+                "<table><tr><th>outcome</th><th>rows</th><th>first fault</th></tr>"
+                f"{rows}</table>")
+
+
+def _listed(numbers: FloatArray) -> Any:
+    """Numbers in lists, with None for what JSON cannot write."""
+    listed = numbers.astype(object)
+    listed[~np.isfinite(numbers)] = None
+    return listed.tolist()
 
 
 def _column(path: str, values: Any) -> FloatArray:
-    """Values of a field as doubles; words, dates, complex numbers and truth values are refused."""
+    """Values of a field as doubles; words, dates, complex numbers, truth values and masked values
+    are refused."""
+    if not isinstance(path, str):
+        raise TypeError("the path of a field is text, such as \"load.torque\", not "
+                        f"{type(path).__name__}")
+    masked = np.count_nonzero(values.mask) if isinstance(values, np.ma.MaskedArray) else 0
+    if masked:
+        raise InputError(f"{path}: {masked} of its values are masked; leave them out, or fill them "
+                         "with numbers", path=path)
     try:
         given = np.asarray(values)
     except ValueError as error:
@@ -77,8 +133,10 @@ def batch(drive: "Drive", values: Mapping[str, Any], outputs: Sequence[str], *,
           method: str = "corrected", threads: int = 0, out: Any = None,
           progress: ShownProgress = None) -> BatchResult:
     """See Drive.batch."""
-    if isinstance(outputs, str):
-        outputs = (outputs,)
+    if not isinstance(values, Mapping):
+        raise TypeError("values must be arrays by the paths of fields, such as "
+                        f"{{\"load.torque\": [1.0, 2.0]}}, not {type(values).__name__}")
+    outputs = _names(outputs)
     paths = list(values)
     columns = [_column(path, values[path]) for path in paths]
     try:
@@ -91,17 +149,29 @@ def batch(drive: "Drive", values: Mapping[str, Any], outputs: Sequence[str], *,
     table = np.empty((n_rows, len(paths)))
     for place, row in enumerate(rows):
         table[:, place] = row.ravel()
+    numbers = _out(out, (len(outputs),) + shape)
     found = np.empty((n_rows, len(outputs)))
     codes = np.empty(n_rows, dtype=np.intc)
-    faults = _library.batch(drive._handle, paths, table.ctypes.data, n_rows, list(outputs), method,
+    faults = _library.batch(drive._handle, paths, table.ctypes.data, n_rows, outputs, method,
                             _whole("threads", threads), found.ctypes.data, codes.ctypes.data,
                             shown_progress(progress))
     found[codes != 0] = np.nan
-    numbers = _out(out, (len(outputs),) + shape)
     numbers[...] = found.T.reshape(numbers.shape)
-    return BatchResult(tuple(outputs), numbers, codes.astype(np.int32).reshape(shape),
+    return BatchResult(outputs, numbers, codes.astype(np.int32).reshape(shape),
                        {ROW_CODES[code]: fault for code, fault in enumerate(faults) if fault},
                        {path: np.array(row) for path, row in zip(paths, rows)})
+
+
+def _names(outputs: Any) -> tuple[str, ...]:
+    names = (outputs,) if isinstance(outputs, str) else outputs
+    try:
+        names = tuple(names)
+    except TypeError:
+        pass
+    if not isinstance(names, tuple) or not all(isinstance(name, str) for name in names):
+        raise TypeError("outputs must be names of outputs, such as [\"intact.stiffness\"], not "
+                        f"{outputs!r}")
+    return names
 
 
 def _whole(name: str, value: Any) -> int:

@@ -3,43 +3,28 @@
 
 from __future__ import annotations
 
+import html
 import json
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional, Sequence, Union
+from typing import Any, Literal, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _library
-from ._commands import DriveCommands, explain
+from ._commands import DriveCommands
 from ._commands import new as _new
-from .errors import InputError, OptionError
+from ._units import unit_of
+from .batch import BatchResult, batch
+from .errors import InputError
 from .parts import Quantity
 from .running import ShownProgress, run, spelled
-
-if TYPE_CHECKING:
-    from .batch import BatchResult
 
 #: A value of a field: text with a unit ("3 mm"), a quantity, or a bare number, which is in the SI
 #: unit of the field; whole numbers, truth values, lists and tables; None removes the field.
 FieldValue = Union[str, float, int, bool, Quantity, Sequence[Any], Mapping[str, Any], None]
 
 _NUMBER = re.compile(r"^([-+]?(?:[0-9.]+(?:[eE][-+]?[0-9]+)?|inf|nan)) (\S.*)$")
-_units: dict[str, str] = {}  # unit of a field by its path without indices
-
-
-def _unit(path: str) -> str:
-    """SI unit of the field with this path; "1" for a number without a unit."""
-    bare = re.sub(r"\[[^]]*\]", "", re.sub(r'^material\.("[^"]*"|[^.]*)', "material.NAME", path))
-    if bare not in _units:
-        try:
-            texts = [meaning.text for meaning in explain(bare).meanings]
-        except OptionError:
-            texts = []
-        found = [match.group(1) for match in (re.search(r"; in ([^;]+)(;|$)", one) for one in texts)
-                 if match]
-        _units[bare] = found[0] if found else "1"
-    return _units[bare]
 
 
 def _toml(value: Any, path: str) -> str:
@@ -51,7 +36,7 @@ def _toml(value: Any, path: str) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
-        unit = _unit(path)
+        unit = unit_of(path)
         return repr(value) if unit == "1" else json.dumps(f"{value!r} {unit}", ensure_ascii=False)
     if isinstance(value, str):
         return _text(value)
@@ -77,7 +62,7 @@ def _value(given: Any, path: str) -> Any:
     """A value of the library's JSON: text in the SI unit of the field becomes a Quantity."""
     if isinstance(given, str):
         match = _NUMBER.match(given)
-        if match and match.group(2) == _unit(path):
+        if match and match.group(2) == unit_of(path):
             return Quantity(float(match.group(1)), match.group(2))
         return given
     if isinstance(given, list):
@@ -99,8 +84,8 @@ def _steps(path: str) -> list[Union[str, int]]:
 class Drive(DriveCommands):
     """A strain wave gear, as its file describes it.
 
-    A drive is a value: drives with the same text are equal, and a copy is independent.  A field is
-    read and set by its path::
+    A drive is a value: drives with the same text and the same attached tables are equal, whatever
+    their names, and a copy is independent.  A field is read and set by its path::
 
         drive["output_shaft.crack[0].depth"]            # <Quantity 0.002 m>
         drive["output_shaft.crack[0].depth"] = "3 mm"
@@ -222,7 +207,7 @@ class Drive(DriveCommands):
         return Cracks(self)
 
     def batch(self, values: Mapping[str, Any], outputs: Sequence[str], *, method: str = "corrected",
-              threads: int = 0, out: Any = None, progress: ShownProgress = None) -> "BatchResult":
+              threads: int = 0, out: Any = None, progress: ShownProgress = None) -> BatchResult:
         """Evaluates the stiffness for many values of some fields.
 
         Args:
@@ -234,10 +219,8 @@ class Drive(DriveCommands):
             progress: True for a line of progress, or a function that receives the completed fraction
 
         Raises:
-            InputError: if a field or an output does not exist
+            InputError: if a field or an output does not exist, or values are no numbers or masked
         """
-        from .batch import batch
-
         return batch(self, values, outputs, method=method, threads=threads, out=out,
                      progress=progress)
 
@@ -250,7 +233,7 @@ class Drive(DriveCommands):
         return run(self, command, options, texts, progress)
 
     def _key(self) -> tuple[Any, ...]:
-        return (self._text, self._name, tuple(sorted(self._tables.items())))
+        return (self._text, tuple(sorted(self._tables.items())))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Drive) and self._key() == other._key()
@@ -276,6 +259,12 @@ class Drive(DriveCommands):
 
     def __repr__(self) -> str:
         return f"<Drive {self._name}>"
+
+    def _repr_html_(self) -> str:
+        """The name, the cracks, and the text, which a notebook unfolds."""
+        cracks = ", ".join(f"{crack.path} ({crack['kind']})" for crack in self.cracks) or "none"
+        return (f"<p><strong>Drive {html.escape(self._name)}</strong>; cracks: {html.escape(cracks)}"
+                f"</p><details><summary>text</summary><pre>{html.escape(self._text)}</pre></details>")
 
 
 class Cracks(Sequence["Crack"]):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import copy
 import html
 import math
-from typing import TYPE_CHECKING, Any, Callable, ClassVar, Optional, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Callable, ClassVar, Iterator, Optional, TypeVar, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 AnyArray = NDArray[Any]
+
+MOST_SHOWN = 20  # elements of a list in an HTML table
 
 PartType = TypeVar("PartType", bound="Part")
 Converter = Callable[[Any, str], Any]  # JSON, reason why the result must not be used -> value
@@ -52,7 +54,7 @@ class Quantity:
             NotUsable: if the result must not be used
         """
         if self._unusable_because:
-            raise NotUsable(f"the result must not be used: {self._unusable_because}")
+            raise _refusal(self._unusable_because)
         return self._value
 
     @property
@@ -85,6 +87,14 @@ class Quantity:
 
     def __repr__(self) -> str:
         return f"<Quantity {self}>"
+
+    def _repr_html_(self) -> str:
+        """As str(), with one standard uncertainty if it is known."""
+        shown = html.escape(str(self))
+        if self._unusable_because:
+            return f"<strong>{shown}</strong>"
+        relative = self._relative_uncertainty
+        return f"{shown} (&plusmn; {100 * relative:.2g} %)" if relative else shown
 
     def __format__(self, spec: str) -> str:
         """The number alone in the format `spec`; without `spec`, as str()."""
@@ -146,6 +156,10 @@ class Quantity:
         return other / self.value
 
 
+def _refusal(unusable_because: str) -> NotUsable:
+    return NotUsable(f"the result must not be used: {unusable_because}")
+
+
 def _digits(value: float, relative_uncertainty: Optional[float]) -> str:
     """The number with one digit more than its uncertainty leaves certain, 2 to 12 digits; with 6
     digits if the uncertainty is not known."""
@@ -203,25 +217,60 @@ def many(convert: Converter) -> Converter:
     return lambda value, unusable_because: tuple(convert(one, unusable_because) for one in value)
 
 
+def _is_bare(value: Any) -> bool:
+    """Whether a value is a number that is not a count, an array of such numbers, or a tuple of
+    them: unlike a Quantity, such a value cannot say itself that it must not be used."""
+    if isinstance(value, tuple) or isinstance(value, np.ndarray) and value.dtype.kind == "O":
+        return any(_is_bare(one) for one in value)
+    if isinstance(value, np.ndarray):
+        return value.dtype.kind == "f" and value.size > 0
+    return isinstance(value, float)
+
+
 class Part:
     """A part of a result: its fields are attributes, documented with their units.
 
-    Two parts are equal if they are of one class and all their numbers are the same.
+    Two parts are equal if they are of one class and all their numbers are the same.  Of a result
+    that must not be used, numbers and arrays of numbers are refused by NotUsable; words, truth
+    values and counts are given, and to_dict() gives everything.
     """
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]]  # JSON name -> attribute, converter
     _units: ClassVar[dict[str, str]] = {}  # units of the fields that are arrays
     _json: dict[str, Any]
+    _unusable_because: str
+    _refused: frozenset[str]  # attributes that are left out, because they must not be used
 
     @classmethod
     def _of(cls: type[PartType], value: Any, unusable_because: str) -> PartType:
         made = cls.__new__(cls)
         attributes = made.__dict__
+        refused = []
         for name, (attribute, convert) in cls._fields.items():
-            present = name in value
-            attributes[attribute] = convert(value[name], unusable_because) if present else None
+            given = convert(value[name], unusable_because) if name in value else None
+            if unusable_because and _is_bare(given):
+                refused.append(attribute)
+            else:
+                attributes[attribute] = given
         attributes["_json"] = value
+        attributes["_unusable_because"] = unusable_because
+        attributes["_refused"] = frozenset(refused)
         return made
+
+    if not TYPE_CHECKING:  # with this method, a checker would take every name for an attribute
+
+        def __getattr__(self, name: str) -> Any:
+            """Refuses an attribute that is left out."""
+            if name in self.__dict__.get("_refused", ()):
+                raise _refusal(self._unusable_because)
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
+    def _values(self) -> Iterator[tuple[str, Any]]:
+        """The fields with their values; in the place of one that is refused, a quantity that says
+        so."""
+        refused = Quantity(math.nan, "1", unusable_because=self._unusable_because)
+        for attribute, _ in self._fields.values():
+            yield attribute, self.__dict__.get(attribute, refused)
 
     def to_dict(self) -> dict[str, Any]:
         """The part as JSON states it, in dicts and lists."""
@@ -229,16 +278,19 @@ class Part:
 
     def unit_of(self, name: str) -> str:
         """Unit of the field with this name; "1" for words and pure numbers."""
-        value = getattr(self, name)
+        value = None if name in self._refused else getattr(self, name)
         return value.unit if isinstance(value, Quantity) else self._units.get(name, "1")
 
     def to_frame(self) -> "pandas.DataFrame":
-        """The arrays of equal length as a pandas.DataFrame; `attrs["units"]` names the units.
+        """The arrays of equal length as a pandas.DataFrame; `attrs["units"]` names the units, and
+        `attrs["unusable_because"]` says why the numbers must not be used; empty if they may be used.
 
         Raises:
             ValueError: if the part has no arrays
         """
-        columns = {name: value for name, value in self.__dict__.items()
+        given = {attribute: convert(self._json[name], "") if attribute in self._refused
+                 else self.__dict__[attribute] for name, (attribute, convert) in self._fields.items()}
+        columns = {name: value for name, value in given.items()
                    if isinstance(value, np.ndarray) and value.ndim == 1}
         if not columns:
             raise ValueError(f"{type(self).__name__} has no arrays to put into columns; to_dict() "
@@ -247,6 +299,7 @@ class Part:
         frame = pandas_module().DataFrame({name: column for name, column in columns.items()
                                      if len(column) == length})
         frame.attrs["units"] = {name: self.unit_of(name) for name in frame.columns}
+        frame.attrs["unusable_because"] = self._unusable_because
         return frame
 
     def __eq__(self, other: object) -> bool:
@@ -255,7 +308,7 @@ class Part:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        words = ", ".join(f"{name}={value}" for name, value in self.__dict__.items()
+        words = ", ".join(f"{name}={value}" for name, value in self._values()
                           if isinstance(value, (Quantity, str, bool, int, float)))
         return f"<{type(self).__name__} {words}>"
 
@@ -273,9 +326,21 @@ def pandas_module() -> Any:
 
 
 def html_table(part: Part) -> str:
-    """The plain values of a part as an HTML table."""
-    rows = [(name, str(value)) for name, value in part.__dict__.items()
-            if isinstance(value, (Quantity, str, bool, int, float))]
-    cells = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
-                    for name, value in rows)
+    """The values of a part as an HTML table, with tables of its parts inside."""
+    rows = [(name, _html_cell(value, part.unit_of(name))) for name, value in part._values()
+            if value is not None]
+    cells = "".join(f"<tr><th>{html.escape(name)}</th><td>{cell}</td></tr>" for name, cell in rows)
     return f"<table>{cells}</table>"
+
+
+def _html_cell(value: Any, unit: str) -> str:
+    if isinstance(value, (Quantity, Part)):
+        return value._repr_html_()
+    if isinstance(value, np.ndarray):
+        size = " x ".join(map(str, value.shape))
+        return html.escape(f"array of {size}" + (f" [{unit}]" if unit not in ("1", "") else ""))
+    if isinstance(value, tuple):
+        more = f"... and {len(value) - MOST_SHOWN} more" if len(value) > MOST_SHOWN else ""
+        shown = [_html_cell(one, unit) for one in value[:MOST_SHOWN]] + [more] * bool(more)
+        return ("" if any(isinstance(one, Part) for one in value) else ", ").join(shown)
+    return html.escape(str(value))

@@ -14,13 +14,16 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
 import numpy as np
 
 from . import _library
+from .errors import OptionError
 from .parts import Quantity
 
 if TYPE_CHECKING:
+    import strainwave
+
     from .drive import Drive
 
 #: An option that is text; a path is read, a drive is handed over, a quantity is spelled.
-Named = Union[str, "os.PathLike[str]", Quantity, "Drive"]
+Named = Union[str, os.PathLike[str], Quantity, "strainwave.Drive"]
 #: True for a line of progress on standard error, or a function that receives the completed
 #: fraction, 0 to 1.
 ShownProgress = Union[bool, _library.Progress, None]
@@ -41,16 +44,26 @@ def shown_progress(progress: ShownProgress) -> Optional[_library.Progress]:
     if progress is None or progress is False:
         return None
     if progress is True:
-        return _bar
+        return _Bar()
     return progress
 
 
-def _bar(fraction: float) -> None:
-    done = round(BAR_WIDTH * fraction)
-    sys.stderr.write(f"\r[{'#' * done}{'.' * (BAR_WIDTH - done)}] {100 * fraction:5.1f} %")
-    if fraction >= 1:
-        sys.stderr.write("\n")
-    sys.stderr.flush()
+class _Bar:
+    """A line of progress, written only if its text changes: a long batch reports many thousand
+    times."""
+
+    def __init__(self) -> None:
+        self._shown = ""
+
+    def __call__(self, fraction: float) -> None:
+        done = round(BAR_WIDTH * fraction)
+        line = f"\r[{'#' * done}{'.' * (BAR_WIDTH - done)}] {100 * fraction:5.1f} %"
+        if fraction >= 1:
+            line += "\n"
+        if line != self._shown:
+            self._shown = line
+            sys.stderr.write(line)
+            sys.stderr.flush()
 
 
 def _option(value: Any, texts: dict[str, str]) -> Any:
@@ -94,11 +107,24 @@ def run(drive: Optional["Drive"], command: str, options: Mapping[str, Any],
     except (TypeError, ValueError) as error:
         raise TypeError(f"{command}: an option must be text, a finite number, a truth value or a "
                         f"list of texts: {error}") from None
-    call = Call(None if drive is None else drive.copy(), command, document, attached)
+    call = Call(None if drive is None else drive.copy(), command, document, attached, tuple(options))
     word = command.replace(" ", "_")
     module = importlib.import_module(f"{__package__}.results.{word}")
     kind = getattr(module, "".join(part.capitalize() for part in command.split()) + "Result")
-    return kind._from(call(shown_progress(progress)), call)
+    try:
+        answer = call(shown_progress(progress))
+    except OptionError as error:
+        raise _with_a_way_out(error) from None
+    return kind._from(answer, call)
+
+
+def _with_a_way_out(error: OptionError) -> OptionError:
+    """The error; of a text that was not given, with what Python's caller can do."""
+    said = str(error)
+    if not said.endswith(("names a text that is not attached", "the text of this file is missing")):
+        return error
+    return OptionError(f"{said}; give a pathlib.Path, whose file is read, or the text itself in "
+                       "texts={NAME: TEXT}", path=error.path, value=error.value, rule=error.rule)
 
 
 @dataclass(frozen=True)
@@ -110,7 +136,8 @@ class Call:
     command: str
     options: str  #: JSON
     texts: Mapping[str, str]
+    names: tuple[str, ...] = ()  #: of all options of the command
 
     def __call__(self, progress: Optional[_library.Progress] = None) -> _library.Handle:
         handle = None if self.drive is None else self.drive._handle
-        return _library.run(handle, self.command, self.options, self.texts, progress)
+        return _library.run(handle, self.command, self.options, self.texts, progress, self.names)

@@ -2,12 +2,14 @@
 """Many evaluations of one drive."""
 
 import contextlib
+import csv
 import io
+import json
 import unittest
 
 import numpy as np
 import strainwave as sw
-from support import EXAMPLES, main
+from support import EXAMPLES, main, missing
 
 OUTPUTS = ("cracked.positive.stiffness", "intact.stiffness")
 
@@ -112,10 +114,62 @@ class Batch(unittest.TestCase):
         for threads in (1 << 31, 1 << 40):  # the message names the number that was given
             with self.assertRaisesRegex(sw.InputError, f"from 0 to 256.* {threads}"):
                 drive.batch({torque: [1.0]}, OUTPUTS, threads=threads)
+        for values, outputs, sentence in (
+                ({3: [1.0]}, OUTPUTS, "the path of a field is text, .* not int"),
+                ([1.0], OUTPUTS, "values must be arrays by the paths of fields, .* not list"),
+                ({torque: [1.0]}, None, "outputs must be names of outputs, .* not None"),
+                ({torque: [1.0]}, [3], r"outputs must be names of outputs, .* not \[3\]")):
+            with self.assertRaisesRegex(TypeError, sentence):
+                drive.batch(values, outputs)
         with self.assertRaises(TypeError):
             drive.batch({torque: [1.0]}, OUTPUTS, threads=1.5)
         with self.assertRaises(KeyError):
             drive.batch({torque: [1.0]}, OUTPUTS)["cracked.negative.stiffness"]
+
+    def test_input_masked_values(self):
+        for masked, count in ((np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 1]), 2), (np.ma.masked, 1)):
+            with self.assertRaisesRegex(sw.InputError, f"load.torque: {count} of its values are masked"):
+                size25().batch({"load.torque": masked}, OUTPUTS)
+        nothing_masked = np.ma.array([1.0, 2.0])
+        self.assertTrue(size25().batch({"load.torque": nothing_masked}, OUTPUTS).ok.all())
+
+    def test_input_a_wrong_array_is_refused_before_the_computation(self):
+        told = []
+        with self.assertRaises(sw.InputError):
+            size25().batch({"load.torque": np.linspace(1, 2, 2000)}, OUTPUTS, out=np.zeros(3),
+                           progress=told.append)
+        self.assertEqual(told, [])
+
+    def test_behaviour_as_dicts_and_as_html(self):
+        rows = size25().batch({"output_shaft.crack[0].depth": [[1e-3], [-1e-3], [np.nan]]}, OUTPUTS)
+        given = json.loads(json.dumps(rows.to_dict(), allow_nan=False))
+        self.assertEqual(given["inputs"], {"output_shaft.crack[0].depth": [[1e-3], [-1e-3], [None]]})
+        self.assertEqual(given["outputs"]["intact.stiffness"],
+                         [[rows["intact.stiffness"][0, 0]], [None], [None]])
+        self.assertEqual(given["outcomes"], [["ok"], ["refused"], ["refused"]])
+        self.assertEqual(given["units"], {"output_shaft.crack[0].depth": "m", "intact.stiffness": "N*m/rad",
+                                          "cracked.positive.stiffness": "N*m/rad"})
+        self.assertEqual(given["faults"], rows.faults)
+        shown = rows._repr_html_()
+        self.assertIn("<td>ok</td><td>1</td>", shown)
+        self.assertRegex(shown, "<td>refused</td><td>2</td><td>.*violates: &gt; 0</td>")
+        self.assertEqual(repr(rows), "<BatchResult of 3 rows: 1 ok, 2 refused>")
+
+    @unittest.skipIf(missing("pandas"), missing("pandas"))
+    def test_behaviour_a_frame_names_units_and_faults(self):
+        rows = size25().batch({"load.torque": [1.0, np.nan]}, ["cracked.positive.stiffness_change"])
+        attrs = rows.to_frame().attrs
+        self.assertEqual(attrs["units"], {"load.torque": "N*m", "cracked.positive.stiffness_change": "1"})
+        self.assertEqual(attrs["faults"], rows.faults)
+
+    def test_identity_the_units_of_outputs_are_those_of_the_table(self):
+        """Every output of an example with cracks of many kinds."""
+        lines = size25().stiffness().document("csv").splitlines()
+        stated = {row["path"]: row["unit"] for row in csv.DictReader(
+            line for line in lines if not line.startswith("#"))}
+        rows = size25().batch({"drive.ratio": [100.0]}, list(stated))
+        self.assertEqual(rows.units, {"drive.ratio": "1", **stated})
+        self.assertGreater(len(set(stated.values())), 6)
 
     def test_behaviour_progress(self):
         told = []
@@ -142,6 +196,19 @@ class Batch(unittest.TestCase):
             size25().torsion(compare=True, angles=4, draws=0, progress=True)
         self.assertRegex(shown.getvalue(), r"^\r\[[#.]+\] +\d+\.\d %")
         self.assertTrue(shown.getvalue().endswith("] 100.0 %\n"), shown.getvalue()[-60:])
+
+    def test_limit_the_line_of_progress_is_written_only_if_it_changes(self):
+        told, shown = [], io.StringIO()
+        drive = sw.read(EXAMPLES / "solid_shaft.toml")
+        torque = np.linspace(1, 2, 50000)
+        drive.batch({"load.torque": torque}, ["intact.stiffness"], progress=told.append)
+        with contextlib.redirect_stderr(shown):
+            drive.batch({"load.torque": torque}, ["intact.stiffness"], progress=True)
+        written = shown.getvalue().split("\r")[1:]
+        self.assertGreater(len(told), 2000)
+        self.assertLess(len(written), 1100)  # a thousand tenths of a percent, and the steps of the bar
+        self.assertTrue(all(one != other for one, other in zip(written, written[1:])))
+        self.assertEqual(shown.getvalue().count("\n"), 1)
 
 
 if __name__ == "__main__":

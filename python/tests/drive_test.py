@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import strainwave as sw
-from strainwave.drive import _unit
+from strainwave._units import unit_of
 from support import EXAMPLES, ROOT, main
 
 
@@ -135,7 +135,7 @@ class Changing(unittest.TestCase):
                 section = named.group(1) if named else ""
             row = re.match(r"\| `(\w+)` \| `([^`]+)` \|", line)
             if row and section:
-                self.assertEqual(_unit(f"{section}.{row.group(1)}"), row.group(2), f"{section}: {line}")
+                self.assertEqual(unit_of(f"{section}.{row.group(1)}"), row.group(2), f"{section}: {line}")
                 compared += 1
         self.assertGreater(compared, 150)
 
@@ -216,6 +216,28 @@ class Values(unittest.TestCase):
         other["load.torque"] = "1 N*m"
         self.assertNotEqual(one, other)
         self.assertNotEqual(one, one.text)
+
+    def test_behaviour_the_same_text_is_the_same_drive_under_any_name(self):
+        one = size25()
+        other = sw.parse(one.text)
+        self.assertNotEqual(one.name, other.name)
+        self.assertEqual(one, other)
+        self.assertEqual(hash(one), hash(other))
+
+    def test_behaviour_drives_with_other_tables_differ(self):
+        one = sw.read(EXAMPLES / "tabulated_crack.toml")
+        (name, table), = one.tables.items()
+        self.assertEqual(one, sw.parse(one.text, tables=one.tables))
+        self.assertEqual(hash(one), hash(sw.parse(one.text, tables={**one.tables, "unused.csv": "x"})))
+        self.assertNotEqual(one, sw.parse(one.text, tables={name: table.replace("\n", "\n# other\n", 1)}))
+
+    def test_behaviour_a_notebook_shows_name_cracks_and_text(self):
+        drive = sw.parse(size25().text + "\n# <end>\n", "a<b.toml")
+        shown = drive._repr_html_()
+        for part in ("a&lt;b.toml", "output_shaft.crack[0] (annular)", "# &lt;end&gt;"):
+            self.assertIn(part, shown)
+        drive.cracks.clear()
+        self.assertIn("cracks: none", drive._repr_html_())
 
     def test_behaviour_copies_are_independent(self):
         one = size25()

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import typing
 import unittest
 import zipfile
 from pathlib import Path
@@ -40,6 +41,23 @@ class Written(unittest.TestCase):
     def test_identity_the_syntax_is_that_of_python_3_9(self):
         for file in PACKAGE.rglob("*.py"):
             ast.parse(file.read_text(), str(file), feature_version=(3, 9))
+
+    def test_identity_the_types_of_every_function_can_be_read(self):
+        """typing.get_type_hints finds the names that an annotation uses."""
+        functions = [value for value in vars(sw).values() if inspect.isfunction(value)]
+        functions += [value for name, value in inspect.getmembers(sw.Drive, inspect.isfunction)]
+        self.assertGreater(len(functions), 50)
+        for function in functions:
+            self.assertTrue(typing.get_type_hints(function) or function.__name__.startswith("__"), function)
+        self.assertEqual(typing.get_type_hints(sw.Drive.stiffness)["return"],
+                         sw.results.stiffness.StiffnessResult)
+        with self.assertRaisesRegex(AttributeError, "has no attribute 'nothing'"):
+            sw.results.nothing
+
+    def test_behaviour_importing_the_package_imports_no_result(self):
+        said = python("import sys, strainwave; print([name for name in sys.modules "
+                      "if name.startswith('strainwave.results.') or name in ('pandas', 'matplotlib')])")
+        self.assertEqual(said.stdout, "[]\n", said.stderr)
 
     def test_identity_new_takes_the_options_of_its_command(self):
         command = set(inspect.signature(_commands.new).parameters)

@@ -47,6 +47,11 @@ class Quantities(unittest.TestCase):
             with self.assertRaisesRegex(sw.NotUsable, "it did not converge"):
                 use(number)
         self.assertEqual(str(number), "not usable: it did not converge")
+        self.assertEqual(number._repr_html_(), "<strong>not usable: it did not converge</strong>")
+
+    def test_behaviour_a_notebook_shows_unit_and_uncertainty(self):
+        self.assertEqual(sw.Quantity(2, "a<b", 0.015)._repr_html_(), "2 a&lt;b (&plusmn; 1.5 %)")
+        self.assertEqual(sw.Quantity(2, "m")._repr_html_(), "2 m")
 
 
 class Results(unittest.TestCase):
@@ -80,6 +85,55 @@ class Results(unittest.TestCase):
         with self.assertRaises(sw.NotUsable):
             float(answer.cracked.positive.stiffness)
         self.assertGreater(answer.to_dict()["cracked"]["positive"]["stiffness"]["value"], 0)
+
+    def test_behaviour_an_unusable_answer_refuses_bare_numbers_and_arrays(self):
+        drive = read("article")
+        drive["output_shaft.crack[0].depth"] = "11 mm"
+        answer = drive.sensitivity()
+        row = answer.inputs[0] if isinstance(answer.inputs, tuple) else answer.inputs
+        for read_it in (lambda: row.value, lambda: row.influence.elasticity):
+            with self.assertRaisesRegex(sw.NotUsable, "the result must not be used: .* a/t = 0.88"):
+                read_it()
+        self.assertIn("value=not usable", repr(row) + row._repr_html_().replace("</th><td><strong>", "="))
+        self.assertEqual(row.influence.unit_of("elasticity"), "1")
+        self.assertTrue(answer.to_dict()["inputs"])
+        with self.assertRaises(AttributeError):
+            row.valu
+        for again in (pickle.loads(pickle.dumps(row)), copy.copy(row), copy.deepcopy(answer).inputs):
+            with self.assertRaises(sw.NotUsable):
+                (again[0] if isinstance(again, tuple) else again).value
+        column = drive.sweep(vary=["load.torque=10 N*m..50 N*m:3"]).columns[1]
+        with self.assertRaises(sw.NotUsable):
+            column.values
+        self.assertEqual(column.unit, "rad/(N*m)")
+
+    def test_behaviour_what_a_part_of_an_unusable_answer_still_gives(self):
+        class Kinds(parts.Part):
+            _fields = {"word": ("word", parts.plain), "count": ("count", parts.plain),
+                       "number": ("number", parts.plain_number), "array": ("array", parts.floats),
+                       "mixed": ("mixed", parts.entries), "counts": ("counts", parts.entries),
+                       "rows": ("rows", parts.floats), "many": ("many", parts.many(parts.plain_number)),
+                       "absent": ("absent", parts.plain_number)}
+
+        given = {"word": "a", "count": 3, "number": 1.5, "array": {"values": [1.0, None]},
+                 "mixed": {"values": [0.5, None]}, "counts": {"values": [1, 2]},
+                 "rows": {"values": [[1.0], [2.0, 3.0]]}, "many": [1.0]}
+        part = Kinds._of(given, "it did not converge")
+        self.assertEqual((part.word, part.count, list(part.counts), part.absent), ("a", 3, [1, 2], None))
+        for name in ("number", "array", "mixed", "rows", "many"):
+            with self.assertRaisesRegex(sw.NotUsable, "it did not converge"):
+                getattr(part, name)
+        self.assertEqual(part.to_dict(), given)
+        self.assertEqual(Kinds._of(given, "").number, 1.5)
+
+    def test_behaviour_a_notebook_shows_nested_parts(self):
+        shown = read("article").stiffness().cracked._repr_html_()
+        self.assertRegex(shown, r"<th>positive</th><td><table>.*<th>stiffness</th><td>[0-9.e+]+ N\*m/rad")
+        self.assertEqual(shown.count("<table>"), shown.count("</table>"))
+        points = read("catalogue_size25").torsion().curve._repr_html_()
+        self.assertRegex(points, r"<th>torque</th><td>array of \d+ \[N\*m\]</td>")
+        solutions = sw.sif_list()
+        self.assertIn(f"and {len(solutions.solutions) - parts.MOST_SHOWN} more", parts.html_table(solutions))
 
     def test_identity_numbers_without_a_unit_beside_them(self):
         audit = sw.audit()
@@ -182,8 +236,42 @@ class Results(unittest.TestCase):
         given = sw.duty(rainflow="mine.csv", column="torque", texts={"mine.csv": text})
         same = sw.duty(rainflow=EXAMPLES / "joint_history.csv", column="torque")
         self.assertEqual(given.history.points, same.history.points)
-        with self.assertRaises(sw.OptionError):
-            sw.duty(rainflow="mine.csv", column="torque")
+
+    def test_input_a_text_that_is_not_given(self):
+        """The sentence says what to do."""
+        for call in (lambda: sw.duty(rainflow="mine.csv", column="torque"), lambda: sw.fit("x.csv"),
+                     lambda: read("article").calibrate(measured="folder/file.csv"),
+                     lambda: read("inspected_shaft").inspect(detection_data="x.csv"),
+                     lambda: sw.diff("a.toml", "b.toml")):
+            with self.assertRaisesRegex(sw.OptionError, r"give a pathlib\.Path, .* texts=\{NAME: TEXT\}"):
+                call()
+
+    def test_input_the_path_of_an_error_is_the_argument(self):
+        """The library spells an option with or without dashes."""
+        history = (EXAMPLES / "growth_specimens.csv").read_text()
+        read_all = {name: read(name) for name in ("cracked_size25", "article", "inspected_shaft")}
+        for command, options, path in (
+                ("accuracy", {"tool_radius": "x"}, "tool_radius"), ("accuracy", {"speed": "-1 m"}, "speed"),
+                ("backbone", {"load_torque": "x"}, "load_torque"), ("backbone", {"from_": "x"}, "from_"),
+                ("frf", {"from_": "x"}, "from_"), ("frf", {"to": "x"}, "to"), ("modes", {"torque": "x"}, "torque"),
+                ("simulate", {"step": "x"}, "step"), ("torsion", {"cage_phase": "x"}, "cage_phase"),
+                ("transmission", {"torque": "x"}, "torque"), ("transmission", {"spline_teeth": "x"}, "spline_teeth"),
+                ("grow", {"until": "x"}, "until"), ("inspect", {"until": "x"}, "until"),
+                ("inspect", {"false_calls": 3}, "false_calls"), ("inspect", {"detection_data": "x"}, "detection_data"),
+                ("sweep", {"vary": ["x"]}, "vary"), ("solve", {"vary": "a", "target": "b"}, "vary"),
+                ("stiffness", {"method": "best"}, "method"), ("turn", {"half_length": ["x"]}, "half_length"),
+                ("fit", {"data": "d", "stress_range": "x", "texts": {"d": history}}, "stress_range"),
+                ("fit", {"data": "d", "plate_width": "x", "stress_range": "60 MPa", "texts": {"d": history}},
+                 "plate_width"),
+                ("sif_eval", {"name": "plate-surface", "set": ["x"]}, "set")):
+            name = "inspected_shaft" if command in ("inspect", "grow") else "cracked_size25"
+            call = getattr(read_all[name], command, None) or getattr(sw, command)
+            with self.subTest(command=command, options=options), self.assertRaises(sw.InputError) as caught:
+                call(**options)
+            self.assertEqual(caught.exception.path, path, f"{command}: {caught.exception}")
+        with self.assertRaises(sw.InputError) as caught:  # a field of the drive stays as it is
+            read_all["article"]["load.torque"] = "3 kg"
+        self.assertEqual(caught.exception.path, "load.torque")
 
 
 @unittest.skipIf(missing("pandas"), missing("pandas"))
@@ -200,6 +288,18 @@ class Frames(unittest.TestCase):
         frame = points.to_frame()
         self.assertEqual(frame.attrs["units"]["torque"], "N*m")
         np.testing.assert_array_equal(frame["twist"], points.twist)
+
+    def test_behaviour_frames_carry_the_evidence(self):
+        drive = read("article")
+        good = drive.sweep(vary=["load.torque=10 N*m..50 N*m:2"])
+        attrs = good.to_frame().attrs
+        self.assertEqual((attrs["unusable_because"], attrs["verdict"]), ("", good.verdict.to_dict()))
+        drive["output_shaft.crack[0].depth"] = "11 mm"
+        bad = drive.sweep(vary=["load.torque=10 N*m..50 N*m:2"])
+        self.assertRegex(bad.to_frame().attrs["unusable_because"], "points are not usable")
+        column = bad.columns[1].to_frame()
+        self.assertEqual(column.attrs["unusable_because"], bad.unusable_because)
+        self.assertEqual(list(column["values"]), bad.to_dict()["columns"][1]["values"]["values"])
 
     def test_behaviour_what_has_no_table(self):
         with self.assertRaises(ValueError):

@@ -2,7 +2,8 @@
 # Written by tools/write_python.py; change the descriptions in the C++ sources instead.
 """The classes of the results, one module for each command."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from . import (
@@ -44,3 +45,11 @@ if TYPE_CHECKING:
         units as units,
         validate as validate,
     )
+else:
+
+    def __getattr__(name: str) -> Any:
+        """Imports a module when its name is first used, such as by typing.get_type_hints."""
+        try:
+            return import_module(f"{__name__}.{name}")
+        except ModuleNotFoundError:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}") from None
