@@ -120,8 +120,24 @@ TEST(FailureCentre, BehaviourWithoutFailures) {
             "no failure is nearer than 8 standard deviations of the inputs");
   EXPECT_EQ(reason([](std::span<const double>) { return std::optional(1.0); }),
             "20 rounds of draws do not reach the failures");
+  EXPECT_EQ(centres_of([](std::span<const double>) { return std::optional(1.0); }).rounds, 20);
   EXPECT_EQ(reason([](std::span<const double>) -> std::optional<double> { return std::nullopt; }),
             "no drawn drive has an end of its life");
+}
+
+// Kind: behaviour.  The progress never falls and stays within the whole, and a stop is heard.
+TEST(FailureCentre, BehaviourProgress) {
+  double last = 0.0;
+  const auto make = [] { return beyond_plane(4); };
+  const Progress told([&](double share) {
+    EXPECT_GE(share, last);
+    last = share;
+    return true;
+  });
+  const FailureCentres found = find_failure_centres(make, 3, {.draws = 100, .threads = 1}, told);
+  EXPECT_NEAR(last, found.rounds / 80.0, 1e-12);  // of four searches of at most 20 rounds
+  const Progress stop([](double) { return false; });
+  EXPECT_THROW((void)find_failure_centres(make, 3, {.draws = 100}, stop), Stopped);
 }
 
 // Kind: identity (UQ-11).  The weight is the ratio of the densities.
