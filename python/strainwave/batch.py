@@ -29,7 +29,8 @@ class BatchResult:
 
     >>> import strainwave as sw
     >>> drive = sw.read("cracked_size25.toml")
-    >>> answer = drive.batch({"output_shaft.crack[0].depth": [0.001, 1.0]}, ["cracked.positive.stiffness"])
+    >>> answer = drive.batch({"output_shaft.crack[0].depth": [0.001, 1.0]},
+    ...                      ["cracked.positive.stiffness"])
     >>> answer.ok.tolist()
     [True, False]
     >>> ROW_CODES[answer.codes[1]]

@@ -52,7 +52,7 @@ class Commands:
             field_rows = []
             for field, unit, meaning in fields:
                 address = "result-" + identifier(field)
-                field_rows.append((address, f"<code>{escape(field)}</code>", escape(unit), escape(meaning)))
+                field_rows.append((address, f"<code>{escape(field).replace('.', '.<wbr>')}</code>", escape(unit), escape(meaning)))
                 self.site.enter("result", f"{name} {field}", f"{path}#{address}", meaning, [field, field.rpartition(".")[2]])
             body += ("<h2 id='result'>Result</h2><p>Numbers of <code>--format json</code> are in these SI units.</p>"
                      + table(("field", "unit", "meaning"), field_rows))

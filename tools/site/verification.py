@@ -69,10 +69,13 @@ def number(cell):
 
 
 def differences(head, rows):
-    """(name of the column, number of values, median, largest magnitude) of the columns with signed differences."""
+    """(name of the column, number of values, median, largest magnitude) of the columns of differences: they stand behind
+    those of the inputs, and the first of them has signs."""
+    begun = False
     for place, name in enumerate(head):
         given = [row[place] for row in rows if place < len(row) and row[place]]
-        if given and all(number(cell) is not None for cell in given) and any(cell.startswith(("+", "-")) for cell in given):
+        begun = begun or any(number(cell) is not None and cell.startswith(("+", "-")) for cell in given)
+        if begun:
             sizes = [abs(number(cell)) for cell in given]
             yield name, len(sizes), statistics.median(sizes), max(sizes)
 
