@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Stiffness, damage, life and dynamics of strain wave gears with cracks.
 
-    import strainwave as sw
-
-    drive = sw.read("drive.toml")
-    answer = drive.stiffness()
-    print(answer.cracked.positive.stiffness, answer.verdict.reason)
+>>> import strainwave as sw
+>>> drive = sw.read("cracked_size25.toml")
+>>> answer = drive.stiffness()
+>>> answer.usable
+True
+>>> print(answer.cracked.positive.stiffness.unit, len(answer.notes) > 0)
+N*m/rad True
 
 `Drive` is a drive, its methods are the commands of the program `strainwave`, and the commands that
 take no drive are functions of this module.  Numbers are in SI units.

@@ -39,6 +39,13 @@ class Result(Part):
 
     The fields of the result are attributes.  In addition, each result has `usable`,
     `unusable_because`, `verdict`, `notes`, `equations`, `accuracies` and `provenance`.
+
+    >>> import strainwave as sw
+    >>> answer = sw.read("cracked_size25.toml").stiffness()
+    >>> answer.verdict.judgement
+    'cannot be told'
+    >>> answer.documents
+    ('json', 'text', 'csv', 'plot', 'fad')
     """
 
     command: ClassVar[str]
@@ -104,6 +111,10 @@ class Result(Part):
     def document(self, name: str) -> str:
         """A document of the answer, such as "text", "json", "csv" or "plot"; `documents` names all.
 
+        >>> import strainwave as sw
+        >>> sw.units().document("json")[:1]
+        '{'
+
         Raises:
             OptionError: if the command does not make this document, or the document needs an option
         """
@@ -143,6 +154,11 @@ class Result(Part):
     def plot(self, ax: Any = None) -> Any:
         """Draws the plot of the answer by matplotlib, with the numbers, labels and colours of svg().
 
+        >>> import matplotlib, strainwave as sw
+        >>> matplotlib.use("agg")  # draws without a window
+        >>> sw.read("cracked_size25.toml").torsion().plot()[0].get_xlabel()
+        'torque T at the output [N·m]'
+
         Args:
             ax: axes, one for each panel of the plot; None: new ones
 
@@ -162,6 +178,11 @@ class Result(Part):
 
         `attrs["units"]` names the units, `attrs["unusable_because"]` says why the numbers must not
         be used (empty if they may be used), and `attrs["verdict"]` is the verdict as a dict.
+
+        >>> import strainwave as sw
+        >>> frame = sw.read("cracked_size25.toml").torsion().to_frame()
+        >>> frame.columns[0], frame.attrs["units"]["torque"]
+        ('torque', 'N*m')
 
         Raises:
             ValueError: if the command makes no table

@@ -27,7 +27,17 @@ ROW_CODES = ("ok", "refused", "no-answer", "not-usable", "output-absent")
 
 @dataclass(frozen=True, eq=False)
 class BatchResult:
-    """The outputs of many evaluations."""
+    """The outputs of many evaluations.
+
+    >>> import strainwave as sw
+    >>> drive = sw.read("cracked_size25.toml")
+    >>> answer = drive.batch({"output_shaft.crack[0].depth": [0.001, 1.0]},
+    ...                      ["cracked.positive.stiffness"])
+    >>> answer.ok.tolist()
+    [True, False]
+    >>> ROW_CODES[answer.codes[1]]
+    'refused'
+    """
 
     outputs: tuple[str, ...]
     """names of the q outputs"""

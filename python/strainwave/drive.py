@@ -85,12 +85,16 @@ class Drive(DriveCommands):
     """A strain wave gear, as its file describes it.
 
     A drive is a value: drives with the same text and the same attached tables are equal, whatever
-    their names, and a copy is independent.  A field is read and set by its path::
+    their names, and a copy is independent.  A field is read and set by its path:
 
-        drive["output_shaft.crack[0].depth"]            # <Quantity 0.002 m>
-        drive["output_shaft.crack[0].depth"] = "3 mm"
-        drive["output_shaft.crack[0].depth"] = 3e-3     # a bare number is in the SI unit
-        del drive["output_shaft.crack[0]"]
+    >>> drive = read("cracked_size25.toml")
+    >>> drive["output_shaft.crack[0].depth"]
+    <Quantity 0.002 m>
+    >>> drive["output_shaft.crack[0].depth"] = "3 mm"
+    >>> drive["output_shaft.crack[0].depth"] = 3e-3  # a bare number is in the SI unit
+    >>> del drive["output_shaft.crack[0]"]
+    >>> drive == read("cracked_size25.toml")
+    False
 
     Each change is checked at once.  If it breaks a rule, the drive stays as it was.
 
@@ -145,7 +149,11 @@ class Drive(DriveCommands):
 
     def fields(self) -> dict[str, Any]:
         """All fields as nested dicts, with those at a fixed default; numbers with a unit are
-        quantities."""
+        quantities.
+
+        >>> read("cracked_size25.toml").fields()["drive"]["ratio"]
+        100
+        """
         given: dict[str, Any] = _value(_library.drive_fields(self._handle), "")
         return given
 
@@ -189,6 +197,11 @@ class Drive(DriveCommands):
     def edit(self, changes: Mapping[str, FieldValue]) -> None:
         """Makes several changes at once, checked together.
 
+        >>> drive = read("cracked_size25.toml")
+        >>> drive.edit({"load.torque": "60 N*m", "drive.ratio": 80, "output_shaft.crack[0]": None})
+        >>> drive["load.torque"], drive["output_shaft.crack"]
+        (<Quantity 60 N*m>, [])
+
         Args:
             changes: values by paths; None removes what is there; "[+]" in a path adds an element
 
@@ -210,6 +223,12 @@ class Drive(DriveCommands):
               threads: int = 0, out: Any = None, progress: ShownProgress = None) -> BatchResult:
         """Evaluates the stiffness for many values of some fields.
 
+        >>> drive = read("cracked_size25.toml")
+        >>> answer = drive.batch({"output_shaft.crack[0].depth": [0.001, 0.002]},
+        ...                      ["cracked.positive.stiffness"])
+        >>> bool(answer["cracked.positive.stiffness"][1] < answer["cracked.positive.stiffness"][0])
+        True
+
         Args:
             values: arrays by the paths of fields [SI unit of the field]; they are broadcast together
             outputs: names of q outputs, such as "cracked.positive.stiffness"
@@ -225,7 +244,15 @@ class Drive(DriveCommands):
                      progress=progress)
 
     def save(self, path: _library.PathLike) -> None:
-        """Writes the text into a file; the tables that it names are not written."""
+        """Writes the text into a file; the tables that it names are not written.
+
+        >>> import os, tempfile
+        >>> drive = read("cracked_size25.toml")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     drive.save(os.path.join(folder, "drive.toml"))
+        ...     read(os.path.join(folder, "drive.toml")).text == drive.text
+        True
+        """
         Path(path).write_bytes(self._text.encode("utf-8", "surrogateescape"))
 
     def _run(self, command: str, options: Mapping[str, Any], texts: Optional[Mapping[str, str]],
@@ -243,7 +270,14 @@ class Drive(DriveCommands):
         return hash(self._key())
 
     def copy(self) -> "Drive":
-        """An independent copy."""
+        """An independent copy.
+
+        >>> drive = new(size=25, ratio=100)
+        >>> other = drive.copy()
+        >>> other["load.torque"] = "60 N*m"
+        >>> other == drive
+        False
+        """
         return self.__copy__()
 
     def __copy__(self) -> "Drive":
@@ -268,7 +302,14 @@ class Drive(DriveCommands):
 
 
 class Cracks(Sequence["Crack"]):
-    """The cracks of a drive, member after member."""
+    """The cracks of a drive, member after member.
+
+    >>> cracks = read("growing_shaft.toml").cracks
+    >>> cracks
+    <Cracks output_shaft.crack[0]>
+    >>> [crack["kind"] for crack in cracks]
+    ['annular']
+    """
 
     def __init__(self, drive: Drive) -> None:
         self._drive = drive
@@ -293,7 +334,14 @@ class Cracks(Sequence["Crack"]):
         return Crack(self._drive, str(paths))
 
     def append(self, member: str, **fields: FieldValue) -> "Crack":
-        """Adds a crack, such as `append("output_shaft", kind="annular", depth="2 mm")`.
+        """Adds a crack.
+
+        >>> drive = read("cracked_size25.toml")
+        >>> crack = drive.cracks.append("output_shaft", kind="annular", depth="1 mm")
+        >>> crack
+        <Crack output_shaft.crack[1]>
+        >>> crack["depth"]
+        <Quantity 0.001 m>
 
         Args:
             member: a member of the drive, such as "flexspline"
@@ -313,7 +361,13 @@ class Cracks(Sequence["Crack"]):
         return Crack(self._drive, f"{member}.crack[{self._counts()[member] - 1}]")
 
     def clear(self) -> None:
-        """Removes all cracks."""
+        """Removes all cracks.
+
+        >>> drive = read("cracked_size25.toml")
+        >>> drive.cracks.clear()
+        >>> len(drive.cracks)
+        0
+        """
         self._drive.edit({path: None for path in reversed(self._paths())})
 
     def __repr__(self) -> str:
@@ -321,7 +375,15 @@ class Cracks(Sequence["Crack"]):
 
 
 class Crack:
-    """One crack of a drive, by its path."""
+    """One crack of a drive, by its path.
+
+    >>> crack = read("cracked_size25.toml").cracks[6]
+    >>> crack.path
+    'output_shaft.crack[0]'
+    >>> crack["depth"] = "3 mm"
+    >>> crack.fields()["depth"]
+    <Quantity 0.003 m>
+    """
 
     def __init__(self, drive: Drive, path: str) -> None:
         self._drive = drive
@@ -350,6 +412,9 @@ class Crack:
 def read(path: _library.PathLike) -> Drive:
     """Reads a drive from its file, with the tables beside the file that it names.
 
+    >>> read("cracked_size25.toml").name
+    'cracked_size25.toml'
+
     Raises:
         OSError: if the file cannot be read
         InputError: if the file breaks a rule
@@ -359,7 +424,11 @@ def read(path: _library.PathLike) -> Drive:
 
 def parse(text: str, name: str = "drive.toml",
           tables: Optional[Mapping[str, str]] = None) -> Drive:
-    """Reads a drive from TOML text; arguments as of Drive."""
+    """Reads a drive from TOML text; arguments as of Drive.
+
+    >>> parse(new(size=25, ratio=100).text)["drive.ratio"]
+    100
+    """
     return Drive(text, name, tables)
 
 
@@ -368,6 +437,9 @@ def new(*, size: Optional[int] = None, ratio: Optional[float] = None,
         length: Optional[Literal["standard", "short", "flat"]] = None,
         blank: Optional[Literal["ratio", "size"]] = None) -> Drive:
     """A drive to start from: the commented example, or typical proportions of a size.
+
+    >>> new(size=17, ratio=80)["drive.ratio"]
+    80
 
     Args:
         size: size in the catalogue; None: the commented example

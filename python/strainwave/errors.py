@@ -14,6 +14,14 @@ class Error(Exception):
 class InputError(Error, ValueError):
     """A drive breaks a rule, or holds what the command cannot treat.
 
+    >>> import strainwave as sw
+    >>> drive = sw.read("cracked_size25.toml")
+    >>> try:
+    ...     drive["load.torque"] = "3 kg"
+    ... except InputError as error:
+    ...     print(error.path, error.value, error.line > 0)
+    load.torque "3 kg" True
+
     Attributes:
         file: name of the text with the fault, such as "drive.toml"; empty if unknown
         line: line of the fault, counted from 1; 0 if unknown

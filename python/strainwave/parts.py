@@ -35,6 +35,14 @@ class Quantity:
     `value`, `float()` and arithmetic give the number in the unit, which is an SI unit.  str() gives
     as many digits as the accuracy warrants.  Of a result that must not be used, the number is
     refused by NotUsable.
+
+    >>> stiffness = Quantity(72811.46, "N*m/rad", 0.05)
+    >>> stiffness
+    <Quantity 7.28e+04 N*m/rad>
+    >>> float(stiffness), stiffness.unit, round(stiffness.uncertainty, 3)
+    (72811.46, 'N*m/rad', 3640.573)
+    >>> stiffness / 2
+    36405.73
     """
 
     __slots__ = ("_value", "_unit", "_relative_uncertainty", "_unusable_because")
@@ -277,13 +285,23 @@ class Part:
         return copy.deepcopy(self._json)
 
     def unit_of(self, name: str) -> str:
-        """Unit of the field with this name; "1" for words and pure numbers."""
+        """Unit of the field with this name; "1" for words and pure numbers.
+
+        >>> import strainwave as sw
+        >>> sw.read("cracked_size25.toml").torsion().curve.points.unit_of("twist")
+        'rad'
+        """
         value = None if name in self._refused else getattr(self, name)
         return value.unit if isinstance(value, Quantity) else self._units.get(name, "1")
 
     def to_frame(self) -> "pandas.DataFrame":
         """The arrays of equal length as a pandas.DataFrame; `attrs["units"]` names the units, and
         `attrs["unusable_because"]` says why the numbers must not be used; empty if they may be used.
+
+        >>> import strainwave as sw
+        >>> frame = sw.read("cracked_size25.toml").torsion().curve.points.to_frame()
+        >>> frame.attrs["units"]["twist"]
+        'rad'
 
         Raises:
             ValueError: if the part has no arrays

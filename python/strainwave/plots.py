@@ -16,6 +16,10 @@ Panel = dict[str, Any]
 def panels_of(svg: str) -> list[Panel]:
     """The panels of a chart, from the numbers in its SVG.
 
+    >>> import strainwave as sw
+    >>> [panel["kind"] for panel in panels_of(sw.read("cracked_size25.toml").torsion().svg())]
+    ['lines', 'lines', 'lines', 'lines']
+
     Raises:
         ValueError: if the picture is not a chart
     """

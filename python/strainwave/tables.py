@@ -17,7 +17,13 @@ if TYPE_CHECKING:
 
 
 class Materials(Mapping[str, "MaterialShowResult"]):
-    """The steels by their names: `materials["17-4PH H900"]`."""
+    """The steels by their names.
+
+    >>> materials["17-4PH H900"].material[0].density.value
+    <Quantity 7800 kg/m^3>
+    >>> "15-5PH H900" in materials
+    True
+    """
 
     def __getitem__(self, name: str) -> "MaterialShowResult":
         try:
@@ -35,9 +41,13 @@ class Materials(Mapping[str, "MaterialShowResult"]):
 class Solution:
     """One solution of the library of stress intensity factors.
 
-    Called with its fields and loads, it gives the stress intensity factors::
+    Called with its fields and loads, it gives the stress intensity factors:
 
-        sif["tube-through-inclined"](half_length="4 mm", torque="100 N*m").largest.K_I
+    >>> solution = sif["tube-through-inclined"]
+    >>> [field.name for field in solution.show().fields][:2]
+    ['half_length', 'angle']
+    >>> solution(half_length="4 mm", torque="100 N*m").largest.K_I
+    <Quantity 1.41689e+06 Pa*m^0.5>
     """
 
     def __init__(self, name: str) -> None:
@@ -77,7 +87,11 @@ class Solution:
 
 
 class Solutions(Mapping[str, Solution]):
-    """The solutions by their names."""
+    """The solutions by their names.
+
+    >>> sif["tube-through-inclined"]
+    <Solution tube-through-inclined>
+    """
 
     def __getitem__(self, name: str) -> Solution:
         try:

@@ -5,12 +5,13 @@
     STRAINWAVE_LIBRARY=... tests/structure/site.py FOLDER    render the site into FOLDER and check it
     tests/structure/site.py --self-test                      break each rule of a site once
 
-The search is asked only if node is installed.
+The search is asked only if node is installed.  Environment: STRAINWAVE_LIBRARY, STRAINWAVE_CLI.
 """
 
 import importlib.machinery
 import importlib.util
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -49,13 +50,43 @@ def self_test():
         if bool(faults) != bool(part) or not any(part in fault for fault in faults + [""]):
             print(f"{name}: reported {faults}")
             unseen += 1
+    with tempfile.TemporaryDirectory() as folder:
+        theory = pathlib.Path(folder, "docs", "theory")
+        theory.mkdir(parents=True)
+        (theory / "FR.md").write_text("### (FR-1) One {#FR-1}\n\n### (FR-2) Two {#FR-2}\n")
+        (theory / "FR.html").write_text('<h3 id="FR-1">One</h3><h3 id="FR-2">Two</h3>')
+        (theory / "manual.html").write_text('<p id="FR-1"></p>')
+        faults = tags_without_address(pathlib.Path(folder), theory)
+        if faults != ["docs/theory/manual.html: has no address FR-2"]:
+            print(f"an equation without an address: reported {faults}")
+            unseen += 1
     return unseen
+
+
+def tags_without_address(folder, theory=ROOT / "docs" / "theory"):
+    """Equations of the manual that have no address in the page of their chapter, or in the page of contents."""
+    faults = []
+    for source in sorted(theory.glob("*.md")):
+        tags = re.findall(r"^#+ \([A-Z]{2}-\d+[a-z]?\).*\{#([\w-]+)\}", source.read_text(encoding="utf-8"), re.M)
+        for page in (f"{source.stem}.html", "manual.html"):
+            known = tool().Page((folder / "docs" / "theory" / page).read_text(encoding="utf-8")).addresses
+            faults += [f"docs/theory/{page}: has no address {tag}" for tag in tags if tag not in known]
+    return faults
+
+
+def pages_without_rows(folder):
+    """Pages that are made of tables and hold less than they must."""
+    least = (("verification.html", 'id="table-', 50), ("notes.html", "docs/theory/", 60), ("libraries.html", 'id="record-', 10),
+             ("python_results.html", "<h2", 30), ("commands/fe_run.html", 'id="result-', 50), ("commands/fe_run.html", 'id="option-', 5),
+             ("commands/merge.html", 'id="option-', 5), ("commands/man.html", 'id="option-', 3), ("commands/completion.html", 'id="option-', 3))
+    counted = [(page, mark, (folder / page).read_text(encoding="utf-8").count(mark), count) for page, mark, count in least]
+    return [f"{page}: has {found} times {mark}, less than {count}" for page, mark, found, count in counted if found < count]
 
 
 def check(folder):
     module = tool()
     module.render(folder)
-    faults = module.faults_of(folder)
+    faults = module.faults_of(folder) + tags_without_address(folder) + pages_without_rows(folder)
     for fault in faults:
         print(fault)
     node = shutil.which("node") or shutil.which("nodejs")

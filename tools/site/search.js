@@ -4,7 +4,7 @@
 
 // Kinds in the order of their weight among equally good hits.
 const kinds = ["page", "term", "equation", "command", "note", "field", "material", "solution", "exit status", "guide", "notebook",
-  "theory", "python", "C", "C++", "option", "decision", "result"];
+  "theory", "verification", "python", "C", "C++", "option", "decision", "result"];
 
 function score(entry, query, words) {
   let best = 0;
@@ -16,8 +16,12 @@ function score(entry, query, words) {
     else if (words.every((word) => name.includes(word))) best = Math.max(best, 40 + 5 * own - Math.min(name.length, 80) / 8);
   }
   if (best === 0) {
-    const text = (entry.n.join(" ") + " " + entry.t).toLowerCase();
-    if (words.every((word) => text.includes(word))) best = 10;
+    entry.text ??= (entry.n.join(" ") + " " + entry.t).toLowerCase();
+    // A text that has the words together counts more, and one where they begin early.
+    if (words.every((word) => entry.text.includes(word))) {
+      const place = entry.text.indexOf(query);
+      best = place < 0 ? 10 : 20 - Math.min(place, 2000) / 250;
+    }
   }
   return best === 0 ? 0 : best + (kinds.length - kinds.indexOf(entry.k)) / 10;
 }
@@ -27,8 +31,18 @@ function find(index, query, most = 20) {
   const asked = query.trim().toLowerCase();
   const words = asked.split(/[\s.]+/).filter(Boolean);
   if (words.length === 0) return [];
-  return index.map((entry) => [score(entry, asked, words), entry]).filter(([points]) => points > 0)
+  const hits = index.map((entry) => [score(entry, asked, words), entry]).filter(([points]) => points > 0)
     .sort((a, b) => b[0] - a[0] || a[1].n[0].length - b[1].n[0].length).slice(0, most).map(([, entry]) => entry);
+  // A word that looks like an option may be none: --mesh asks for mesh.
+  return hits.length === 0 && asked.startsWith("-") ? find(index, asked.replace(/^-+/, ""), most) : hits;
+}
+
+// The part of a text about the first word that was asked for.
+function excerpt(text, query, most = 160) {
+  const word = query.trim().toLowerCase().split(/\s+/)[0];
+  const place = Math.max(0, text.toLowerCase().indexOf(word));
+  const start = place < most / 2 ? 0 : text.lastIndexOf(" ", place - most / 3) + 1;
+  return (start > 0 ? "… " : "") + text.slice(start, start + most) + (start + most < text.length ? " …" : "");
 }
 
 function attach(field, list) {
@@ -47,7 +61,7 @@ function attach(field, list) {
       link.href = up + entry.u;
       link.textContent = entry.n[0];
       const about = document.createElement("small");
-      about.textContent = ` ${entry.k}: ${entry.t}`;
+      about.textContent = ` ${entry.k}: ${excerpt(entry.t, field.value)}`;
       item.append(link, about);
       return item;
     }));
@@ -66,4 +80,4 @@ function attach(field, list) {
 }
 
 if (typeof document !== "undefined") attach(document.getElementById("search"), document.getElementById("found"));
-if (typeof module !== "undefined") module.exports = { find };
+if (typeof module !== "undefined") module.exports = { find, excerpt };
