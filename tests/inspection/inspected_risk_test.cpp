@@ -197,6 +197,18 @@ TEST(InspectedRisk, IdentityWeights) {
   }
 }
 
+// Kind: identity (IR-5).  A wanted risk that a number of equal intervals just has is reached by it,
+// and one that is a little lower is not.
+TEST(InspectedRisk, IdentityPlanOfAKnownRisk) {
+  std::vector<DrawnPart> parts = drawn(80);
+  for (std::size_t i = 0; i < parts.size(); i += 2) parts[i].weight = 0.3;
+  const double end = 95e3;
+  const std::vector<double> times = {end / 4, end / 2, 3 * end / 4};
+  const double risk = inspected_risk(parts, end, times, kSearch).probability;
+  EXPECT_EQ(equal_plan(parts, end, risk * (1 + 1e-9), 30, kSearch).times.size(), 3U);
+  EXPECT_EQ(equal_plan(parts, end, risk * (1 - 1e-9), 30, kSearch).times.size(), 4U);
+}
+
 // Kind: limit (IR-16).  Without a failing part, a further one of the given weight may fail: for
 // equal weights 3.69 over their number.  A heavier failing part counts instead.
 TEST(InspectedRisk, LimitFurtherParts) {
