@@ -20,10 +20,55 @@ from pathlib import Path
 
 import strainwave as sw
 from strainwave import _commands, _library
-from support import EXAMPLES, ROOT, main, missing, python
+from support import DATA, EXAMPLES, NOTEBOOKS, ROOT, code_cells, main, missing, python
 
 PACKAGE = ROOT / "python" / "strainwave"
 TYPING = Path(__file__).resolve().parent / "typing"
+WRITTEN = ("strainwave._commands", "strainwave._evidence")  # by tools/write_python.py, which another test compares
+CALLED = ("__init__", "__call__", "__getitem__", "__setitem__", "__delitem__")  # part of what a user calls
+SIGNATURES = DATA / "python_signatures.txt"
+SIGNATURES_HEAD = ("# Signatures of the public part of the Python package that is written by hand.\n"
+                   "# STRAINWAVE_RENEW=1 python/tests/package_test.py Written writes them again: read the difference.\n")
+
+
+class Bare(str):
+    """An annotation that is shown without quotes."""
+
+    def __repr__(self):
+        return self.strip("'")
+
+
+def signature(function):
+    def bare(annotation):
+        return Bare(annotation) if isinstance(annotation, str) else annotation
+
+    found = inspect.signature(function)
+    parameters = [one.replace(annotation=bare(one.annotation)) for one in found.parameters.values()]
+    return found.replace(parameters=parameters, return_annotation=bare(found.return_annotation))
+
+
+def signatures():
+    """The members of a class are its own, because those of its bases differ between versions of Python."""
+    values = {name: getattr(sw, name) for name in sw.__all__}
+    # The mappings, and what they give, are objects of classes that have no name in the package.
+    values.update({f"type({name})": type(values[name]) for name in ("materials", "sif")})
+    values["sif[NAME]"] = type(sw.sif["plate-surface"])
+    lines = []
+    for name, value in values.items():
+        if not callable(value) or value.__module__ in WRITTEN:
+            continue
+        if not inspect.isclass(value):
+            lines.append(f"{name}{signature(value)}")
+            continue
+        lines.append(name)
+        for member, kind in vars(value).items():
+            if member.startswith("_") and member not in CALLED:
+                continue
+            if isinstance(kind, property):
+                lines.append(f"{name}.{member}: property")
+            elif callable(kind) or isinstance(kind, (classmethod, staticmethod)):
+                lines.append(f"{name}.{member}{signature(getattr(value, member))}")
+    return SIGNATURES_HEAD + "\n".join(sorted(lines)) + "\n"
 
 
 class Written(unittest.TestCase):
@@ -31,6 +76,13 @@ class Written(unittest.TestCase):
         checked = subprocess.run([sys.executable, str(ROOT / "tools" / "write_python.py"), "--check"],
                                  capture_output=True, text=True, check=False)
         self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+    def test_identity_the_signatures_are_those_of_the_listing(self):
+        if os.environ.get("STRAINWAVE_RENEW"):
+            SIGNATURES.write_text(signatures())
+        self.maxDiff = None
+        self.assertEqual(signatures(), SIGNATURES.read_text(),
+                         "If this is meant, run this test with STRAINWAVE_RENEW=1 in the environment")
 
     def test_identity_every_public_name_is_there_and_documented(self):
         for name in sw.__all__:
@@ -92,6 +144,14 @@ class Types(unittest.TestCase):
 
     def test_identity_package_and_right_uses_are_accepted(self):
         self.assertEqual(self.mypy(PACKAGE, TYPING / "right.py"), "")
+
+    def test_identity_the_code_of_the_notebooks_is_accepted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder, f"notebook_{notebook.stem}.py") for notebook in NOTEBOOKS]
+            for notebook, file in zip(NOTEBOOKS, files):
+                file.write_text("\n".join("".join(cell["source"]) + "\n" for cell in code_cells(notebook)))
+            self.assertEqual(len(files), 8)
+            self.assertEqual(self.mypy(*files), "")
 
     def test_input_each_wrong_use_is_refused(self):
         lines = (TYPING / "wrong.py").read_text().splitlines()

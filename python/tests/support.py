@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Paths and helpers of the tests.  ctest sets PYTHONPATH, STRAINWAVE_LIBRARY and STRAINWAVE_CLI."""
 
+import json
 import os
 import pathlib
 import re
@@ -10,6 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
+NOTEBOOKS = sorted((EXAMPLES / "notebooks").glob("*.ipynb"))
 DATA = ROOT / "tests" / "data"
 CLI = os.environ.get("STRAINWAVE_CLI", str(ROOT / "build" / "release" / "apps" / "cli" / "strainwave"))
 
@@ -21,10 +23,14 @@ def trials():
             if line and not line.startswith("#")]
 
 
-def python(code, *arguments, **options):
-    """Runs a program in another interpreter."""
+def code_cells(notebook):
+    return [cell for cell in json.loads(notebook.read_text())["cells"] if cell["cell_type"] == "code"]
+
+
+def python(code, *arguments, timeout=120, **options):
+    """Runs a program in another interpreter, for at most a time in seconds."""
     return subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True,
-                          timeout=120, check=False, **options)
+                          timeout=timeout, check=False, **options)
 
 
 def missing(module):

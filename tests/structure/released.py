@@ -4,13 +4,17 @@
 
     tests/structure/released.py PROGRAM                compare; PROGRAM is the command line
     tests/structure/released.py --list                 the names of the Python package, as a record keeps them
+    tests/structure/released.py --fields PROGRAM       the fields of a drive, as a record keeps them
     tests/structure/released.py --self-test PROGRAM    break each rule once
 
 Every drive of a record must still be read.  A line of a listing that is no longer there must be in a list
-"### Removed" of CHANGELOG.md, in backticks.
+"### Removed" of CHANGELOG.md, in backticks.  `strainwave diff` compares each result of a record, such as
+article.stiffness.json, with the result of today for the drive beside it.  An output that is no longer there must
+be in a list "### Removed" too, and an output whose number changes in a list "### Numerical results that change".
 """
 
 import inspect
+import json
 import pathlib
 import re
 import subprocess
@@ -38,6 +42,32 @@ def python_names():
     return sorted(names)
 
 
+def fields_of(schema, path=""):
+    """The fields that a JSON Schema describes: paths with kind or unit, choices, and what may be left out."""
+    for kind in schema.get("oneOf", []):  # of a crack or of a law of growth
+        yield from fields_of(kind, f"{path}[{kind['properties']['kind']['const']}]")
+    if isinstance(schema.get("additionalProperties"), dict):
+        yield from fields_of(schema["additionalProperties"], f"{path}.NAME")
+    for name, about in schema.get("properties", {}).items():
+        at = f"{path}.{name}".lstrip(".")
+        if name not in schema.get("required", []):
+            yield f"{at} may be left out"
+        while about.get("type") == "array":
+            about, at = {**about["items"], "description": about.get("description", "")}, at + "[]"
+        unit = re.search(r" \[([^][]+)\](?:;|$)", about.get("description", ""))
+        choices = about.get("enum", [about["const"]] if "const" in about else [])
+        yield from (f"{at} = {choice}" for choice in choices)
+        if not choices and about.get("type") != "object" and "oneOf" not in about:
+            yield f"{at}: {about['type']}" + (f" [{unit.group(1)}]" if unit else "")
+        yield from fields_of(about, at)
+
+
+def input_fields(program):
+    """The fields of a drive, by the program's own description."""
+    schema = subprocess.run([program, "schema"], capture_output=True, text=True, check=True).stdout
+    return sorted(set(fields_of(json.loads(schema))))
+
+
 def entries(text):
     """What a listing lists: a line with the headings above it."""
     found, command = set(), ""
@@ -52,15 +82,15 @@ def entries(text):
     return found
 
 
-def removed(changelog):
-    """The words in backticks below the headings `### Removed`."""
-    parts = re.findall(r"^### Removed\n(.*?)(?=^##|\Z)", changelog, re.M | re.S)
+def named(changelog, heading):
+    """The words in backticks below a heading."""
+    parts = re.findall(rf"^### {heading}\n(.*?)(?=^##|\Z)", changelog, re.M | re.S)
     return {word for part in parts for word in re.findall(r"`([^`]+)`", part)}
 
 
 def faults_of(record, current, changelog):
     """Entries of a record that are neither in the present listing nor named as removed."""
-    gone = removed(changelog)
+    gone = named(changelog, "Removed")
     return [f"{entry}: is no longer there, and CHANGELOG.md does not list it as removed"
             for entry in sorted(entries(record) - entries(current)) if entry not in gone]
 
@@ -73,9 +103,41 @@ def unread(program, folder):
             yield f"{drive}: {ended.stderr.strip()}"
 
 
+def changes_of(difference, changelog):
+    """Outputs of a recorded result that are gone or changed, which the changelog does not name."""
+    gone, changed = named(changelog, "Removed"), named(changelog, "Numerical results that change")
+    for output in difference["only_first"]:
+        if output not in gone:
+            yield f"{output}: is no longer there, and CHANGELOG.md does not list it as removed"
+    for part in ("stiffness", "outputs", "within_uncertainty", "uncertainty_not_stated"):
+        for row in difference[part]:
+            # The last digits may differ between processors.
+            if abs(row["difference"]) > 1e-6 * abs(row["first"]) and row["output"] not in changed:
+                yield (f"{row['output']}: is {row['second']} in place of {row['first']} {row['unit']}, and CHANGELOG.md "
+                       "does not list it as changed")
+
+
+def results_of(program, folder, changelog):
+    """Faults of the results of a record against the results of today."""
+    for record in sorted(folder.glob("*.json")):
+        stem, command = record.stem.rsplit(".", 1)
+        with tempfile.TemporaryDirectory() as place:
+            today = pathlib.Path(place, "today.json")
+            words = [[program, *command.split("_"), folder / f"{stem}.toml", "--format", "json", "-o", today],
+                     [program, "diff", record, today, "--format", "json"]]
+            for call, accepted in zip(words, (READ, (0,))):
+                ended = subprocess.run(call, capture_output=True, text=True, check=False)
+                if ended.returncode not in accepted:
+                    yield f"{record}: {ended.stderr.strip()}"
+                    break
+            else:
+                difference = json.loads(ended.stdout)["result"]
+                yield from (f"{record}: {fault}" for fault in changes_of(difference, changelog))
+
+
 def check(program):
     changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    faults, drives, lines = [], 0, 0
+    faults, drives, lines, results = [], 0, 0, 0
     for folder in sorted(RELEASED.iterdir()):
         faults += unread(program, folder)
         drives += len(list(folder.glob("*.toml")))
@@ -85,12 +147,59 @@ def check(program):
                 lines += len(entries(record))
                 present = (ROOT / "tests" / "data" / name).read_text(encoding="utf-8")
                 faults += faults_of(record, present, changelog)
-        if (folder / "python_names.txt").exists():
-            record = (folder / "python_names.txt").read_text(encoding="utf-8")
-            faults += faults_of(record, "\n".join(python_names()), changelog)
+        for name, present in (("python_names.txt", python_names), ("input_fields.txt", lambda: input_fields(program))):
+            if (folder / name).exists():
+                record = (folder / name).read_text(encoding="utf-8")
+                lines += len(entries(record))
+                faults += faults_of(record, "\n".join(present()), changelog)
+        faults += results_of(program, folder, changelog)
+        results += len(list(folder.glob("*.json")))
     print("\n".join(faults) if faults else
-          f"released: {drives} drives are read, {lines} entries are kept or named as removed")
-    return len(faults) + (drives == 0) + (lines == 0)
+          f"released: {drives} drives are read, {lines} entries and the outputs of {results} results are kept or named "
+          "in the changelog")
+    return len(faults) + (drives == 0) + (lines == 0) + (results == 0)
+
+
+def unseen_changes(program):
+    """Changes of fields and of results that are not noticed."""
+    schema = {"properties": {"length": {"type": "string", "description": "length [m]; > 0"},
+                             "crack": {"type": "array", "items": {"oneOf": [
+                                 {"properties": {"kind": {"const": "ring"}, "depth": {"type": "number"}},
+                                  "required": ["kind", "depth"]}]}}}, "required": ["length"]}
+    wanted = ["crack may be left out", "crack[][ring].depth: number", "crack[][ring].kind = ring", "length: string [m]"]
+    unseen = [] if sorted(fields_of(schema)) == wanted else ["the fields of a schema"]
+    name = "intact.stiffness"
+    number = "### Numerical results that change\n\n- `intact.stiffness`\n"
+    drive = (RELEASED / "0.1.0" / "article.toml").read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder, "article.toml")
+        place.write_text(drive, encoding="utf-8")
+        made = json.loads(subprocess.run([program, "stiffness", place, "--format", "json"], capture_output=True,
+                                         text=True, check=True).stdout)
+        stiffness = made["result"]["intact"]["stiffness"]
+        for title, field, value, changelog, count in (
+                ("the same result", "value", stiffness["value"], "", 0),
+                ("other last digits", "value", stiffness["value"] * (1 + 1e-9), "", 0),
+                ("a changed number", "value", 2 * stiffness["value"], "", 1),
+                ("a changed number that is named", "value", 2 * stiffness["value"], number, 0),
+                ("a changed number that is named as removed", "value", 2 * stiffness["value"],
+                 number.replace("Numerical results that change", "Removed"), 1),
+                ("another format", "format", "strainwave-result/0", "", 1)):
+            changed = json.loads(json.dumps(made))
+            target = changed["result"]["intact"]["stiffness"] if field == "value" else changed
+            target[field] = value
+            pathlib.Path(folder, "article.stiffness.json").write_text(json.dumps(changed), encoding="utf-8")
+            faults = [one for one in results_of(program, pathlib.Path(folder), changelog)
+                      if field == "format" or name in one]
+            if len(faults) != count:
+                unseen.append(f"{title} ({faults})")
+        changed = json.loads(json.dumps(made))
+        changed["result"]["intact"]["softness"] = stiffness
+        pathlib.Path(folder, "article.stiffness.json").write_text(json.dumps(changed), encoding="utf-8")
+        for changelog, count in (("", 1), ("### Removed\n\n- `intact.softness`\n", 0)):
+            if len(list(results_of(program, pathlib.Path(folder), changelog))) != count:
+                unseen.append("an output that is gone")
+    return unseen
 
 
 def self_test(program):
@@ -115,6 +224,7 @@ def self_test(program):
         refused = [fault.split(":")[0].rpartition("/")[2] for fault in unread(program, pathlib.Path(folder))]
         if refused != ["bad.toml"]:
             unseen.append("a drive that is refused")
+    unseen += unseen_changes(program)
     for name in unseen:
         print(f"{name}: was not noticed, or without reason")
     return len(unseen)
@@ -122,6 +232,8 @@ def self_test(program):
 
 if sys.argv[1:] == ["--list"]:
     print("\n".join(python_names()))
+elif len(sys.argv) == 3 and sys.argv[1] == "--fields":
+    print("\n".join(input_fields(sys.argv[2])))
 elif len(sys.argv) == 3 and sys.argv[1] == "--self-test":
     sys.exit(1 if self_test(sys.argv[2]) else 0)
 elif len(sys.argv) == 2 and not sys.argv[1].startswith("-"):
