@@ -171,7 +171,7 @@ BY_DESIGN = [
      r"(FileNotFoundError|IsADirectoryError): .*"),
     ("text in an option names an attached text, where the program opens a file",
      r".*: cannot be opened for reading: .*|\w+ must name a file; .*",
-     r"\w+: names a text that is not attached|: the text of this file is missing|"
+     r"\w*: (names a text that is not attached|the text of this file is missing); give a pathlib\.Path, .*|"
      r"requirements: .* is neither a requirement nor an existing file; .*"),
     ("the program opens a file before it looks at the other options",
      r"x\.csv: cannot be opened for reading: .*", r"catalogue: give either catalogue or measured"),
