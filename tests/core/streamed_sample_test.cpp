@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "strainwave/core/counter_random.hpp"
@@ -31,7 +32,7 @@ Streamed streamed(const std::vector<double>& values, double p, std::size_t kept)
   for (int passes = 1;; ++passes) {
     for (const double value : values) quantile.add(value);
     if (quantile.end_of_pass()) return {quantile.value(), passes};
-    if (passes == 1000) return {NAN, passes};
+    if (passes == 1000) return {std::numeric_limits<double>::quiet_NaN(), passes};
   }
 }
 double exact(std::vector<double> values, double p) { return quantile(values, p); }
