@@ -772,19 +772,22 @@ class DriveCommands:
         return answer
 
     def report(self, *, method: Optional[Literal["as-printed", "repaired", "corrected"]] = None,
-               date: Optional[Named] = None, texts: Optional[Mapping[str, str]] = None,
+               date: Optional[Named] = None, site: Optional[Named] = None,
+               texts: Optional[Mapping[str, str]] = None,
                progress: ShownProgress = None) -> results.report.ReportResult:
         """Write a report on a drive as one HTML file.
 
         Args:
             method: theory to use
             date: date to print, YYYY-MM-DD; if left out, the command line uses SOURCE_DATE_EPOCH
+            site: address of the folder with the rendered documentation, such as
+                https://example.org/strainwave; equations and codes of notes lead there
             texts: texts that options name, by their names; an option may also be a pathlib.Path,
                 whose file is read
             progress: True for a line of progress, or a function that receives the completed
                 fraction
         """
-        given: dict[str, Any] = {"method": method, "date": date}
+        given: dict[str, Any] = {"method": method, "date": date, "site": site}
         answer: results.report.ReportResult = self._run("report", given, texts, progress)
         return answer
 

@@ -7,6 +7,7 @@ import copy
 import html
 import io
 import json
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, ClassVar, Mapping, Optional, TypeVar
 
@@ -218,7 +219,23 @@ class Result(Part):
             head = ("<p><strong>The numbers must not be used: "
                     f"{html.escape(self.unusable_because)}</strong></p>" + head)
         body = f"<pre>{html.escape(self.document('text'))}</pre>" if "text" in self.documents else ""
-        return head + body
+        return head + body + self._links()
+
+    def _links(self) -> str:
+        """Links of the equations and notes into the rendered documentation, whose address the
+        environment variable STRAINWAVE_SITE names; empty without this variable."""
+        site = os.environ.get("STRAINWAVE_SITE", "")
+        if not site:
+            return ""
+
+        def linked(page: str, name: str) -> str:
+            address = html.escape(f"{site.rstrip('/')}/{page}#{name}")
+            return f'<a href="{address}">{html.escape(name)}</a>'
+
+        codes = sorted({note.code for note in self.notes})
+        rows = {"Equations": [linked("docs/theory/manual.html", tag) for tag in self.equations],
+                "Notes": [linked("notes.html", code) for code in codes]}
+        return "".join(f"<p>{title}: {', '.join(links)}</p>" for title, links in rows.items() if links)
 
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the pointer of the library."""

@@ -5,9 +5,11 @@ import copy
 import dataclasses
 import json
 import math
+import os
 import pickle
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import numpy as np
@@ -85,6 +87,15 @@ class Results(unittest.TestCase):
         with self.assertRaises(sw.NotUsable):
             float(answer.cracked.positive.stiffness)
         self.assertGreater(answer.to_dict()["cracked"]["positive"]["stiffness"]["value"], 0)
+
+    def test_behaviour_a_notebook_links_to_the_documentation_that_is_named(self):
+        answer = read("article").stiffness()
+        self.assertNotIn("href", answer._repr_html_())
+        with unittest.mock.patch.dict(os.environ, {"STRAINWAVE_SITE": "https://example.org/a&b/"}):
+            shown = answer._repr_html_()
+        self.assertIn('<a href="https://example.org/a&amp;b/docs/theory/manual.html#ST-1">ST-1</a>', shown)
+        self.assertIn(f'/notes.html#{answer.notes[0].code}">', shown)
+        self.assertEqual(shown.count("manual.html#"), len(answer.equations))
 
     def test_behaviour_an_unusable_answer_refuses_bare_numbers_and_arrays(self):
         drive = read("article")

@@ -14,6 +14,14 @@
 namespace strainwave::report {
 namespace {
 
+/// A text that leads to a page of the documentation, if its address is known.
+std::string linked(const Draft& draft, std::string_view page, std::string_view text) {
+  if (draft.options.site.empty()) return escaped(text);
+  const std::string_view slash = draft.options.site.ends_with('/') ? "" : "/";
+  return fmt::format("<a href=\"{0}{1}{2}#{3}\">{3}</a>", escaped(draft.options.site), slash, page,
+                     escaped(text));
+}
+
 std::string note_item(const Draft& draft, const Note& note) {
   std::string text =
       note.path.empty() ? std::string() : fmt::format("<code>{}</code>: ", escaped(note.path));
@@ -23,6 +31,8 @@ std::string note_item(const Draft& draft, const Note& note) {
                 ? fmt::format(" (<a href=\"#{0}\">{0}</a>)", escaped(note.equation))
                 : fmt::format(" ({})", escaped(note.equation));
   if (!note.next_step.empty()) text += " " + escaped(note.next_step);
+  if (!draft.options.site.empty())
+    text += fmt::format(" [{}]", linked(draft, "notes.html", note.code));
   return fmt::format("<li data-code=\"{}\">{}</li>\n", escaped(note.code), text);
 }
 
@@ -73,8 +83,9 @@ ReportSection equations_chapter(const Draft& draft) {
   std::string items;
   for (const EquationTitle& equation : equation_titles()) {
     if (std::ranges::find(draft.equations, equation.tag) == draft.equations.end()) continue;
-    items +=
-        fmt::format("<li id=\"{0}\"><b>{0}</b> {1}</li>\n", equation.tag, escaped(equation.title));
+    items += fmt::format("<li id=\"{}\"><b>{}</b> {}</li>\n", equation.tag,
+                         linked(draft, "docs/theory/manual.html", equation.tag),
+                         escaped(equation.title));
   }
   return {
       "equations", "Equations used",

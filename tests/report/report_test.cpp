@@ -126,6 +126,36 @@ TEST(Report, BehaviourEveryExampleGivesAWholePage) {
   }
 }
 
+// Kind: behaviour.  With the address of the documentation, each equation and each code of a note
+// leads to its place there, with one slash between; the rest of the page stays as it is.
+TEST(Report, BehaviourLinksIntoTheDocumentation) {
+  const GearSet gear = read_gear_set(text_of("article"), "article.toml");
+  const auto page = [&](const std::string& site) {
+    return report_html(make_report(gear, {}, {.site = site, .angles = 1, .draws = 2}));
+  };
+  const std::string with = page("https://example.org/a&b");
+  EXPECT_EQ(with, page("https://example.org/a&b/"));
+  std::set<std::string> tags;
+  std::set<std::string> codes;
+  for (const Element& element : parsed(with)) {
+    if (element.name == "li" && element.has("data-code")) codes.insert(element.at("data-code"));
+    if (element.name != "a" || element.at("href")[0] == '#') continue;
+    const std::string& to = element.at("href");
+    const std::string at = to.substr(to.find('#') + 1);
+    if (to.find("/a&amp;b/docs/theory/manual.html#") != std::string::npos ||
+        to.find("/a&b/docs/theory/manual.html#") != std::string::npos)
+      tags.insert(at);
+    else if (to.find("b/notes.html#") != std::string::npos)
+      EXPECT_TRUE(codes.contains(at)) << to;
+    else
+      ADD_FAILURE() << to;
+  }
+  EXPECT_TRUE(tags.contains("ST-1"));
+  EXPECT_GT(tags.size(), 3U);
+  EXPECT_GT(codes.size(), 1U);
+  EXPECT_EQ(page("").find("manual.html"), std::string::npos);
+}
+
 /// The variables of the style sheet for light and for dark screens.
 std::vector<std::map<std::string, std::string>> palettes_of(const std::string& html) {
   std::vector<std::map<std::string, std::string>> palettes;

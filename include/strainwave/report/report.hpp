@@ -21,6 +21,8 @@ struct ReportOptions {
   /// The unchanged input file; empty: the report shows the drive as `gear_text` writes it.
   std::string input_text = {};
   std::string date = {};  ///< date as printed; empty: no date
+  /// address of the rendered documentation, to which equations and codes of notes lead; empty: none
+  std::string site = {};
   int angles = 24;  ///< positions of the wave generator in the comparison of torsion curves; >= 0
   int draws = 200;  ///< draws of the file's ranges for the bands of K1, K2, K3; >= 0
   int samples = 2000;  ///< samples of the scatter that the file gives; 2 to kMaxSamples

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <string_view>
 
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
@@ -15,6 +17,7 @@ namespace {
 struct ReportCommandOptions {
   Method method = Method::corrected;
   std::optional<std::string> date;
+  std::optional<std::string> site;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -25,6 +28,10 @@ struct ReportCommandOptions {
                   "SOURCE_DATE_EPOCH",
            .names = "date"},
           &ReportCommandOptions::date);
+    field({"site", "",
+           "address of the folder with the rendered documentation, such as "
+           "https://example.org/strainwave; equations and codes of notes lead there"},
+          &ReportCommandOptions::site);
   }
 };
 
@@ -62,11 +69,25 @@ std::string date_of(const std::string& text) {
   return text;
 }
 
+/// @throws OptionError  if a text cannot be the address of a page
+std::string site_of(const std::string& text) {
+  constexpr std::array<std::string_view, 5> kStarts = {"https://", "http://", "file://", "/", "."};
+  const bool blank = text.find_first_of(" \t\n\r") != std::string::npos;
+  if (blank || std::ranges::none_of(
+                   kStarts, [&](std::string_view start) { return text.starts_with(start); }))
+    throw OptionError("site", fmt::format("{} is not the address of a folder; start it with "
+                                          "https://, http:// or file://, or with / or . for a "
+                                          "folder of this machine, without blanks",
+                                          text.empty() ? "\"\"" : shown(text)));
+  return text;
+}
+
 ReportedDrive reported(const Request& request, const ReportCommandOptions& options) {
   return {make_report(request.drive.gear, provenance_of(request.drive),
                       {.method = options.method,
                        .input_text = request.drive.text,
-                       .date = options.date ? date_of(*options.date) : std::string()},
+                       .date = options.date ? date_of(*options.date) : std::string(),
+                       .site = options.site ? site_of(*options.site) : std::string()},
                       request.progress)};
 }
 
