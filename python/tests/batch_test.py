@@ -111,7 +111,7 @@ class Batch(unittest.TestCase):
             with self.assertRaises(sw.InputError, msg=f"{values} {outputs} {options}") as caught:
                 drive.batch(values, outputs, **options)
             self.assertGreater(len(str(caught.exception)), 15)
-        for threads in (1 << 31, 1 << 40):  # the message names the number that was given
+        for threads in (1 << 31, 1 << 40, -(1 << 31) - 1):  # the message names the number that was given
             with self.assertRaisesRegex(sw.InputError, f"from 0 to 256.* {threads}"):
                 drive.batch({torque: [1.0]}, OUTPUTS, threads=threads)
         for values, outputs, sentence in (

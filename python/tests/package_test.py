@@ -84,6 +84,12 @@ class Written(unittest.TestCase):
         self.assertEqual(signatures(), SIGNATURES.read_text(),
                          "If this is meant, run this test with STRAINWAVE_RENEW=1 in the environment")
 
+    def test_identity_the_codes_of_errors_are_those_of_the_header(self):
+        header = (ROOT / "include" / "strainwave" / "strainwave.h").read_text()
+        codes = {name: int(code) for name, code in re.findall(r"SW_(\w+) = (\d+),? +/\*\*<", header)}
+        for name in ("OPTION", "INPUT", "NO_ANSWER", "INTERNAL", "NO_MEMORY", "CALLBACK", "STOPPED"):
+            self.assertEqual(getattr(_library, name), codes[name], name)
+
     def test_identity_every_public_name_is_there_and_documented(self):
         for name in sw.__all__:
             value = getattr(sw, name)

@@ -23,6 +23,13 @@ def read(name):
 
 
 class Quantities(unittest.TestCase):
+    def test_identity_quantities_compare_as_their_numbers(self):
+        for one, other in ((1.0, 2.0), (2.0, 1.0), (2.0, 2.0)):
+            quantity = sw.Quantity(one, "m")
+            for right in (other, sw.Quantity(other, "m")):
+                self.assertEqual((quantity < right, quantity <= right, quantity > right, quantity >= right),
+                                 (one < other, one <= other, one > other, one >= other))
+
     def test_behaviour_digits_follow_the_accuracy(self):
         for value, uncertainty, shown in ((72811.46, 0.3, "7.3e+04 m"), (72811.46, 0.05, "7.28e+04 m"),
                                           (72811.46, 0.001, "7.281e+04 m"), (72811.46, None, "72811.5 m"),
