@@ -243,6 +243,11 @@ class _Call:
         else:
             self._run()
         error, self._error = self._error, None
+        if error and _running.ending:
+            # Python ends a thread without a word by SystemExit.  The traceback of another exception
+            # would be written while the interpreter ends, which may abort the process.
+            _library.sw_error_free(error)
+            raise SystemExit
         if self._fault is not None:
             if error:
                 _library.sw_error_free(error)

@@ -77,7 +77,7 @@ class Interrupts(unittest.TestCase):
         for options in ("", "progress=lambda fraction: None"):
             ended = python(LONG + f"threading.Thread(target=lambda: long({options}), daemon=True)"
                            ".start()\ntime.sleep(0.3)\n", CURVE)
-            self.assertEqual(ended.returncode, 0, ended.stderr)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
 
 class Parallel(unittest.TestCase):
