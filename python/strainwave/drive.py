@@ -238,7 +238,7 @@ class Drive(DriveCommands):
             progress: True for a line of progress, or a function that receives the completed fraction
 
         Raises:
-            InputError: if a field or an output does not exist, or values are no numbers or masked
+            InputError: if a field or an output does not exist, or if a value is masked or is not a number
         """
         return batch(self, values, outputs, method=method, threads=threads, out=out,
                      progress=progress)

@@ -35,11 +35,11 @@ TitledTable outcome_table(const InspectionReport& report) {
   row("its cracks stand still: endless life", report.outcomes.arrested);
   if (report.outcomes.unfinished > 0)
     row("no end in the longest duty that is computed", report.outcomes.unfinished);
-  return {
-      .title = fmt::format(
-          "Outcomes of {} drawn drives{}", report.draws,
-          report.importance_sampling ? ", most of them about failures, with small weights" : ""),
-      .table = std::move(table)};
+  return {.title = fmt::format("Outcomes of {} drawn drives{}", report.draws,
+                               report.importance_sampling
+                                   ? ", half of them or more about failures, with small weights"
+                                   : ""),
+          .table = std::move(table)};
 }
 
 TitledTable percentile_table(const InspectionReport& report) {

@@ -262,7 +262,7 @@ std::vector<DrawnInput> drawn_inputs(const GearSet& gear) {
 void draw_values(const std::vector<DrawnInput>& inputs, const CorrelatedNormals& normals,
                  std::size_t draw, DrawnDrive& drive) {
   std::vector<double> z(normals.size());
-  for (std::size_t i = 0; i < z.size(); ++i) z[i] = counter_normal(kAccuracySeed, draw, i);
+  counter_normals(kAccuracySeed, draw, z);
   normals.correlate(z);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const DrawnInput& input = inputs[i];

@@ -49,7 +49,7 @@ DrawnLives::DrawnLives(const GearSet& gear, const InspectionOptions& options)
 
 std::vector<double> DrawnLives::normals_of(std::size_t draw) const {
   std::vector<double> u(laws_.size());
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
+  counter_normals(options_.seed, draw, u);
   if (about_failures(draw)) {
     const std::vector<double>& centre = centres_[draw % (centres_.size() + 1) - 1];
     for (std::size_t i = 0; i < u.size(); ++i) u[i] += centre[i];

@@ -131,10 +131,10 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
     if (larger > 0)
       report.notes.push_back(
           {.code = "inspection.first_size",
-           .text = fmt::format(
-               "in {} of {} draws a crack is larger than {} at first, and its path "
-               "from there on is not known; a repair reduces it to its first size",
-               larger, of.parts.size(), shown_quantity(*of.search->repaired_to, "m", 4)),
+           .text = fmt::format("in {} of {} draws a crack is larger than {} at first, and its path "
+                               "from there on is not known; a repair reduces it to its first size",
+                               larger, of.parts.size(),
+                               shown_quantity(*of.search->repaired_to, "m", 4)),
            .path = "inspection.repaired_to",
            .equation = "IR-9",
            .severity = Severity::information});
@@ -142,10 +142,9 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
   if (report.outcomes.arrested > 0)
     report.notes.push_back(
         {.code = "inspection.arrested",
-         .text =
-             fmt::format("in {} of {} draws no crack grows any more; their life has no end and "
-                         "is in no mean",
-                         report.outcomes.arrested, total),
+         .text = fmt::format("in {} of {} draws no crack grows any more; their life has no end and "
+                             "is in no mean",
+                             report.outcomes.arrested, total),
          .path = "duty",
          .equation = "IR-7",
          .severity = Severity::information});
@@ -203,9 +202,9 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
     report.notes.push_back(
         {.code = "inspection.importance",
          .text = fmt::format(
-             "{} of the draws scatter about failures that a search found; failures "
-             "far from these may be missing, and the {} other draws exclude, with "
-             "97.5 % confidence, only a probability above {:.2g} of them",
+             "{} of the draws scatter about failures that a search found.  Failures far from these "
+             "may be missing: with 97.5 % confidence, the {} other draws exclude only that such "
+             "failures have a probability above {:.2g}",
              of.parts.size() - static_cast<std::size_t>(report.importance_sampling->plain_draws),
              report.importance_sampling->plain_draws, report.importance_sampling->elsewhere),
          .path = "scatter",

@@ -376,7 +376,8 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
     if (draw.out_of_range) ++report.outcomes.out_of_range;
     if (options.importance_sampling && !study.about_failures(i))
       plain_draws.push_back({.failure = draw.part.failure});
-    parts.push_back(draw.part);
+    // The failure and the weight of the draw stay behind for its shares.
+    parts.push_back(std::move(draw.part));
   }
   if (parts.size() < 20)
     throw InputError("scatter", fmt::format("lets {} of {} drawn drives break a rule of the input, "
@@ -392,7 +393,8 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   const PartSample sample(parts, further);
   add_percentiles(report, sample);
   add_shares(report, gear, study, draws);
-  report.equations.insert(report.equations.end(), {"IR-3", "IR-7", "IR-8"});
+  report.equations.insert(report.equations.end(), {"IR-3", "IR-8"});
+  if (!options.importance_sampling) report.equations.emplace_back("IR-7");
 
   std::vector<double> schedule = options.times.at;
   std::ranges::sort(schedule);

@@ -180,9 +180,8 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   // Tables answer the many draws below; the search above needs the engine's derivatives.
   const bool fast = outputs.of_sum();
   const auto draws = static_cast<std::size_t>(settings.draws.value_or(fast ? kDraws : kSlowDraws));
-  outputs.prepare(draws, [&](std::size_t row, std::span<double> u) {
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(settings.seed, row, i);
-  });
+  outputs.prepare(
+      draws, [&](std::size_t row, std::span<double> u) { counter_normals(settings.seed, row, u); });
   const SamplingOptions sampling{
       .draws = draws, .seed = settings.seed, .threads = settings.threads};
   const SampledProbability plain = plain_sampling(make, inputs, sampling, at_start);

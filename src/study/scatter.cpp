@@ -85,7 +85,7 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
 class Draws {
   [[nodiscard]] Parallel parallel() const { return {.block = 256, .threads = options_.threads}; }
   void fill(std::size_t draw, std::span<double> u) const {
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = counter_normal(options_.seed, draw, i);
+    counter_normals(options_.seed, draw, u);
   }
   /// Of one thread: (index, draw) fills the draw of the number first + index.
   [[nodiscard]] auto evaluator(std::size_t first) const {
@@ -167,8 +167,10 @@ void fill_from_passes(Scatter& scatter, const Draws& draws, const std::vector<st
   for (auto& of_output : quantiles)
     for (const double p : kQuantiles) of_output.emplace_back(p, kept);
   bool first = true;
+  double done = 0.0;
   for (bool known = false; !known; first = false) {
-    draws.each(first ? progress.part(0.0, 0.95) : progress.part(0.95, 1.0), [&](const Draw& draw) {
+    const double next = done + 0.95 * (1 - done);  // a further pass is seldom needed
+    draws.each(progress.part(done, next), [&](const Draw& draw) {
       if (first) count(scatter, draw);
       if (draw.fate != Fate::evaluated) return;
       for (std::size_t y = 0; y < columns.size(); ++y) {
@@ -177,6 +179,7 @@ void fill_from_passes(Scatter& scatter, const Draws& draws, const std::vector<st
         for (StreamedQuantile& quantile : quantiles[y]) quantile.add(value);
       }
     });
+    done = next;
     need_results(scatter);
     known = true;
     for (auto& of_output : quantiles)

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "strainwave/core/counter_random.hpp"
+#include "draws_about.hpp"
 #include "strainwave/core/parallel.hpp"
 
 namespace strainwave {
@@ -24,43 +23,24 @@ constexpr double kFurtherAway = 1.5;
 /// A search among more covered draws only approaches the region of a centre that is known.
 constexpr double kMostCovered = 1.0 / 3;
 
-double product(std::span<const double> a, std::span<const double> b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
 /// Whether a draw is nearer to a centre than to the origin.
 bool covered(std::span<const double> u, const Place& centre) {
   return product(u, centre) > product(centre, centre) / 2;
 }
 
-/// The draws of one round about a place.
-class Round {
- public:
-  Round(const Place& centre, std::uint64_t seed) : centre_(centre), seed_(seed) {}
-
-  [[nodiscard]] Place at(std::size_t n) const {
-    Place u = centre_;
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] += counter_normal(seed_, n, i);
-    return u;
+/// Weighted mean of some draws (UQ-10).
+Place mean_of(const DrawsAbout& round, std::span<const std::size_t> draws, std::size_t inputs) {
+  Place sum(inputs, 0.0);
+  double total = 0.0;
+  for (const std::size_t n : draws) {
+    const Place u = round.at(n);
+    const double w = round.weight(u);
+    total += w;
+    for (std::size_t i = 0; i < u.size(); ++i) sum[i] += w * u[i];
   }
-  /// Weighted mean of some of the draws (UQ-10).
-  [[nodiscard]] Place mean(std::span<const std::size_t> draws) const {
-    Place sum(centre_.size(), 0.0);
-    double total = 0.0;
-    for (const std::size_t n : draws) {
-      const Place u = at(n);
-      const double w = std::exp(product(centre_, centre_) / 2 - product(u, centre_));
-      total += w;
-      for (std::size_t i = 0; i < u.size(); ++i) sum[i] += w * u[i];
-    }
-    for (double& value : sum) value /= total;
-    return sum;
-  }
-
- private:
-  const Place& centre_;
-  std::uint64_t seed_;
-};
+  for (double& value : sum) value /= total;
+  return sum;
+}
 
 /// The searches for one centre after another.
 class Search {
@@ -95,8 +75,8 @@ class Search {
     bool among_failures = false;
     double level = std::numeric_limits<double>::infinity();
     for (int n = 0; n < kMostRounds; ++n) {
-      const Round round(centre,
-                        splitmix64(options_.seed, static_cast<std::uint64_t>(found_.rounds)));
+      const DrawsAbout round(centre,
+                             splitmix64(options_.seed, static_cast<std::uint64_t>(found_.rounds)));
       const std::vector<double> margins = margins_of(round);
       std::vector<std::size_t> order;
       for (std::size_t i = 0; i < margins.size(); ++i)
@@ -109,7 +89,7 @@ class Search {
       const bool enough = failures >= elite_of(margins.size());
       if (among_failures || enough)
         for (std::size_t i = 0; i < failures; ++i) failures_.push_back(round.at(order[i]));
-      centre = round.mean(std::span(order).first(enough ? failures : elite));
+      centre = mean_of(round, std::span(order).first(enough ? failures : elite), inputs_);
       if (product(centre, centre) > farthest * farthest)
         return give_up("no failure is nearer than 8 standard deviations of the inputs");
       if (enough && std::exchange(among_failures, true)) return centre;
@@ -126,7 +106,7 @@ class Search {
     return static_cast<std::size_t>(std::ceil(kElite * static_cast<double>(draws)));
   }
   /// Margins of the draws of a round; infinite for draws without a value and for covered ones.
-  std::vector<double> margins_of(const Round& round) {
+  std::vector<double> margins_of(const DrawsAbout& round) {
     constexpr double kRounds = static_cast<double>(kMostCentres) * kMostRounds;
     std::vector<double> margins(options_.draws, std::numeric_limits<double>::infinity());
     std::vector<unsigned char> is_covered(options_.draws, 0);

@@ -5,7 +5,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
-#include "strainwave/core/counter_random.hpp"
+#include "draws_about.hpp"
 #include "strainwave/core/parallel.hpp"
 
 namespace strainwave {
@@ -15,41 +15,19 @@ enum class Draw : unsigned char { met, failed, without_value };
 
 constexpr double kNormal95 = 1.959963984540054;
 
-/// Draws standard normal inputs about a centre, in the order of their numbers.
-class Drawing {
- public:
-  Drawing(const std::vector<double>& centre, std::uint64_t seed)
-      : centre_(centre), seed_(seed), z_(centre.size()) {}
-
-  const std::vector<double>& operator()(std::size_t n) {
-    for (std::size_t i = 0; i < z_.size(); ++i) z_[i] = centre_[i] + counter_normal(seed_, n, i);
-    return z_;
-  }
-
- private:
-  const std::vector<double>& centre_;
-  std::uint64_t seed_;
-  std::vector<double> z_;
-};
-
 std::vector<Draw> draws_of(const std::function<LimitState()>& make,
                            const std::vector<double>& centre, const SamplingOptions& options,
                            const Progress& progress) {
   std::vector<Draw> draws(options.draws);
   for_each_index(draws.size(), {.block = 256, .threads = options.threads}, progress, [&] {
-    return
-        [&draws, margin = make(), drawing = Drawing(centre, options.seed)](std::size_t n) mutable {
-          const std::optional<double> g = margin(drawing(n));
-          draws[n] = !g ? Draw::without_value : *g < 0 ? Draw::failed : Draw::met;
-        };
+    return [&draws, margin = make(), about = DrawsAbout(centre, options.seed),
+            z = std::vector<double>(centre.size())](std::size_t n) mutable {
+      about.fill(n, z);
+      const std::optional<double> g = margin(z);
+      draws[n] = !g ? Draw::without_value : *g < 0 ? Draw::failed : Draw::met;
+    };
   });
   return draws;
-}
-
-double square_of(const std::vector<double>& z) {
-  double sum = 0.0;
-  for (const double zi : z) sum += zi * zi;
-  return sum;
 }
 
 }  // namespace
@@ -59,15 +37,16 @@ SampledProbability plain_sampling(const std::function<LimitState()>& make, std::
   const std::vector<double> origin(inputs, 0.0);
   const std::vector<Draw> draws = draws_of(make, origin, options, progress);
   SampledProbability result{.draws = draws.size()};
-  Drawing drawing(origin, options.seed);
+  const DrawsAbout about(origin, options.seed);
+  std::vector<double> z(inputs);
   double nearest = HUGE_VAL;
   for (std::size_t n = 0; n < draws.size(); ++n) {
     if (draws[n] == Draw::without_value) ++result.without_value;
     if (draws[n] != Draw::failed) continue;
     ++result.failures;
-    const std::vector<double>& z = drawing(n);
-    if (square_of(z) < nearest) {
-      nearest = square_of(z);
+    about.fill(n, z);
+    if (product(z, z) < nearest) {
+      nearest = product(z, z);
       result.nearest_failure = z;
     }
   }
@@ -92,18 +71,16 @@ SampledProbability importance_sampling(const std::function<LimitState()>& make,
   const std::optional<double> at_origin = make()(std::vector<double>(centre.size(), 0.0));
   const Draw rare = at_origin && *at_origin < 0 ? Draw::met : Draw::failed;
   SampledProbability result{.draws = draws.size()};
-  Drawing drawing(centre, options.seed);
+  const DrawsAbout about(centre, options.seed);
+  std::vector<double> z(centre.size());
   double sum = 0.0;
   double squares = 0.0;
   double left_out = 0.0;
-  const double beta_squared = square_of(centre);
   for (std::size_t n = 0; n < draws.size(); ++n) {
     if (draws[n] == Draw::failed) ++result.failures;
     if (draws[n] != rare && draws[n] != Draw::without_value) continue;
-    const std::vector<double>& z = drawing(n);
-    double along = 0.0;
-    for (std::size_t i = 0; i < z.size(); ++i) along += z[i] * centre[i];
-    const double weight = std::exp(beta_squared / 2 - along);  // (UQ-7)
+    about.fill(n, z);
+    const double weight = about.weight(z);  // (UQ-7)
     if (draws[n] == Draw::without_value) {
       ++result.without_value;
       left_out += weight;

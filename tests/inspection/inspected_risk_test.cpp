@@ -225,8 +225,20 @@ TEST(InspectedRisk, LimitFurtherParts) {
   EXPECT_NEAR(inspected_risk({parts, 0.01}, 5, at, blind).high, 0.5 * 11.14329 / 2 / 50, 1e-6);
 }
 
-// Kind: identity (IR-16).  What fails and what does not are two sides of one share, and the limits
-// of the rarer side are those of both.
+// Kind: reference (IR-16).  Source: quantiles of chi squared with 3.2 and 98/19 degrees of freedom
+// by scipy, for the weights 1 and 3 of 50 and a further part of weight 3.
+TEST(InspectedRisk, ReferenceLimitsOfUnequalWeights) {
+  std::vector<DrawnPart> parts(46, {.failure = 10, .weight = 1.0});
+  parts.push_back({.failure = 3, .weight = 1.0});
+  parts.push_back({.failure = 4, .weight = 3.0});
+  const RiskEstimate risk = failure_risk({parts, 0.5}, 5);
+  EXPECT_NEAR(risk.probability, 0.08, 1e-15);
+  test::expect_relative(risk.low, 0.006552903934854308, 1e-10);
+  test::expect_relative(risk.high, 0.355354489471231, 1e-10);
+}
+
+// Kind: identity (IR-16).  The parts that fail and the others are two sides of one share.  The
+// limits of both sides come from the rarer side.
 TEST(InspectedRisk, IdentityBothSidesOfAWeightedShare) {
   WeightSums rare;
   for (const double weight : {0.2, 0.3, 1.1}) rare.add(weight);

@@ -7,10 +7,11 @@
     tests/structure/released.py --fields PROGRAM       the fields of a drive, as a record keeps them
     tests/structure/released.py --self-test PROGRAM    break each rule once
 
-Every drive of a record must still be read.  A line of a listing that is no longer there must be in a list
-"### Removed" of CHANGELOG.md, in backticks.  `strainwave diff` compares each result of a record, such as
-article.stiffness.json, with the result of today for the drive beside it.  An output that is no longer there must
-be in a list "### Removed" too, and an output whose number changes in a list "### Numerical results that change".
+The program must still read every drive of a record.  A list "### Removed" of CHANGELOG.md must name, in backticks,
+each recorded line that the present listing lacks.  Beside a drive, a record may have a result, such as
+article.stiffness.json; `strainwave diff` compares it with today's result for this drive.  The list "### Removed" must
+also name each output that today's result lacks, and a list "### Numerical results that change" each output whose
+number changes.
 """
 
 import inspect
@@ -88,10 +89,14 @@ def named(changelog, heading):
     return {word for part in parts for word in re.findall(r"`([^`]+)`", part)}
 
 
+LOST = ("the program lacks this entry of the record; bring the entry back, or name it in a list \"### Removed\" of "
+        "CHANGELOG.md")
+
+
 def faults_of(record, current, changelog):
     """Entries of a record that are neither in the present listing nor named as removed."""
     gone = named(changelog, "Removed")
-    return [f"{entry}: is no longer there, and CHANGELOG.md does not list it as removed"
+    return [f"{entry}: {LOST}"
             for entry in sorted(entries(record) - entries(current)) if entry not in gone]
 
 
@@ -108,7 +113,7 @@ def changes_of(difference, changelog):
     gone, changed = named(changelog, "Removed"), named(changelog, "Numerical results that change")
     for output in difference["only_first"]:
         if output not in gone:
-            yield f"{output}: is no longer there, and CHANGELOG.md does not list it as removed"
+            yield f"{output}: {LOST}"
     for part in ("stiffness", "outputs", "within_uncertainty", "uncertainty_not_stated"):
         for row in difference[part]:
             # The last digits may differ between processors.

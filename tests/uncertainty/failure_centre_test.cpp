@@ -36,8 +36,8 @@ FailureCentres centres_of(const LimitState& margin, SamplingOptions options = {.
 }
 
 // Kind: reference (UQ-10).  Beyond a plane the mean of the failures is phi(b)/Phi(-b) along its
-// normal, and there is no other centre.  Tolerance: 0.35, five standard errors of the mean of some
-// 100 weighted draws.
+// normal, and the search finds no other centre.  Tolerance: 0.35; this is five standard errors of a
+// mean of some 100 weighted draws.
 TEST(FailureCentre, ReferenceAPlane) {
   for (const double distance : {1.0, 2.0, 4.0, 6.0}) {
     const FailureCentres found = centres_of(beyond_plane(distance));

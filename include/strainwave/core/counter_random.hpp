@@ -2,8 +2,10 @@
 #pragma once
 
 #include <boost/math/special_functions/erf.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 /// @file
 /// Random numbers that depend on their index, not on the order of calls.  The number of draw n and
@@ -37,6 +39,12 @@ namespace strainwave {
   // In double throughout: long double takes three times as long for digits that are cut off.
   using Double = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * u, Double());
+}
+
+/// The standard normal deviates of all inputs of a draw.
+/// @param normals  receives them, shape (inputs)
+inline void counter_normals(std::uint64_t seed, std::uint64_t draw, std::span<double> normals) {
+  for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = counter_normal(seed, draw, i);
 }
 
 }  // namespace strainwave

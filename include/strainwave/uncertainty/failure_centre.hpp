@@ -17,8 +17,9 @@ namespace strainwave {
 struct FailureCentres {
   std::vector<std::vector<double>> places;  ///< u*_c [-], shape (centres, inputs); none: not found
   std::string reason;                       ///< why the search found none; empty if it found one
-  double heaviest = 0.0;  ///< largest mixture_weight of the failures that the search drew [-]
-  int rounds = 0;         ///< rounds of draws
+  /// largest mixture_weight of the failures that the last rounds of the searches drew [-]
+  double heaviest = 0.0;
+  int rounds = 0;  ///< rounds of draws
 };
 
 /// Finds the centres of the failures from draws alone, without derivatives.
