@@ -17,6 +17,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -79,37 +80,31 @@ std::string heading_of(const std::string& line) {
 
 // --- Every field of the input, walked without values ---------------------------------------------
 
-/// Visits everything that a type can hold, with the struct to which it belongs: `f.template
-/// operator()<Struct, Value>(path, field, default of the struct)`.
-template <class T, class F>
-void for_each_field(const std::string& path, const F& f) {
-  if constexpr (is_optional<T>) {
-    for_each_field<typename T::value_type>(path, f);
-  } else if constexpr (is_string_map<T>) {
-    for_each_field<typename T::mapped_type>(path + ".NAME", f);
-  } else if constexpr (is_vector<T>) {
-    if constexpr (is_variant<typename T::value_type>) {
-      for_each_alternative<typename T::value_type>([&]<class Alternative>() {
-        for_each_field<Alternative>(path + "[" + std::string(Alternative::kKind) + "]", f);
-      });
-    } else {
-      for_each_field<typename T::value_type>(path + "[]", f);
-    }
-  } else if constexpr (Described<T>) {
-    T::describe([&]<class Value, class Owner>(const Field& field, Value Owner::*member) {
-      const std::string at = (path.empty() ? "" : path + ".") + std::string(field.name);
-      const T defaults{};
-      f(at, field, defaults.*member);
-      for_each_field<Value>(at, f);
-    });
-  }
-}
+enum class Kind { number, integer, flag, text, choice, pair, numbers, table, tables, kinds };
 
-template <class T>
-constexpr bool is_table = Described<T> || is_string_map<T> ||
-                          (is_vector<T> && !is_array_of_numbers<T>);
-template <class T>
-constexpr bool is_table<std::optional<T>> = Described<T>;
+/// What the tests ask of a field.  One list holds all fields: a walk over the types for each test
+/// would take the compiler minutes.
+struct InputField {
+  std::string
+      path;  ///< a material is "material.NAME", the cracks of one kind "output_shaft.crack[kind]"
+  Field field;
+  Kind kind = Kind::table;
+  bool optional = false;
+  bool required = false;
+  bool starts_absent = true;  ///< an optional value or a list is empty in a new struct
+  std::vector<std::string_view> choices = {};  ///< the words of a choice
+  std::size_t kinds = 0;  ///< the number of kinds that a list of tables can hold
+  /// Whether a right-hand side states the value of a new struct.
+  std::function<bool(std::string_view)> states_default = {};
+  /// The numbers of a right-hand side.  The call fails the test if the text does not suit the
+  /// field.
+  std::function<std::vector<double>(std::string_view)> numbers_in = {};
+
+  [[nodiscard]] bool is_table() const {
+    return kind == Kind::table || kind == Kind::tables || kind == Kind::kinds;
+  }
+  [[nodiscard]] bool is_number() const { return kind == Kind::number || kind == Kind::integer; }
+};
 
 template <class T>
 struct Unwrap {
@@ -119,6 +114,28 @@ template <class T>
 struct Unwrap<std::optional<T>> {
   using type = T;
 };
+
+template <class T>
+constexpr Kind kind_of() {
+  if constexpr (std::is_same_v<T, double>)
+    return Kind::number;
+  else if constexpr (std::is_same_v<T, int>)
+    return Kind::integer;
+  else if constexpr (std::is_same_v<T, bool>)
+    return Kind::flag;
+  else if constexpr (std::is_same_v<T, std::string>)
+    return Kind::text;
+  else if constexpr (std::is_enum_v<T>)
+    return Kind::choice;
+  else if constexpr (is_pair_of_numbers<T>)
+    return Kind::pair;
+  else if constexpr (is_array_of_numbers<T>)
+    return Kind::numbers;
+  else if constexpr (is_vector<T>)
+    return is_variant<typename T::value_type> ? Kind::kinds : Kind::tables;
+  else
+    return Kind::table;
+}
 
 template <class T>
 constexpr bool is_required(const Field& field) {
@@ -136,9 +153,7 @@ std::string unquoted(std::string_view text) {
 /// A right-hand side of the template as the value of a field.
 template <class T>
 T parsed(std::string_view text, const Field& field) {
-  if constexpr (is_optional<T>) {
-    return parsed<typename T::value_type>(text, field);
-  } else if constexpr (std::is_same_v<T, double>) {
+  if constexpr (std::is_same_v<T, double>) {
     if (field.unit != "1") return parse_quantity(field.name, unquoted(text), field.unit);
     return parse_quantity(field.name, text, "1");
   } else if constexpr (std::is_same_v<T, int>) {
@@ -174,71 +189,126 @@ T parsed(std::string_view text, const Field& field) {
   }
 }
 
+template <class T>
+std::vector<double> numbers_of(const T& value) {
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
+    return {static_cast<double>(value)};
+  else if constexpr (is_pair_of_numbers<T> || is_array_of_numbers<T>)
+    return {value.begin(), value.end()};
+  else
+    return {};
+}
+
+/// Adds what the right-hand sides of a field mean, unless the field is a table.
+template <class Inner, class Value>
+void add_values(const Value& fallback, InputField& entry) {
+  if constexpr (kind_of<Inner>() < Kind::table) {
+    entry.numbers_in = [field = entry.field](std::string_view text) {
+      return numbers_of(parsed<Inner>(text, field));
+    };
+    entry.states_default = [field = entry.field, fallback](std::string_view text) {
+      return fallback == parsed<Inner>(text, field);
+    };
+  }
+}
+
+/// Adds all fields that a type can hold.
+template <class T>
+void add_fields(const std::string& path, std::vector<InputField>& fields) {
+  if constexpr (is_optional<T>) {
+    add_fields<typename T::value_type>(path, fields);
+  } else if constexpr (is_string_map<T>) {
+    add_fields<typename T::mapped_type>(path + ".NAME", fields);
+  } else if constexpr (kind_of<T>() == Kind::kinds) {
+    for_each_alternative<typename T::value_type>([&]<class Alternative>() {
+      add_fields<Alternative>(path + "[" + std::string(Alternative::kKind) + "]", fields);
+    });
+  } else if constexpr (kind_of<T>() == Kind::tables) {
+    add_fields<typename T::value_type>(path + "[]", fields);
+  } else if constexpr (Described<T>) {
+    T::describe([&]<class Value, class Owner>(const Field& field, Value Owner::*member) {
+      using Inner = typename Unwrap<Value>::type;
+      InputField entry{.path = (path.empty() ? "" : path + ".") + std::string(field.name),
+                       .field = field,
+                       .kind = kind_of<Inner>(),
+                       .optional = is_optional<Value>,
+                       .required = is_required<Value>(field)};
+      const T defaults{};
+      if constexpr (is_optional<Value>)
+        entry.starts_absent = !(defaults.*member).has_value();
+      else if constexpr (is_vector<Value>)
+        entry.starts_absent = (defaults.*member).empty();
+      if constexpr (std::is_enum_v<Inner>)
+        entry.choices.assign(EnumNames<Inner>::names.begin(), EnumNames<Inner>::names.end());
+      if constexpr (kind_of<Inner>() == Kind::kinds)
+        entry.kinds = std::variant_size_v<typename Inner::value_type>;
+      add_values<Inner>(defaults.*member, entry);
+      fields.push_back(std::move(entry));
+      add_fields<Value>(std::string(fields.back().path), fields);
+    });
+  }
+}
+
+const std::vector<InputField>& input_fields() {
+  static const std::vector<InputField> all = [] {
+    std::vector<InputField> fields;
+    add_fields<GearSet>("", fields);
+    return fields;
+  }();
+  return all;
+}
+
 TEST(InputDescriptions, BehaviourFallbacksAreTheDefaultsOfTheStructs) {
   int n = 0;
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value& fallback) {
-        if (field.fallback.empty()) return;
-        if constexpr (!is_table<Value> && !is_optional<Value>) {
-          ++n;
-          EXPECT_EQ(parsed<Value>(field.fallback, field), fallback) << path;
-        } else {
-          ADD_FAILURE() << path << " has a fallback, but is a table or optional";
-        }
-      });
+  for (const InputField& of : input_fields()) {
+    if (of.field.fallback.empty()) continue;
+    ASSERT_TRUE(!of.is_table() && !of.optional)
+        << of.path << " has a fallback, but is a table or optional";
+    ++n;
+    EXPECT_TRUE(of.states_default(of.field.fallback)) << of.path;
+  }
   EXPECT_GE(n, 20);
 }
 
 TEST(InputDescriptions, BehaviourFieldsThatMayBeLeftOutStartAbsent) {
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field&, const Value& fallback) {
-        if constexpr (is_optional<Value>) {
-          EXPECT_FALSE(fallback.has_value()) << path;
-        } else if constexpr (is_vector<Value>) {
-          EXPECT_TRUE(fallback.empty()) << path;
-        }
-      });
+  for (const InputField& of : input_fields()) EXPECT_TRUE(of.starts_absent) << of.path;
 }
 
 TEST(InputDescriptions, BehaviourExamplesAndFallbacksAreInTheirRanges) {
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if constexpr (!is_table<Value>) {
-          ASSERT_FALSE(field.example.empty()) << path;
-          for (const std::string_view text : {field.example, field.fallback}) {
-            if (text.empty()) continue;
-            using Inner = typename Unwrap<Value>::type;
-            const auto value = parsed<Inner>(text, field);
-            if constexpr (std::is_same_v<Inner, double> || std::is_same_v<Inner, int>) {
-              EXPECT_TRUE(field.range.contains(value)) << path << " = " << text;
-            } else if constexpr (is_pair_of_numbers<Inner>) {
-              EXPECT_TRUE(field.range.contains(value[0])) << path;
-              EXPECT_TRUE(field.range.contains(value[1])) << path;
-            } else if constexpr (is_array_of_numbers<Inner>) {
-              EXPECT_GE(value.size(), 2U) << path;
-              for (const double number : value) EXPECT_TRUE(field.range.contains(number)) << path;
-            }
-          }
-        }
-      });
+  for (const InputField& of : input_fields()) {
+    if (of.is_table()) continue;
+    ASSERT_FALSE(of.field.example.empty()) << of.path;
+    for (const std::string_view text : {of.field.example, of.field.fallback}) {
+      if (text.empty()) continue;
+      const std::vector<double> numbers = of.numbers_in(text);
+      if (of.is_number()) {
+        EXPECT_EQ(numbers.size(), 1U) << of.path;
+      }
+      if (of.kind == Kind::pair) {
+        EXPECT_EQ(numbers.size(), 2U) << of.path;
+      }
+      if (of.kind == Kind::numbers) {
+        EXPECT_GE(numbers.size(), 2U) << of.path;
+      }
+      for (const double number : numbers)
+        EXPECT_TRUE(of.field.range.contains(number)) << of.path << " = " << text;
+    }
+  }
 }
 
 TEST(InputDescriptions, BehaviourNamesUnitsAndMeaningsAreThere) {
   static const std::regex kBareKey("[A-Za-z][A-Za-z0-9_]*");
   std::set<std::string> paths;
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        EXPECT_TRUE(std::regex_match(std::string(field.name), kBareKey)) << path;
-        EXPECT_TRUE(paths.insert(path).second) << path << " is described twice";
-        EXPECT_FALSE(field.doc.empty()) << path;
-        using Inner = typename Unwrap<Value>::type;
-        constexpr bool kIsNumber = std::is_same_v<Inner, double> || std::is_same_v<Inner, int> ||
-                                   is_array_of_numbers<Inner>;
-        EXPECT_EQ(!field.unit.empty(), kIsNumber) << path;
-        if (kIsNumber) {
-          EXPECT_EQ(parse_unit(field.unit).factor, 1) << path << " is not in SI";
-        }
-      });
+  for (const InputField& of : input_fields()) {
+    EXPECT_TRUE(std::regex_match(std::string(of.field.name), kBareKey)) << of.path;
+    EXPECT_TRUE(paths.insert(of.path).second) << of.path << " is described twice";
+    EXPECT_FALSE(of.field.doc.empty()) << of.path;
+    const bool holds_numbers = of.is_number() || of.kind == Kind::pair || of.kind == Kind::numbers;
+    EXPECT_EQ(!of.field.unit.empty(), holds_numbers) << of.path;
+    if (holds_numbers) {
+      EXPECT_EQ(parse_unit(of.field.unit).factor, 1) << of.path << " is not in SI";
+    }
+  }
   EXPECT_GT(paths.size(), 80U);
 }
 
@@ -255,27 +325,25 @@ TEST(InputTemplate, CrosscheckTheReaderAcceptsIt) {
 TEST(InputTemplate, BehaviourShowsEveryField) {
   const std::string text = input_template();
   const std::vector<std::string> lines = lines_of(text);
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if constexpr (!is_table<Value>) {
-          const std::string start = std::string(field.name) + " = " + std::string(field.example);
-          const bool commented = field.in_template == InTemplate::commented;
-          EXPECT_TRUE(std::ranges::any_of(lines, [&](const std::string& line) {
-            return (!commented && line.starts_with(start)) || line.starts_with("# " + start);
-          })) << path;
-          EXPECT_NE(text.find("# " + std::string(field.doc)), std::string::npos) << path;
-        }
-      });
+  for (const InputField& of : input_fields()) {
+    if (of.is_table()) continue;
+    const Field& field = of.field;
+    const std::string start = std::string(field.name) + " = " + std::string(field.example);
+    const bool commented = field.in_template == InTemplate::commented;
+    EXPECT_TRUE(std::ranges::any_of(lines, [&](const std::string& line) {
+      return (!commented && line.starts_with(start)) || line.starts_with("# " + start);
+    })) << of.path;
+    EXPECT_NE(text.find("# " + std::string(field.doc)), std::string::npos) << of.path;
+  }
 }
 
 TEST(InputTemplate, BehaviourStatesTheFallbackAsDefault) {
   const std::string text = input_template();
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if (field.fallback.empty() || field.fallback == "\"\"") return;
-        EXPECT_NE(text.find("; default " + std::string(field.fallback) + "\n"), std::string::npos)
-            << path;
-      });
+  for (const InputField& of : input_fields()) {
+    const std::string fallback(of.field.fallback);
+    if (fallback.empty() || fallback == "\"\"") continue;
+    EXPECT_NE(text.find("; default " + fallback + "\n"), std::string::npos) << of.path;
+  }
 }
 
 /// Activates one commented field at a time under an active heading.
@@ -631,7 +699,7 @@ TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
 
 // --- What may be left out ------------------------------------------------------------------------
 
-/// The path of the live line `i` as `for_each_field` spells it.
+/// The path of the live line `i` as `input_fields` spells it.
 std::string path_of(const std::vector<std::string>& lines, std::size_t i) {
   std::string table;
   std::string kind;
@@ -650,10 +718,8 @@ std::string path_of(const std::vector<std::string>& lines, std::size_t i) {
 
 std::set<std::string> required_paths() {
   std::set<std::string> paths;
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if (is_required<Value>(field)) paths.insert(path);
-      });
+  for (const InputField& of : input_fields())
+    if (of.required) paths.insert(of.path);
   return paths;
 }
 
@@ -726,7 +792,7 @@ TEST(InputFormat, CrosscheckRequiredTablesAreThoseThatTheReaderMisses) {
 
 // --- Schema --------------------------------------------------------------------------------------
 
-/// The schema of the value at a path of `for_each_field`.
+/// The schema of the value at a path of `input_fields`.
 const Json& schema_at(const Json& schema, const std::string& path) {
   const Json* at = &schema;
   std::size_t start = 0;
@@ -788,39 +854,36 @@ TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
 
 TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
   const Json s = schema();
-  std::size_t fields = 0;
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        ++fields;
-        const Json& property = schema_at(s, path);
-        const auto description = property.at("description").get<std::string>();
-        EXPECT_TRUE(description.starts_with(field.doc)) << path;
-        const bool has_unit = !field.unit.empty() && field.unit != "1";
-        EXPECT_EQ(description.find(" [" + std::string(field.unit) + "]; ") != std::string::npos,
-                  has_unit)
-            << path;
-      });
+  for (const InputField& of : input_fields()) {
+    const Field& field = of.field;
+    const auto description = schema_at(s, of.path).at("description").get<std::string>();
+    EXPECT_TRUE(description.starts_with(field.doc)) << of.path;
+    const bool has_unit = !field.unit.empty() && field.unit != "1";
+    EXPECT_EQ(description.find(" [" + std::string(field.unit) + "]; ") != std::string::npos,
+              has_unit)
+        << of.path;
+  }
   std::size_t properties = 0;
   for_each_table(s, [&](const Json& table) {
     for (const auto& [name, property] : table.at("properties").items())
       if (name != "kind") ++properties;
   });
-  EXPECT_EQ(properties, fields);
+  EXPECT_EQ(properties, input_fields().size());
 }
 
 TEST(InputSchema, BehaviourRequiredIsWhatTheReaderDemands) {
   const Json s = schema();
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        const std::size_t dot = path.rfind('.');
-        const Json& table = dot == std::string::npos ? s : schema_at(s, path.substr(0, dot));
-        const Json names = table.value("required", Json::array());
-        EXPECT_EQ(std::ranges::find(names, field.name) != names.end(),
-                  is_required<Value>(field) && field.unless.front().empty())
-            << path;
-        // The schema gives a default exactly for fields with a fallback.
-        EXPECT_EQ(schema_at(s, path).contains("default"), !field.fallback.empty()) << path;
-      });
+  for (const InputField& of : input_fields()) {
+    const std::string& path = of.path;
+    const std::size_t dot = path.rfind('.');
+    const Json& table = dot == std::string::npos ? s : schema_at(s, path.substr(0, dot));
+    const Json names = table.value("required", Json::array());
+    EXPECT_EQ(std::ranges::find(names, of.field.name) != names.end(),
+              of.required && of.field.unless.front().empty())
+        << path;
+    // The schema gives a default exactly for fields with a fallback.
+    EXPECT_EQ(schema_at(s, path).contains("default"), !of.field.fallback.empty()) << path;
+  }
   for (const char* const member : {"wave_generator", "flexspline", "output_shaft"}) {
     const Json& items = s.at("properties").at(member).at("properties").at("crack").at("items");
     for (const Json& kind : items.at("oneOf"))
@@ -828,65 +891,72 @@ TEST(InputSchema, BehaviourRequiredIsWhatTheReaderDemands) {
   }
 }
 
+/// Expects the bounds of a range in the schema of a pure number.
+void expect_bounds(const Json& property, const Range& range, const std::string& path) {
+  const auto expect = [&](const char* key, double value, bool here) {
+    EXPECT_EQ(property.contains(key), here && std::isfinite(value)) << path << " " << key;
+    if (property.contains(key)) {
+      EXPECT_EQ(property.at(key).get<double>(), value) << path << " " << key;
+    }
+  };
+  expect("minimum", range.lower, !range.lower_open);
+  expect("exclusiveMinimum", range.lower, range.lower_open);
+  expect("maximum", range.upper, !range.upper_open);
+  expect("exclusiveMaximum", range.upper, range.upper_open);
+}
+
 TEST(InputSchema, BehaviourTypesRangesAndDefaults) {
   const Json s = schema();
-  for_each_field<GearSet>("", [&]<class Value>(const std::string& path, const Field& field,
-                                               const Value&) {
+  for (const InputField& of : input_fields()) {
+    const auto& [path, field] = std::tie(of.path, of.field);
+    if (path == "format") continue;
     const Json& property = schema_at(s, path);
-    using Inner = typename Unwrap<Value>::type;
-    if (path == "format") return;
-    if constexpr (std::is_same_v<Inner, double> || std::is_same_v<Inner, int>) {
-      if (field.unit == "1") {
-        EXPECT_EQ(property.at("type"), (std::is_same_v<Inner, int> ? "integer" : "number"));
-        const auto bound = [&](const char* key) {
-          return property.contains(key) ? std::optional<double>(property.at(key).get<double>())
-                                        : std::nullopt;
-        };
-        const auto expected = [](double value, bool here) {
-          return here && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
-        };
-        const Range& range = field.range;
-        EXPECT_EQ(bound("minimum"), expected(range.lower, !range.lower_open)) << path;
-        EXPECT_EQ(bound("exclusiveMinimum"), expected(range.lower, range.lower_open)) << path;
-        EXPECT_EQ(bound("maximum"), expected(range.upper, !range.upper_open)) << path;
-        EXPECT_EQ(bound("exclusiveMaximum"), expected(range.upper, range.upper_open)) << path;
-      } else {
-        EXPECT_EQ(property.at("type"), "string") << path;
-        EXPECT_TRUE(property.contains("pattern")) << path;
-      }
-    } else if constexpr (std::is_same_v<Inner, bool>) {
-      EXPECT_EQ(property.at("type"), "boolean") << path;
-    } else if constexpr (std::is_same_v<Inner, std::string>) {
-      EXPECT_EQ(property.at("type"),
-                field.number_text ? Json({"string", "number"}) : Json("string"))
-          << path;
-    } else if constexpr (std::is_enum_v<Inner>) {
-      EXPECT_EQ(property.at("enum").size(), EnumNames<Inner>::names.size()) << path;
-      for (std::size_t i = 0; i < EnumNames<Inner>::names.size(); ++i)
-        EXPECT_EQ(property.at("enum").at(i), EnumNames<Inner>::names[i]) << path;
-    } else if constexpr (is_pair_of_numbers<Inner>) {
-      EXPECT_EQ(property.at("type"), "array") << path;
-      EXPECT_EQ(property.at("minItems"), 2) << path;
-      EXPECT_EQ(property.at("maxItems"), 2) << path;
-      EXPECT_EQ(property.at("items").at("type"), field.unit == "1" ? "number" : "string") << path;
-    } else if constexpr (is_vector<Inner>) {
-      EXPECT_EQ(property.at("type"), "array") << path;
-      if constexpr (is_variant<typename Inner::value_type>) {
-        EXPECT_EQ(property.at("items").at("oneOf").size(),
-                  std::variant_size_v<typename Inner::value_type>)
-            << path;
-      } else if constexpr (is_array_of_numbers<Inner>) {
-        EXPECT_EQ(property.at("items").at("type"), field.unit == "1" ? "number" : "string") << path;
-      } else {
+    const Json type = property.value("type", Json());
+    const std::string of_number = field.unit == "1" ? "number" : "string";
+    switch (of.kind) {
+      case Kind::number:
+      case Kind::integer:
+        if (field.unit == "1") {
+          EXPECT_EQ(type, of.kind == Kind::integer ? "integer" : "number") << path;
+          expect_bounds(property, field.range, path);
+        } else {
+          EXPECT_EQ(type, "string") << path;
+          EXPECT_TRUE(property.contains("pattern")) << path;
+        }
+        break;
+      case Kind::flag:
+        EXPECT_EQ(type, "boolean") << path;
+        break;
+      case Kind::text:
+        EXPECT_EQ(type, field.number_text ? Json({"string", "number"}) : Json("string")) << path;
+        break;
+      case Kind::choice:
+        EXPECT_EQ(property.at("enum"), Json(of.choices)) << path;
+        break;
+      case Kind::pair:
+        EXPECT_EQ(property.at("minItems"), 2) << path;
+        EXPECT_EQ(property.at("maxItems"), 2) << path;
+        [[fallthrough]];
+      case Kind::numbers:
+        EXPECT_EQ(type, "array") << path;
+        EXPECT_EQ(property.at("items").at("type"), of_number) << path;
+        break;
+      case Kind::kinds:
+        EXPECT_EQ(type, "array") << path;
+        EXPECT_EQ(property.at("items").at("oneOf").size(), of.kinds) << path;
+        break;
+      case Kind::tables:
+        EXPECT_EQ(type, "array") << path;
         EXPECT_EQ(property.at("items").at("type"), "object") << path;
-      }
-    } else {
-      EXPECT_EQ(property.at("type"), "object") << path;
+        break;
+      case Kind::table:
+        EXPECT_EQ(type, "object") << path;
+        break;
     }
     if (property.contains("default")) {
       EXPECT_EQ(property.at("default"), Json::parse(field.fallback)) << path;
     }
-  });
+  }
 }
 
 /// Whether the reader accepts a text as a quantity of a field, without regard to other fields.
@@ -917,22 +987,22 @@ TEST(InputSchema, CrosscheckThePatternsOfQuantitiesAgreeWithTheReader) {
           "Nm/arcmin", "N*m*s/rad", "N*m/(rad/s)", "mNm*s/rad"})
       texts.push_back(std::string(number) + unit);
   int fields = 0;
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if (!std::is_same_v<typename Unwrap<Value>::type, double> || field.unit == "1") return;
-        ++fields;
-        const std::regex pattern(schema_at(s, path).at("pattern").get<std::string>());
-        EXPECT_TRUE(std::regex_search(unquoted(field.example), pattern)) << path;
-        for (const std::string& text : texts) {
-          // Bounds other than 0 are in the description.
-          const bool in_pattern = std::regex_search(text, pattern);
-          if (field.range.lower <= 0 && !std::isfinite(field.range.upper)) {
-            EXPECT_EQ(in_pattern, reader_takes(field, text)) << path << ": " << text;
-          } else if (!in_pattern) {
-            EXPECT_FALSE(reader_takes(field, text)) << path << ": " << text;
-          }
-        }
-      });
+  for (const InputField& of : input_fields()) {
+    const auto& [path, field] = std::tie(of.path, of.field);
+    if (of.kind != Kind::number || field.unit == "1") continue;
+    ++fields;
+    const std::regex pattern(schema_at(s, path).at("pattern").get<std::string>());
+    EXPECT_TRUE(std::regex_search(unquoted(field.example), pattern)) << path;
+    for (const std::string& text : texts) {
+      // Bounds other than 0 are in the description.
+      const bool in_pattern = std::regex_search(text, pattern);
+      if (field.range.lower <= 0 && !std::isfinite(field.range.upper)) {
+        EXPECT_EQ(in_pattern, reader_takes(field, text)) << path << ": " << text;
+      } else if (!in_pattern) {
+        EXPECT_FALSE(reader_takes(field, text)) << path << ": " << text;
+      }
+    }
+  }
   EXPECT_GT(fields, 50);
 }
 
@@ -949,18 +1019,16 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
     }
   }
   EXPECT_EQ(tables, 70);
-  for_each_field<GearSet>(
-      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if constexpr (!is_table<Value>) {
-          const std::string row = "| `" + std::string(field.name) + "` | ";
-          const std::size_t at = text.find(row);
-          ASSERT_NE(at, std::string::npos) << path;
-          EXPECT_NE(text.find("| " + std::string(field.doc) + " |\n"), std::string::npos) << path;
-        } else {
-          EXPECT_NE(text.find("`: " + std::string(field.doc) + "\n\n| field |"), std::string::npos)
-              << path;
-        }
-      });
+  for (const InputField& of : input_fields()) {
+    const std::string doc(of.field.doc);
+    if (of.is_table()) {
+      EXPECT_NE(text.find("`: " + doc + "\n\n| field |"), std::string::npos) << of.path;
+    } else {
+      EXPECT_NE(text.find("| `" + std::string(of.field.name) + "` | "), std::string::npos)
+          << of.path;
+      EXPECT_NE(text.find("| " + doc + " |\n"), std::string::npos) << of.path;
+    }
+  }
 }
 
 TEST(InputReference, BehaviourThePageOfTheGuideIsUpToDate) {

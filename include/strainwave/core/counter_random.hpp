@@ -42,7 +42,9 @@ namespace strainwave {
 }
 
 /// The standard normal deviates of all inputs of a draw.
-/// @param normals  receives them, shape (inputs)
+/// @param seed     of the sequence
+/// @param draw     number of the draw
+/// @param normals  receives the deviates [-], shape (inputs)
 inline void counter_normals(std::uint64_t seed, std::uint64_t draw, std::span<double> normals) {
   for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = counter_normal(seed, draw, i);
 }
