@@ -25,7 +25,7 @@ endfunction()
 # strainwave_test(<folder> SOURCES <name>... DEPENDS <module>... [INSIDE <module>] [PARTS <number>])
 # GoogleTest program test_<folder> of tests/<folder>/<name>_test.cpp, labelled with the folder:
 # `ctest -L fracture`.  INSIDE: the tests see the private headers of one module.  ctest runs each
-# test by itself, or the tests of a folder in PARTS parts.  Under the sanitizers there are four parts.
+# test by itself, or in the presets of ./check the tests of a folder in PARTS parts, which are four if left out.
 function(strainwave_test folder)
   cmake_parse_arguments(ARG "" "INSIDE;PARTS" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/${folder}/\\1_test.cpp")
@@ -45,11 +45,11 @@ function(strainwave_test folder)
   strainwave_flags(${target})
   # The code of most tests need not be fast; with -O0 it compiles in half the time.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
-  if(STRAINWAVE_SANITIZE)
+  if((STRAINWAVE_SANITIZE OR STRAINWAVE_BUILD_FE) AND NOT ARG_PARTS)
     set(ARG_PARTS 4)
   endif()
   if(ARG_PARTS)
-    # A sanitized program, or one with 200 libraries, takes longer to start than most tests to run.
+    # A program, above all a sanitized one or one with 200 libraries, takes longer to start than most tests to run.
     # Therefore ctest starts it for a few parts and not for each test.
     math(EXPR last "${ARG_PARTS} - 1")
     foreach(part RANGE ${last})
