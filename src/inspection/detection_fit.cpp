@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/non_central_t.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <string_view>
+#include <utility>
 
+#include "limited_signals.hpp"
+#include "normal_likelihood.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/roots.hpp"
 #include "strainwave/uncertainty/normal.hpp"
@@ -30,19 +31,6 @@ double logistic_logarithm(double x) {
   return x > 0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
 }
 
-/// Logarithm of the probability below z, also far below 0.
-double normal_logarithm(double z) {
-  if (z > -30) return std::log(normal_probability(z));
-  return -z * z / 2 - std::log(-z) - std::log(2 * std::numbers::pi) / 2 + std::log1p(-1 / (z * z));
-}
-
-/// Logarithm of the likelihood of one trial and its derivatives by the argument of the curve.
-struct TrialLikelihood {
-  double value;
-  double slope;
-  double bend;  ///< <= 0
-};
-
 TrialLikelihood likelihood_of(DetectionForm form, double x, bool hit) {
   const double sign = hit ? 1.0 : -1.0;
   const double y = sign * x;
@@ -50,9 +38,8 @@ TrialLikelihood likelihood_of(DetectionForm form, double x, bool hit) {
     const double other = 1 / (1 + std::exp(y));
     return {logistic_logarithm(y), sign * other, -other * (1 - other)};
   }
-  const double value = normal_logarithm(y);
-  const double ratio = std::exp(-y * y / 2 - std::log(2 * std::numbers::pi) / 2 - value);
-  return {value, sign * ratio, -ratio * (ratio + y)};
+  const TrialLikelihood of_hit = normal_likelihood(y);
+  return {of_hit.value, sign * of_hit.slope, of_hit.bend};
 }
 
 /// The argument of the curve at a probability.
@@ -211,6 +198,17 @@ void require_size(double size) {
   require(size > 0 && std::isfinite(size), "size", size, "m", "> 0");
 }
 
+LimitedSignal limited_signal(const SizedSignal& trial, double threshold, const SignalScale& scale) {
+  const auto at = [&](double signal, SignalIs is) {
+    return LimitedSignal{
+        .x = std::log(trial.size), .y = std::log(signal) - std::log(threshold), .is = is};
+  };
+  if (scale.floor && trial.signal <= *scale.floor) return at(*scale.floor, SignalIs::below);
+  require(trial.signal > 0 && std::isfinite(trial.signal), "signal", trial.signal, "1", "> 0");
+  if (scale.ceiling && trial.signal >= *scale.ceiling) return at(*scale.ceiling, SignalIs::above);
+  return at(trial.signal, SignalIs::known);
+}
+
 }  // namespace
 
 DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) {
@@ -220,7 +218,10 @@ DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) 
   double largest_hit = 0.0;
   double smallest_miss = std::numeric_limits<double>::infinity();
   double largest_miss = 0.0;
-  DetectionFit fit{.form = form, .trials = static_cast<int>(trials.size()), .points = {}};
+  DetectionFit fit{.form = form,
+                   .trials = static_cast<int>(trials.size()),
+                   .points = {},
+                   .equations = {"IR-12", "IR-13"}};
   for (const HitOrMiss& trial : trials) {
     require_size(trial.size);
     if (trial.hit) ++fit.hits;
@@ -256,59 +257,47 @@ DetectionFit fit_hits(DetectionForm form, const std::vector<HitOrMiss>& trials) 
   return fit;
 }
 
-DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshold) {
+DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshold,
+                         const SignalScale& scale) {
   require(threshold > 0 && std::isfinite(threshold), "threshold", threshold, "1", "> 0");
+  if (scale.floor && *scale.floor > threshold)
+    throw InputError("floor", fmt::format("is {}, above the threshold {}; a crack with a signal "
+                                          "between the two could not be called",
+                                          *scale.floor, threshold));
+  if (scale.ceiling && *scale.ceiling < threshold)
+    throw InputError("ceiling", fmt::format("is {}, below the threshold {}, which no signal could "
+                                            "then reach",
+                                            *scale.ceiling, threshold));
   if (trials.size() < 5)
     throw InputError("signal", fmt::format("has {} trials; give at least 5", trials.size()));
-  const auto n = static_cast<double>(trials.size());
-  const double limit = std::log(threshold);
-  std::vector<double> x;
-  std::vector<double> y;
   DetectionFit fit{.form = DetectionForm::log_normal,
                    .of_signals = true,
                    .trials = static_cast<int>(trials.size()),
-                   .points = {}};
-  double mean_x = 0.0;
-  double mean_y = 0.0;
+                   .points = {},
+                   .equations = {"IR-14"}};
+  std::vector<LimitedSignal> signals;
+  double mean = 0.0;
   for (const SizedSignal& trial : trials) {
     require_size(trial.size);
-    require(trial.signal > 0 && std::isfinite(trial.signal), "signal", trial.signal, "1", "> 0");
+    signals.push_back(limited_signal(trial, threshold, scale));
     if (trial.signal > threshold) ++fit.hits;
-    x.push_back(std::log(trial.size));
-    y.push_back(std::log(trial.signal));
-    mean_x += x.back() / n;
-    mean_y += y.back() / n;
+    if (signals.back().is == SignalIs::below) ++fit.below;
+    if (signals.back().is == SignalIs::above) ++fit.above;
+    mean += signals.back().x / static_cast<double>(trials.size());
   }
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mean_x) * (x[i] - mean_x);
-    xy += (x[i] - mean_x) * (y[i] - mean_y);
-    yy += (y[i] - mean_y) * (y[i] - mean_y);
-  }
-  const auto [low, high] = std::ranges::minmax(x);
-  if (!(high > low))
-    throw InputError("size", "is the same in all trials; give cracks of other sizes");
-  if (!(xy > 0))
+  for (LimitedSignal& signal : signals) signal.x -= mean;
+  if (fit.below + fit.above > 0) fit.equations.emplace_back("IR-17");
+  const auto [low, high] = std::ranges::minmax(signals, {}, &LimitedSignal::x);
+  const double spread = high.x - low.x;
+  const LimitedSignals of(std::move(signals));
+  const SignalLine line = of.fit();
+  if (!(line.slope > 1e-9))
     throw InputError("signal", "falls with the size; a larger crack must give a larger signal");
-  const double rise = xy / xx;
-  const double squares = yy - rise * xy;
-  if (!(squares > 1e-20 * yy))
-    throw InputError("signal", "lies on a line without scatter; give measured signals");
-  const double deviation = std::sqrt(squares / n);  // (IR-14)
-  const double level = mean_y - rise * mean_x;
-  fit.log_likelihood = -n * (std::log(deviation) + std::log(2 * std::numbers::pi) / 2) -
-                       squares / 2 / (deviation * deviation);
-  const double scatter = std::sqrt(squares / (n - 2));
-  const auto left = [&](double z, double at) {  // (IR-14)
-    using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-    const double root = std::sqrt(1 / n + (at - mean_x) * (at - mean_x) / xx);
-    const boost::math::non_central_t_distribution<double, Policy> law(n - 2, z / root);
-    return boost::math::cdf(law, (level + rise * at - limit) / (scatter * root)) - 0.95;
-  };
+  fit.log_likelihood = of.likelihood(line);
+  const SignalInformation information = of.information(line);
   add_bounds(
-      fit, high - low, [&](double z) { return (limit - level + z * deviation) / rise; }, left);
+      fit, spread, [&](double z) { return mean + (z - line.level) / line.slope; },
+      [&](double z, double x) { return information.confidence(z, x - mean) - 0.95; });
   return fit;
 }
 

@@ -97,6 +97,9 @@ TitledTable method_table(const MethodOfInspection& method) {
       return size ? length(size) : std::string("not bounded");
     };
     row("trials behind the curve", fmt::format("{}", *method.trials));
+    if (method.below_floor)
+      row("signals at the floor, at the ceiling",
+          fmt::format("{}, {}", *method.below_floor, *method.above_ceiling));
     row("a50 with 95 % confidence", bound(method.a50_bound));
     row("a90 with 95 % confidence", bound(method.a90_bound));
   }
@@ -113,7 +116,7 @@ TitledTable method_table(const MethodOfInspection& method) {
   row("a find leads to", method.repaired_to ? "a repair to " + length(method.repaired_to)
                                             : std::string("the end of service of the drive"));
   return {.title = method.change_at_end ? "Method (IR-10), (IR-11)"
-                   : method.trials      ? "Method (IR-1), (IR-13)"
+                   : method.trials      ? fmt::format("Method (IR-1), ({})", method.bound_equation)
                                         : "Method (IR-1)",
           .table = std::move(table)};
 }

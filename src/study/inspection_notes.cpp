@@ -106,7 +106,7 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
          .text = fmt::format("{} trials do not bound the size a90 with 95 % confidence",
                              *report.method->trials),
          .path = "detection-data",
-         .equation = "IR-13",
+         .equation = report.method->bound_equation,
          .severity = Severity::care,
          .next_step = "Try more cracks, over a wider range of sizes."});
   if (of.search != nullptr && of.search->repaired_to) {

@@ -444,8 +444,13 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
         report.method->a50_bound = options.trials->a50_bound;
         report.method->a90_bound = options.trials->a90_bound;
         report.method->trials = options.trials->trials;
-        report.equations.insert(report.equations.end(),
-                                {options.trials->of_signals ? "IR-14" : "IR-12", "IR-13"});
+        report.method->bound_equation = options.trials->equations.back();
+        if (options.trials->below + options.trials->above > 0) {
+          report.method->below_floor = options.trials->below;
+          report.method->above_ceiling = options.trials->above;
+        }
+        report.equations.insert(report.equations.end(), options.trials->equations.begin(),
+                                options.trials->equations.end());
       }
     }
   }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Curves of detection fitted to trials, with their 95 % bound.
 
-Equations (IR-12), (IR-13), (IR-14) for examples/detection_hits.csv and
-examples/detection_signals.csv.  Independent of the C++: the product uses Newton's method, and a
+Equations (IR-12), (IR-13), (IR-14), (IR-17) for examples/detection_hits.csv and
+examples/detection_signals.csv, once also with the ends of a scale.  Independent of the C++: the product uses Newton's method, and a
 closed form for signals; this program uses the simplex of Nelder and Mead, and searches the other
 parameter of a bound of hits by it too.  For the bound of signals it integrates the probability over
 the scatter, and the product uses a function for the non-central t.  `--trials` writes the two examples, which are drawn from a model.
@@ -14,12 +14,13 @@ import sys
 import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize
-from scipy.stats import chi, logistic, norm
+from scipy.stats import chi, logistic, nct, norm
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HITS = ROOT / "examples" / "detection_hits.csv"
 SIGNALS = ROOT / "examples" / "detection_signals.csv"
 THRESHOLD = 120.0
+FLOOR, CEILING = 60.0, 400.0
 FALL = norm.ppf(0.95) ** 2
 FORMS = {"log_logistic": logistic, "log_normal": norm}
 
@@ -52,16 +53,43 @@ def hits_likelihood(form):
     return value, lambda p: law.ppf(p), x
 
 
-def signal_likelihood():
+def signal_likelihood(floor=0.0, ceiling=np.inf):
     size, signal = read(SIGNALS)
-    x, y = np.log(size), np.log(signal)
+    x, y = np.log(size), np.log(np.clip(signal, floor, ceiling))
+    below, above = signal <= floor, signal >= ceiling
 
     def value(x50, width, rise):
         if width <= 0 or rise <= 0:
             return -1e9
-        return float(np.sum(norm.logpdf(y, np.log(THRESHOLD) + rise * (x - x50), width * rise)))
+        law = norm(np.log(THRESHOLD) + rise * (x - x50), width * rise)
+        return float(np.sum(np.where(below, law.logcdf(y), np.where(above, law.logsf(y), law.logpdf(y)))))
 
     return value, norm.ppf, x
+
+
+def limited_bound(z):
+    """The same for signals with a scale (IR-17), by differences of the likelihood of each trial."""
+    size, signal = read(SIGNALS)
+    x, y = np.log(size), np.log(np.clip(signal, FLOOR, CEILING) / THRESHOLD)
+    below, above = signal <= FLOOR, signal >= CEILING
+    known = np.sum(~below & ~above)
+    value = signal_likelihood(FLOOR, CEILING)[0]
+    x50, width, rise = largest(value, [np.mean(x), 0.3, 1.0])[0]
+    r = y / (width * rise) - (x - x50) / width
+
+    def part(r):
+        return np.where(below, norm.logcdf(r), np.where(above, norm.logsf(r), norm.logpdf(r)))
+
+    weight = -(part(r + 1e-4) - 2 * part(r) + part(r - 1e-4)) / 1e-8
+    design = np.stack([np.ones(len(x)), x], axis=1)
+    inverse = np.linalg.inv(design.T @ (weight[:, None] * design))
+
+    def left(place):
+        at = np.array([1.0, place])
+        root = np.sqrt(at @ inverse @ at)
+        return nct.cdf((place - x50) / width * np.sqrt((known - 2) / known) / root, known - 2, z / root) - 0.95
+
+    return left
 
 
 def signal_bound(z):
@@ -93,15 +121,15 @@ def largest(function, start):
     return best, function(*best)
 
 
-def fitted(value, ppf, x, rest):
+def fitted(value, ppf, x, rest, bound):
     best, top = largest(value, [np.mean(x), 0.3, *rest])
     found = {"log_likelihood": (top, "1", 9), "a50": (np.exp(best[0]) / 1e3, "m", 7),
              "a90": (np.exp(best[0] + best[1] * ppf(0.9)) / 1e3, "m", 7)}
     for name, p in (("a50_bound", 0.5), ("a90_bound", 0.9)):
         z = ppf(p)
-        if rest:
+        if bound:
             place = best[0] + best[1] * z
-            found[name] = (np.exp(brentq(signal_bound(z), place, place + 1, xtol=1e-12)) / 1e3, "m", 7)
+            found[name] = (np.exp(brentq(bound(z), place, place + 1, xtol=1e-12)) / 1e3, "m", 7)
             continue
         start = [best[1:]]
 
@@ -121,12 +149,16 @@ def tables():
     from reference_csv import Table
 
     table = Table("detection_fit")
-    for case, parts in (("hits_log_logistic", (*hits_likelihood("log_logistic"), [])),
-                        ("hits_log_normal", (*hits_likelihood("log_normal"), [])),
-                        ("signals", (*signal_likelihood(), [1.0]))):
+    for case, parts in (("hits_log_logistic", (*hits_likelihood("log_logistic"), [], None)),
+                        ("hits_log_normal", (*hits_likelihood("log_normal"), [], None)),
+                        ("signals", (*signal_likelihood(), [1.0], signal_bound)),
+                        ("limited", (*signal_likelihood(FLOOR, CEILING), [1.0], limited_bound))):
         for name, (number, unit, digits) in fitted(*parts).items():
-            of_signals = case == "signals" and name.endswith("bound")
-            source = "integral over the scatter" if of_signals else "simplex of Nelder and Mead"
+            source = "simplex of Nelder and Mead"
+            if name.endswith("bound") and case == "signals":
+                source = "integral over the scatter"
+            elif name.endswith("bound") and case == "limited":
+                source, digits = "simplex and differences of the likelihood", 5
             table.add(f"{case}_{name}", [], number, unit, source, digits=digits)
     return [table]
 

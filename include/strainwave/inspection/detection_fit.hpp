@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "strainwave/inspection/detection_form.hpp"
@@ -20,7 +21,13 @@ struct HitOrMiss {
 /// One signal of a crack of known size.
 struct SizedSignal {
   double size = 0.0;    ///< a [m]; > 0
-  double signal = 0.0;  ///< in any unit; > 0
+  double signal = 0.0;  ///< in any unit; > 0, unless it is at the floor or below
+};
+
+/// The range in which signals are known; absent: no end on that side.
+struct SignalScale {
+  std::optional<double> floor = {};    ///< at or below it a signal is noise, in its unit
+  std::optional<double> ceiling = {};  ///< at or above it a signal is cut off, in its unit
 };
 
 /// A point of a fitted curve of detection.
@@ -45,7 +52,10 @@ struct DetectionFit {
   bool of_signals = false;              ///< whether the trials are signals, else hits and misses
   int trials = 0;                       ///< number of trials
   int hits = 0;                         ///< of them finds, or signals above the threshold
+  int below = 0;                        ///< of them signals at the floor or below
+  int above = 0;                        ///< of them signals at the ceiling or above
   std::vector<FittedDetection> points;  ///< by rising probability, 0.02 to 0.98
+  std::vector<std::string_view> equations;  ///< of the curve and of its bound
 };
 
 /// Fits a curve to hits and misses by maximum likelihood; theory manual eqs. (IR-12) and (IR-13).
@@ -58,11 +68,14 @@ struct DetectionFit {
 
 /// Fits a curve to signals: the logarithm of the signal is a straight line over that of the size
 /// with a normal error, and a crack is found if its signal is above a threshold; theory manual
-/// eq. (IR-14).  The curve is log-normal.
-/// @param trials     at least 5, of two sizes or more
+/// eq. (IR-14).  The curve is log-normal.  Signals beyond a scale count by (IR-17).
+/// @param trials     at least 5 of two sizes or more, whose signals are within the scale
 /// @param threshold  of the signal, in its unit; > 0
+/// @param scale      the range in which signals are known
 /// @throws InputError  if there are too few trials, a number is not positive, all sizes are equal,
-///                     the signals lie on the line, or the signal falls with the size
-[[nodiscard]] DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshold);
+///                     the signals lie on the line, the signal falls with the size, or the
+///                     threshold is outside of the scale
+[[nodiscard]] DetectionFit fit_signals(const std::vector<SizedSignal>& trials, double threshold,
+                                       const SignalScale& scale = {});
 
 }  // namespace strainwave

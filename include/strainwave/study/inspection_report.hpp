@@ -246,6 +246,9 @@ struct MethodOfInspection {
   std::optional<double> a50_bound = {};    ///< a50 on the lower bound of trials [m]
   std::optional<double> a90_bound = {};    ///< a90 on the lower bound of trials [m]
   std::optional<int> trials = {};          ///< number of trials behind the curve
+  std::string bound_equation = {};         ///< tag of the equation of the bound of trials
+  std::optional<int> below_floor = {};     ///< of these, signals at the floor or below
+  std::optional<int> above_ceiling = {};   ///< of these, signals at the ceiling or above
   std::string crack = {};            ///< of a measurement: the crack that ends the life of the file
   std::optional<double> noise = {};  ///< of one measurement; the first record counts as exact [-]
   std::optional<double> threshold = {};      ///< change from which on a measurement calls [-]
@@ -274,6 +277,10 @@ struct MethodOfInspection {
            "a90 on the lower bound of the trials with 95 % confidence; absent: not bounded"},
           &M::a90_bound);
     field({"trials", "", "number of trials behind the curve"}, &M::trials);
+    field({"bound_equation", "", "equation of the bound of the trials"}, &M::bound_equation);
+    field({"below_floor", "", "of these trials, signals at the floor or below"}, &M::below_floor);
+    field({"above_ceiling", "", "of these trials, signals at the ceiling or above"},
+          &M::above_ceiling);
     field({"crack", "", "of a measurement: the crack that ends the life of the file"}, &M::crack);
     field({"noise", "1", "standard deviation of a measured change over the measured value"},
           &M::noise);

@@ -28,6 +28,8 @@ struct InspectOptions {
   std::optional<std::string> repaired_to;
   std::optional<std::string> detection_data;
   std::optional<double> threshold;
+  std::optional<double> floor;
+  std::optional<double> ceiling;
   std::vector<std::string> see;
   std::vector<std::string> at;
   std::optional<std::string> every;
@@ -92,6 +94,20 @@ struct InspectOptions {
                   "of the signal",
            .range = kPositive},
           &O::threshold);
+    field(
+        {.name = "floor",
+         .unit = "1",
+         .doc = "signal of --detection-data at which the noise begins, in the unit of the signal; "
+                "a signal at the floor or below it counts as somewhere below",
+         .range = kPositive},
+        &O::floor);
+    field(
+        {.name = "ceiling",
+         .unit = "1",
+         .doc = "signal of --detection-data at which the scale ends, in the unit of the signal; a "
+                "signal at the ceiling or above it counts as somewhere above",
+         .range = kPositive},
+        &O::ceiling);
     field({"see", "",
            "path of a crack that the inspections can see, once for each; all cracks if left out"},
           &O::see);
@@ -148,7 +164,8 @@ DetectionFit fitted_detection(const Request& request, const InspectOptions& o, D
     for (std::size_t i = 0; i < rows[0].size(); ++i) {
       const double value = rows[1][i];
       if (!(rows[0][i] > 0)) file.refuse(i, columns[0], rows[0][i], "> 0");
-      if (signals && !(value > 0)) file.refuse(i, columns[1], value, "> 0");
+      if (signals && !(value > 0) && !(o.floor && value <= *o.floor))
+        file.refuse(i, columns[1], value, "> 0");
       if (!signals && value != 0 && value != 1) file.refuse(i, columns[1], value, "0 or 1");
       if (signals)
         read.push_back({.size = rows[0][i] * metre, .signal = value});
@@ -156,10 +173,12 @@ DetectionFit fitted_detection(const Request& request, const InspectOptions& o, D
         hits.push_back({.size = rows[0][i] * metre, .hit = value == 1});
     }
   }
+  if (!signals && (o.floor || o.ceiling))
+    throw OptionError(o.floor ? "floor" : "ceiling", "is read with the column signal only");
   if (!signals) return fit_hits(form, hits);
   if (o.detection == DetectionForm::log_logistic)
     throw OptionError("detection", "must be log_normal, or left out, for signals");
-  return fit_signals(read, *o.threshold);
+  return fit_signals(read, *o.threshold, {.floor = o.floor, .ceiling = o.ceiling});
 }
 
 /// An option that says how cracks are looked for, in the place of a field of [inspection].
@@ -262,6 +281,8 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   };
   if (o.until) options.until = time("--until", *o.until);
   needs(o.threshold.has_value(), "threshold", o.detection_data.has_value(), "detection-data");
+  needs(o.floor.has_value(), "floor", o.detection_data.has_value(), "detection-data");
+  needs(o.ceiling.has_value(), "ceiling", o.detection_data.has_value(), "detection-data");
   needs(o.most.has_value(), "most", o.risk.has_value(), "risk");
   options.method = asked_method(request, o, options.trials);
   if (options.method && !o.every && !o.risk && o.at.empty())
