@@ -207,12 +207,25 @@ class Maker {
     const double d = gear_.output_shaft->inner_diameter;
     fill_annular(made, crack, loaded);
     made.turning = TurningLoad::bending;
-    if (d <= sif::AnnularCrackHollow::kMaxTensionRadiusRatio * D)
+    if (d <= sif::AnnularCrackHollow::kMaxTensionRadiusRatio * D) {
       made.bending = [D, d](const CrackSize& size) {
         const sif::HollowAnnularOuterCrack bar{
             .depth = size.size, .outer_diameter = D, .inner_diameter = d};
         return std::vector<Modes>{{bar.stress_intensity(size.size, 0.0).I[sif::kMoment], 0.0, 0.0}};
       };
+    } else {
+      made.notes.push_back(
+          {"the wall is thinner than in the table of tension, so K by axial force "
+           "and bending moment is extrapolated",
+           "FR-15"});
+      // The bending stress hardly changes through so thin a wall.  The crack takes the largest one
+      // as tension all round.
+      made.bending = [D, d, solution = loaded.solution](const CrackSize& size) {
+        const double force_per_moment = 8 * D / (D * D + d * d);  // (FR-15), A D/(2 I) [1/m]
+        const double K = solution.stress_intensity(size.size, 0.0).I[kAxial];
+        return std::vector<Modes>{{force_per_moment * K, 0.0, 0.0}};
+      };
+    }
     made.range_end = sif::AnnularCrackHollow::kMaxDepthRatio * (D / 2 - d / 2);
     made.range_text = "0.8 of the wall, the range of the stress intensity";
   }

@@ -184,7 +184,7 @@ std::vector<TitledTable> duty_tables(const DriveDuty& duty) {
         "Waves of the flexspline whose peak and valley have different torques", between, torque));
     tables.back().remark =
         "Their range is that of the wave plus the effect of this difference; all other waves have "
-        "the range of the wave about one torque.";
+        "at most the range of the wave.";
   }
   if (!duty.peaks.empty()) {
     const DisplayUnit second = display_unit({}, "s");

@@ -79,6 +79,23 @@ DutyHistory duty_history(const GearSet& gear) {
   return history;
 }
 
+double amplification(const DutyResonance& resonance, double softer) {
+  const double square = resonance.frequency_ratio * resonance.frequency_ratio * softer;
+  return 1 / std::hypot(1 - square, 2 * resonance.damping_ratio * std::sqrt(square));  // (GR-28)
+}
+
+DutyHistory amplified(DutyHistory history, double factor) {
+  const auto amplify = [factor](DutyStep& step) {
+    step.torque *= factor;
+    step.axial_force *= factor;
+    step.bending_moment *= factor;
+  };
+  for (DutyStep& step : history.steps) amplify(step);
+  for (DutyMomentaryPeak& peak : history.peaks) amplify(peak.step);
+  history.average.torque *= factor;
+  return history;
+}
+
 DutyHistory at_flexspline(DutyHistory history) {
   const double share = flexspline_torque(arrangement_of(history.fixed), history.ratio);  // (DY-1)
   for (DutyStep& step : history.steps) step.torque *= share;

@@ -46,7 +46,7 @@ template <class Solution>
 [[nodiscard]] AddedBothSenses<Solution::kLoads, ScalarOf<Solution>> closed_form(
     const LoadedCrack<Solution>& crack, const QuadratureOptions& options) {
   const auto added_under = [&](Faces state) {
-    return added_compliance(crack.with_faces(state), crack.moduli, options);
+    return added_compliance(crack.with_faces(state), crack.moduli_with(state), options);
   };
   const auto positive = added_under(crack.faces.positive);
   return {positive, crack.faces.differ() ? added_under(crack.faces.negative) : positive};

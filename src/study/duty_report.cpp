@@ -79,8 +79,10 @@ void set_loads(PlaceReport& report, std::vector<PlaceStep> steps) {
   std::ranges::sort(report.loads, {}, &PlaceLoad::torque);
 }
 
-/// The waves whose peak and valley have different torques.  The amplitude of the wave is so large
-/// that the torque alone makes no cycle, as in a flexspline, whose bending is the larger part.
+/// The waves whose range is larger than that of a wave at one torque, because their peak and valley
+/// have different torques.  The amplitude of the wave is so large that a change of the torque is
+/// smaller, as in a flexspline, whose bending is the larger part.  Changes of the torque within one
+/// rise or fall of the wave, and waves with a smaller range, are no such cycles.
 CountedCycles cycles_between(const PlaceCycles& of, Residue residue, std::optional<int> classes) {
   double largest = 0.0;
   for (const PlaceStep& step : of.steps) largest = std::max(largest, std::abs(step.torque));
@@ -90,9 +92,8 @@ CountedCycles cycles_between(const PlaceCycles& of, Residue residue, std::option
       [&](const PlaceStep&) { return amplitude; });
   CycleTable table(classes, kMostBetween);
   superposed_cycles(steps, residue, [&](const StepCycle& cycle) {
-    const double from = steps[cycle.from_step].mean;
-    const double to = steps[cycle.to_step].mean;
-    table.add(std::abs(from - to), (from + to) / 2, cycle.count);
+    const double more = cycle.range() - 2 * amplitude;
+    if (more > 1e-9 * largest) table.add(more, cycle.mean(), cycle.count);
   });
   return counted(table, "N*m", residue);
 }
@@ -210,6 +211,12 @@ DutyReport duty_report(const GearSet& gear, std::optional<int> classes) {
                           .per_repetition = peak.per_repetition,
                           .waves = waves_per_turn * std::abs(peak.step.output_speed) *
                                    peak.step.duration / (2 * std::numbers::pi)});
+  if (gear.duty->resonance)
+    report.notes.push_back({"duty.vibration",
+                            fmt::format("the loads are those of the file; the vibration, which "
+                                        "multiplies them by {} in life and growth, is not counted",
+                                        shown_number(amplification(*gear.duty->resonance), 3)),
+                            "duty.resonance", "GR-28", Severity::information});
   if (!history.peaks.empty())
     report.notes.push_back({"duty.peaks_added",
                             "each momentary peak adds a cycle of the torque from the farthest "

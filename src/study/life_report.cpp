@@ -45,17 +45,20 @@ constexpr std::size_t kTorqueClasses = 48;  // of a history with more torques, i
 
 /// All parts of a repetition of the duty with one torque.
 struct TorqueLevel {
-  double torque = 0.0;        // [N*m]
-  double duration = 0.0;      // [s]
-  double output_turns = 0.0;  // in both senses together [-]
-  bool of_steps = false;      // false: momentary peaks only
+  double torque = 0.0;         // at the flexspline [N*m]
+  double output_turns = 0.0;   // in both senses together [-]
+  double step_duration = 0.0;  // without the momentary peaks [s]
+  double step_turns = 0.0;     // of the output, without the momentary peaks [-]
+  bool of_steps = false;       // false: momentary peaks only
 };
 
 /// What the computations of a life share.
 struct LifeCase {
   const GearSet& gear;
-  DutyHistory history;
+  DutyHistory history;     // at the output, as the makers' rules count
+  DutyHistory flexspline;  // the same with the torques at the flexspline (DY-1)
   MakersLimits limits;
+  double flexspline_share = 1.0;    // torque at the flexspline over that at the output [-]
   double input_turns = 0.0;         // of the input per turn of the output [-]
   double ring_turns = 0.0;          // of the bearing's rings against each other, per input turn
   double class_width = 0.0;         // of the torques; 0: each torque by itself [N*m]
@@ -73,17 +76,21 @@ struct LifeCase {
   }
 };
 
-double largest_step_torque(const LifeCase& of) {
+double largest_step_torque(const DutyHistory& history) {
   double most = 0.0;
-  for (const DutyStep& step : of.history.steps) most = std::max(most, std::abs(step.torque));
+  for (const DutyStep& step : history.steps) most = std::max(most, std::abs(step.torque));
   return most;
 }
 
-double largest_peak_torque(const LifeCase& of) {
+double largest_peak_torque(const DutyHistory& history) {
   double most = 0.0;
-  for (const DutyMomentaryPeak& peak : of.history.peaks)
+  for (const DutyMomentaryPeak& peak : history.peaks)
     most = std::max(most, std::abs(peak.step.torque));
   return most;
+}
+
+double largest_torque(const DutyHistory& history) {
+  return std::max(largest_step_torque(history), largest_peak_torque(history));
 }
 
 LifeCase life_case(const GearSet& gear) {
@@ -93,9 +100,14 @@ LifeCase life_case(const GearSet& gear) {
                      "torque and output_speed");
   const Arrangement arrangement = arrangement_of(gear.duty->fixed);
   const PartTurns turns = part_turns(arrangement, gear.drive.ratio);
+  DutyHistory history = duty_history(gear);
+  if (gear.duty->resonance)
+    history = amplified(std::move(history), amplification(*gear.duty->resonance));  // (GR-28)
   LifeCase of{.gear = gear,
-              .history = duty_history(gear),
+              .history = history,
+              .flexspline = at_flexspline(history),
               .limits = makers_limits(gear),
+              .flexspline_share = flexspline_torque(arrangement, gear.drive.ratio),
               .input_turns = std::abs(signed_ratio(arrangement, gear.drive.ratio)),
               .ring_turns = std::abs(turns.wave_generator - turns.flexspline),
               .class_width = 0.0,
@@ -103,19 +115,22 @@ LifeCase life_case(const GearSet& gear) {
   std::map<double, TorqueLevel> levels;
   const auto take = [&](const DutyStep& step, double times, bool of_steps) {
     TorqueLevel& level = levels[of.class_of(step.torque)];
-    level.duration += times * step.duration;
-    level.output_turns += times * step.duration * std::abs(step.output_speed) / (2 * pi);
-    level.of_steps = level.of_steps || of_steps;
+    const double output_turns = times * step.duration * std::abs(step.output_speed) / (2 * pi);
+    level.output_turns += output_turns;
+    if (!of_steps) return;
+    level.of_steps = true;
+    level.step_duration += times * step.duration;
+    level.step_turns += output_turns;
   };
   const auto take_all = [&] {
     levels.clear();
-    for (const DutyStep& step : of.history.steps) take(step, 1.0, true);
-    for (const DutyMomentaryPeak& peak : of.history.peaks)
+    for (const DutyStep& step : of.flexspline.steps) take(step, 1.0, true);
+    for (const DutyMomentaryPeak& peak : of.flexspline.peaks)
       take(peak.step, peak.per_repetition, false);
   };
   take_all();
   if (levels.size() > kTorqueClasses) {
-    of.class_width = std::max(largest_step_torque(of), largest_peak_torque(of)) / kTorqueClasses;
+    of.class_width = largest_torque(of.flexspline) / kTorqueClasses;
     take_all();
   }
   for (auto& [torque, level] : levels) {
@@ -165,11 +180,11 @@ double largest_input_speed(const LifeCase& of) {
   return most * of.input_turns;
 }
 
-/// Momentary peaks per time [1/s].
+/// Momentary peaks that turn the drive, per time [1/s].
 double rate_of_peaks(const LifeCase& of) {
   double rate = 0.0;
   for (const DutyMomentaryPeak& peak : of.history.peaks)
-    rate += peak.per_repetition / of.history.duration;
+    if (peak.step.output_speed != 0) rate += peak.per_repetition / of.history.duration;
   return rate;
 }
 
@@ -212,8 +227,8 @@ RuleAnswer number_of_peaks(const LifeCase& of, const std::optional<double>& time
 
 void add_rules(LifeReport& report, const LifeCase& of) {
   const MakersLimits& limits = of.limits;
-  const double blocks = largest_step_torque(of);
-  const double peaks = largest_peak_torque(of);
+  const double blocks = largest_step_torque(of.history);
+  const double peaks = largest_peak_torque(of.history);
   const double most = std::max(blocks, peaks);
   const auto add = [&](MakersRule rule, const std::optional<MakersLimit>& limit, double present,
                        std::string_view unit, std::string_view field) {
@@ -347,11 +362,11 @@ void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& state
   for (std::size_t i = 0; i < of.levels.size(); ++i) {
     const TorqueLevel& level = of.levels[i];
     progress.at(static_cast<double>(i) / static_cast<double>(of.levels.size()));
-    if (level.of_steps && level.duration > 0)
+    if (level.step_duration > 0)
       loads.push_back(
           {.forces = states.balls(level.torque),
-           .speed = level.output_turns * of.input_turns * of.ring_turns / level.duration,
-           .duration = level.duration});
+           .speed = level.step_turns * of.input_turns * of.ring_turns / level.step_duration,
+           .duration = level.step_duration});
   }
   BearingByForces by{.duty = ball_bearing_life(ratings, loads),
                      .rated = {},
@@ -360,8 +375,8 @@ void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& state
                      .cage_phases = kBallPhases};
   if (const auto& rated = of.limits.rated_torque) {
     const std::array load = {
-        BallLoads{.forces = states.balls(rated->value),
-                  .speed = kMakersSpeed * (1 + 1 / of.gear.drive.ratio) / (2 * pi),
+        BallLoads{.forces = states.balls(rated->value * std::abs(of.flexspline_share)),
+                  .speed = kMakersSpeed * of.ring_turns / (2 * pi),
                   .duration = 1.0}};
     by.rated = ball_bearing_life(ratings, load);
     by.ratio = by.duty.ten_percent / by.rated->ten_percent;
@@ -402,7 +417,7 @@ std::vector<WaveCycles> flexspline_cycles(const LifeCase& of) {
     if (of.levels[i].output_turns > 0)
       cycles.push_back({.first = i, .second = i, .count = waves * of.levels[i].output_turns});
   std::map<std::pair<std::size_t, std::size_t>, double> between;
-  for (const TorqueCycle& cycle : torque_cycles(of.history)) {
+  for (const TorqueCycle& cycle : torque_cycles(of.flexspline)) {
     const std::size_t from = of.level_of(cycle.from);
     const std::size_t to = of.level_of(cycle.to);
     if (from != to) between[std::minmax(from, to)] += cycle.count;
@@ -412,7 +427,7 @@ std::vector<WaveCycles> flexspline_cycles(const LifeCase& of) {
   return cycles;
 }
 
-/// Miner's lives of a place; empty if the line is not known.
+/// Miner's lives of one side of a place; empty if the line is not known.
 std::vector<MinerLife> miner_lives(const LifeCase& of, const std::vector<WaveStates>& waves,
                                    const PlaceStrength& strength) {
   std::vector<MinerLife> lives;
@@ -425,6 +440,19 @@ std::vector<MinerLife> miner_lives(const LifeCase& of, const std::vector<WaveSta
     MinerLife life{.rule = rule, .damage_rate = damage / of.history.duration, .life = {}};
     if (damage > 0) life.life = of.history.duration / damage;
     lives.push_back(life);
+  }
+  return lives;
+}
+
+/// The shorter lives of two sides: which side it is may depend on the rule.
+std::vector<MinerLife> shorter(const std::vector<MinerLife>& one,
+                               const std::vector<MinerLife>& other) {
+  std::vector<MinerLife> lives = one;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    if (i >= lives.size())
+      lives.push_back(other[i]);
+    else if (other[i].damage_rate > lives[i].damage_rate)
+      lives[i] = other[i];
   }
   return lives;
 }
@@ -465,6 +493,13 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
     const bool known = result.unknown_because.empty();
     const std::optional<CriticalPlane> plane =
         known ? std::optional(critical_plane(steps, strength.plane())) : std::nullopt;
+    if (known) {
+      result.miner = shorter(result.miner, miner_lives(of, waves, strength));
+      const double used = critical_plane(waves, strength.plane()).utilisation;
+      if (!of.history.peaks.empty() && used > 0)
+        result.reserve_with_peaks =
+            std::min(result.reserve_with_peaks.value_or(1 / used), 1 / used);
+    }
     const bool worse =
         side == stresses.sides().front() || (plane ? plane->utilisation > result.plane->utilisation
                                                    : (most - least) / 2 > result.hoop_amplitude);
@@ -481,7 +516,6 @@ PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlac
                                         .shear_amplitude = shear / 2,
                                         .shear_mean = shear / 2},
                                        strength.plane(), strength.specimen_shear());
-    result.miner = miner_lives(of, waves, strength);
   }
   return result;
 }
@@ -507,6 +541,15 @@ void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states,
            result.miner.empty() ? "Lower the load, or give cycles and slope of the material's "
                                   "fatigue for the hours."
                                 : "Lower the load, or make the wall stronger."});
+    else if (result.reserve_with_peaks && *result.reserve_with_peaks < 1 && result.miner.empty())
+      report.notes.push_back(
+          {"life.peaks_not_counted",
+           fmt::format(
+               "the momentary peaks load the {} above its endurance limit: its reserve with "
+               "them is {:.2f}, so it does not endure for ever",
+               place_words(place), *result.reserve_with_peaks),
+           "flexspline", "LI-36", Severity::cannot_tell,
+           "Give cycles and slope of the material's fatigue for the hours."});
   }
   use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
   const Material& steel = only_material(of.gear, *of.gear.flexspline);
@@ -583,7 +626,7 @@ void add_buckling(LifeReport& report, const LifeCase& of) {
          "flexspline.material", "LI-40", Severity::information,
          "Give yield_strength of the flexspline's material."});
   }
-  const double most = std::max(largest_step_torque(of), largest_peak_torque(of));
+  const double most = largest_torque(of.flexspline);
   if (most > 0) buckled.reserve = torque / most;
   if (buckled.reserve && *buckled.reserve < 1)
     report.notes.push_back(
@@ -662,12 +705,14 @@ LifePart flexspline_part(const LifeReport& report) {
       .name = std::string(kFlexspline), .ten_percent = {}, .slope = {}, .end = {}, .origin = {}};
   std::string unknown;
   std::optional<double> reserve;
+  bool by_peaks = false;  // whether momentary peaks alone are above the endurance limit
   for (const PlaceFatigue& place : report.fatigue) {
     if (!place.reserve) {
       unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", place_words(place.place));
       continue;
     }
     reserve = std::min(reserve.value_or(*place.reserve), *place.reserve);
+    by_peaks = by_peaks || (place.reserve_with_peaks && *place.reserve_with_peaks < 1);
     if (const MinerLife* const sum = governing_sum(place);
         sum != nullptr && (!part.end || *sum->life < *part.end)) {
       part.end = sum->life;
@@ -679,6 +724,10 @@ LifePart flexspline_part(const LifeReport& report) {
     part.origin = "not known: the coupled drive is not solved";
   else if (!part.end && reserve && *reserve < 1)
     part.origin = "not known: above the endurance limit, give cycles and slope of the fatigue";
+  else if (!part.end && by_peaks)
+    part.origin =
+        "not known: momentary peaks are above the endurance limit, give cycles and slope of the "
+        "fatigue";
   else if (!part.end && reserve)
     part.origin = fmt::format("endures for ever with a reserve of {:.2f}", *reserve);
   if (!unknown.empty() && !report.fatigue.empty())
@@ -728,38 +777,51 @@ void add_parts(LifeReport& report, const LifeCase& of) {
                      : "not known: give mesh.wear_coefficient, which no source states"});
 }
 
+/// Hours in words: whole ones if they are many, else three digits.
+std::string hours_words(double time) {
+  const double hours = time / kHour;
+  if (hours >= 1e7) return fmt::format("{:.3g} h", hours);
+  return hours >= 1000 ? fmt::format("{:.0f} h", hours) : shown_number(hours, 3) + " h";
+}
+
 void add_survival(LifeReport& report) {
   std::vector<WeibullLife> distributed;
-  std::optional<double> end;
-  std::optional<double> first;
-  bool shared = false;  // whether the part that ends first has a distribution
+  const LifePart* ends = nullptr;  // the first part with an end that does not scatter
   for (const LifePart& part : report.parts) {
-    const std::optional<double> ends = part.ten_percent ? part.ten_percent : part.end;
     if (part.ten_percent)
       distributed.push_back({.ten_percent = *part.ten_percent, .slope = *part.slope});
-    if (part.end) end = std::min(end.value_or(*part.end), *part.end);
-    if (ends && (!first || *ends < *first)) {
-      first = ends;
-      report.governing = part.name;
-      shared = part.ten_percent.has_value();
-    }
+    if (part.end && (ends == nullptr || *part.end < *ends->end)) ends = &part;
   }
+  bool shared = false;  // whether the parts with a distribution end first
   if (!distributed.empty()) {
-    report.hours = time_of_all(distributed, 0.9);
+    const double chain = time_of_all(distributed, 0.9);
+    shared = ends == nullptr || chain < *ends->end;
+    report.hours = chain;
+    double most = 0.0;
+    for (const LifePart& part : report.parts) {
+      if (!part.ten_percent || !shared) continue;
+      // The cumulative hazard of a part at the end of the chain.
+      const double hazard = std::pow(chain / *part.ten_percent, *part.slope);
+      if (hazard > most) report.governing = part.name;
+      most = std::max(most, hazard);
+    }
     const double last = time_of_all(distributed, 0.05);
     constexpr int kPoints = 60;
     for (int i = 0; i <= kPoints; ++i) {
       const double time = last * i / kPoints;
-      const bool over = end && time > *end;
+      const bool over = ends != nullptr && time > *ends->end;
       report.survival.push_back(
           {.time = time, .share = over ? 0.0 : survival_of_all(distributed, time)});
     }
     use(report, {"LI-5"});
   }
-  if (end) report.hours = std::min(report.hours.value_or(*end), *end);
+  if (ends != nullptr && !shared) {
+    report.hours = ends->end;
+    report.governing = ends->name;
+  }
   if (report.hours)
     report.answer =
-        fmt::format("ends by the {} after {:.0f} h{}", report.governing, *report.hours / kHour,
+        fmt::format("ends by the {} after {}{}", report.governing, hours_words(*report.hours),
                     shared ? ", which 90 % of the drives reach" : "");
   else
     report.answer = "no end found";
@@ -789,6 +851,13 @@ LifeReport life_report(const GearSet& gear, const Progress& progress) {
          fmt::format("the torques of the duty are rounded up to {} classes of {}", of.levels.size(),
                      shown_quantity(of.class_width, "N*m", 3)),
          "duty", "LI-37", Severity::information});
+  if (gear.duty->resonance) {
+    report.notes.push_back({"life.vibration",
+                            fmt::format("the vibration multiplies the loads of the duty by {}",
+                                        shown_number(amplification(*gear.duty->resonance), 3)),
+                            "duty.resonance", "GR-28", Severity::information});
+    use(report, {"GR-28"});
+  }
   add_makers_bearing(report, of);
   add_rules(report, of);
   add_output_bearing(report, of);

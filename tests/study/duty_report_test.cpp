@@ -50,6 +50,25 @@ TEST(DutyReport, BehaviourReversalsAndFlatHistories) {
   EXPECT_EQ(counts_in("x\n3\n4\n", {.residue = Residue::repeated}).history->counted.cycles, 1.0);
 }
 
+// Kind: reference (LI-20), by hand.  Two blocks of 100 and -50 N*m: in one repetition one wave has
+// its peak and its valley in different blocks such that its range is larger by 150 N*m.  A jump of
+// the torque within a rise or fall of the wave is no wave, and one wave is smaller.
+TEST(DutyReport, ReferenceWavesBetweenTwoBlocks) {
+  GearSet gear = duty_gear();
+  constexpr double kSpeed = 2 * 3.14159265358979 * 20 / 60;
+  gear.duty = Duty{
+      .history = {}, .block = {{2, kSpeed, 100}, {1, kSpeed, -50}}, .peak = {}, .resonance = {}};
+  const DutyReport report = duty_report(gear);
+  const std::vector<CycleCount>& rows = report.drive->places.front().between->rows;
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_NEAR(rows[0].range, 150, 1e-9);
+  EXPECT_NEAR(rows[0].mean, 25, 1e-9);
+  EXPECT_EQ(rows[0].count, 1);
+  EXPECT_FALSE(has_note(report, "duty.vibration"));
+  gear.duty->resonance = DutyResonance{.frequency_ratio = 0.9, .damping_ratio = 0.02};
+  EXPECT_TRUE(has_note(duty_report(gear), "duty.vibration"));
+}
+
 TEST(DutyReport, BehaviourCyclesLeftOut) {
   std::string text = "x\n";
   for (int i = 0; i < 10500; ++i) text += "0\n" + std::to_string(i + 1) + "\n";

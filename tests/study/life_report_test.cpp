@@ -309,6 +309,179 @@ TEST(LifeReport, BehaviourPeaksAndOutputBearing) {  // LI-2, LI-5, LI-33
   EXPECT_LT(*report.hours, report.bearing->ten_percent);
 }
 
+/// A drive whose blocks have these torques at 20 rpm, for 100 s the first and 10 ms each further.
+GearSet driven_by(const std::vector<double>& torques) {
+  GearSet gear = joint();
+  gear.material["steel"].fatigue->limit = 250e6;
+  gear.duty->block.clear();
+  for (const double torque : torques)
+    gear.duty->block.push_back({gear.duty->block.empty() ? 100 : 0.01, 20 * kPerMinute, torque});
+  return gear;
+}
+
+/// Life of the tooth root by a rule of Miner.
+double root_life(const LifeReport& report, MinerRule rule) {
+  const std::vector<MinerLife>& lives = report.fatigue.back().miner;
+  return std::ranges::find(lives, rule, &MinerLife::rule)->life.value_or(HUGE_VAL);
+}
+
+// Kind: limit (LI-37).  A load beside others takes life and never gives any.  The fillet that the
+// blocks use most need not be the one that the damage ends.  Tolerance: the share of time of the
+// added load, and the solver of the coupled drive.
+TEST(LifeReport, LimitAFurtherLoadNeverLengthensTheLife) {
+  const LifeReport alone = life_report(driven_by({200}));
+  for (const double further : {-200.0, -205.0}) {
+    const LifeReport both = life_report(driven_by({200, further}));
+    for (const MinerRule rule : {MinerRule::original, MinerRule::elementary, MinerRule::haibach}) {
+      EXPECT_TRUE(std::isfinite(root_life(both, rule)));
+      EXPECT_LE(root_life(both, rule), root_life(alone, rule) * 1.0005) << further;
+    }
+  }
+}
+
+// Kind: identity (LI-37).  Under blocks of both senses, a momentary peak does as much in one sense
+// as in the other.  Tolerance: the solver of the coupled drive.
+TEST(LifeReport, IdentityPeaksOfBothSenses) {
+  std::vector<double> lives;
+  for (const double sense : {1.0, -1.0}) {
+    GearSet gear = joint();
+    gear.duty->block = {{10, 20 * kPerMinute, 100}, {10, 20 * kPerMinute, -100}};
+    gear.duty->peak = {{.torque = sense * 350,
+                        .output_speed = 20 * kPerMinute,
+                        .duration = 0.15,
+                        .interval = kHourLong}};
+    lives.push_back(root_life(life_report(gear), MinerRule::original));
+  }
+  EXPECT_NEAR(lives[1] / lives[0], 1.0, 2e-3);
+}
+
+// Kind: behaviour (LI-36).  Peaks above the endurance limit end a place although its blocks do not;
+// without the line of fatigue the time is not known, and the answer says so.
+TEST(LifeReport, BehaviourPeaksAboveTheEnduranceLimit) {
+  GearSet gear = joint();
+  gear.duty->block = {{100, 20 * kPerMinute, 80}};
+  gear.duty->peak = {{.torque = 369,
+                      .output_speed = 20 * kPerMinute,
+                      .duration = 0.15,
+                      .interval = 16 * kHourLong}};
+  const auto root_of = [](const LifeReport& report) { return report.fatigue.back(); };
+  const LifeReport with_line = life_report(gear);
+  EXPECT_GT(*root_of(with_line).reserve, 1);
+  EXPECT_LT(*root_of(with_line).reserve_with_peaks, 1);
+  EXPECT_EQ(test::count_notes(with_line.notes, "life.peaks_not_counted"), 0);
+  gear.material["steel"].fatigue->cycles.reset();
+  gear.material["steel"].fatigue->slope.reset();
+  const LifeReport without = life_report(gear);
+  EXPECT_GE(test::count_notes(without.notes, "life.peaks_not_counted"), 1);
+  EXPECT_NE(evidence_of(without).verdict.judgement, Judgement::good);
+  const auto part = std::ranges::find(without.parts, "flexspline", &LifePart::name);
+  EXPECT_TRUE(part->origin.starts_with("not known: momentary peaks are above")) << part->origin;
+  gear.duty->peak.clear();
+  EXPECT_FALSE(root_of(life_report(gear)).reserve_with_peaks.has_value());
+}
+
+// Kind: reference (GR-28), by hand.  A ratio of frequencies of 0.9 and a damping ratio of 0.02
+// multiply the loads by 1/sqrt(0.19^2 + 0.036^2) = 5.1711; the bearing's life falls by its cube.
+TEST(LifeReport, ReferenceVibrationMultipliesTheLoads) {
+  GearSet gear = joint();
+  gear.duty->block = {{100, 20 * kPerMinute, 10}};
+  const LifeReport calm = life_report(gear);
+  gear.duty->resonance = DutyResonance{.frequency_ratio = 0.9, .damping_ratio = 0.02};
+  const LifeReport report = life_report(gear);
+  const double factor = 1 / std::hypot(0.19, 0.036);
+  test::expect_relative(report.average.torque, 10 * factor, 1e-12);
+  test::expect_relative(report.bearing->ten_percent,
+                        calm.bearing->ten_percent / (factor * factor * factor), 1e-12);
+  EXPECT_LT(report.bearing_by_forces->duty.ten_percent, calm.bearing_by_forces->duty.ten_percent);
+  EXPECT_EQ(test::count_notes(report.notes, "life.vibration"), 1);
+  EXPECT_EQ(test::count_notes(calm.notes, "life.vibration"), 0);
+}
+
+// Kind: identity (LI-5).  The part that the answer names is one that ends at the hours it states.
+TEST(LifeReport, IdentityTheAnswerNamesThePartThatEnds) {
+  GearSet gear = joint();
+  gear.output_bearing = OutputBearing{.dynamic_rating = 11400, .pitch_diameter = 85e-3};
+  for (DutyBlock& block : gear.duty->block) block.radial_force = 1000;
+  const LifeReport bearings = life_report(gear);
+  const double chain = *bearings.hours;
+  // The peaks end between the chain of both bearings and the first bearing alone.
+  const double end =
+      (chain + std::min(bearings.bearing->ten_percent, bearings.output_bearing->ten_percent)) / 2;
+  gear.duty->peak = {
+      {.torque = 150, .output_speed = 20 * kPerMinute, .duration = 0.15, .interval = end / 1000}};
+  const LifeReport report = life_report(gear);
+  test::expect_relative(*report.hours, chain, 1e-12);
+  EXPECT_NE(report.governing, "momentary peaks");
+  EXPECT_NE(report.answer.find("which 90 % of the drives reach"), std::string::npos);
+  // The bearing with the larger hazard at that time.
+  EXPECT_EQ(report.governing, bearings.bearing->ten_percent < bearings.output_bearing->ten_percent
+                                  ? "wave generator bearing"
+                                  : "output bearing");
+}
+
+// Kind: identity (DY-1), (LI-21).  With the flexspline fixed, an output torque of (i + 1)/i times
+// another one does to the flexspline and the bearing what the other one does with the circular
+// spline fixed, per turn of the wave generator against the flexspline.  The ratio of the lives to
+// the rating is 1 at the rating, whatever is fixed.
+TEST(LifeReport, IdentityFixedFlexspline) {
+  const double i = 30;
+  GearSet gear = joint(25, i);
+  gear.duty->block = {{100, 20 * kPerMinute, 60}};
+  const LifeReport circular = life_report(gear);
+  GearSet other = gear;
+  other.duty->fixed = FixedMember::flexspline;
+  other.duty->block[0].torque = -60 * (i + 1) / i;
+  const LifeReport flexspline = life_report(other);
+  // The wave generator turns (i + 1) times against the flexspline in one turn of either output.
+  test::expect_relative(flexspline.bearing_by_forces->duty.ten_percent,
+                        circular.bearing_by_forces->duty.ten_percent, 2e-3);
+  test::expect_relative(*flexspline.fatigue.back().reserve, *circular.fatigue.back().reserve, 1e-6);
+  test::expect_relative(root_life(flexspline, MinerRule::elementary),
+                        root_life(circular, MinerRule::elementary), 1e-4);
+  if (const auto& rated = makers_limits(other).rated_torque) {
+    other.duty->block = {{1, 2000 * kPerMinute / (i + 1), rated->value}};
+    test::expect_relative(*life_report(other).bearing_by_forces->ratio, 1.0, 2e-3);
+  }
+}
+
+// Kind: identity (LI-31).  The bearing's life from ball forces counts the blocks.  A peak with the
+// torque of a block changes it no more than a peak with another torque.
+TEST(LifeReport, IdentityPeaksDoNotLoadTheBalls) {
+  const auto life_with = [](double peak) {
+    GearSet gear = joint();
+    gear.duty->peak = {
+        {.torque = peak, .output_speed = 20 * kPerMinute, .duration = 0.15, .interval = 2}};
+    return life_report(gear).bearing_by_forces->duty.ten_percent;
+  };
+  test::expect_relative(life_with(150), life_with(150.001), 1e-6);
+}
+
+// Kind: behaviour (LI-2).  Peaks that stand still are no peaks of the maker's rule.
+TEST(LifeReport, BehaviourPeaksThatStandStill) {
+  GearSet gear = joint();
+  gear.duty->peak = {{.torque = 200,
+                      .output_speed = 20 * kPerMinute,
+                      .duration = 0.15,
+                      .interval = 16 * kHourLong}};
+  const RuleAnswer turning = rule_of(life_report(gear), MakersRule::momentary_peaks);
+  gear.duty->peak.push_back(
+      {.torque = 200, .output_speed = 0, .duration = 0.15, .interval = kHourLong});
+  const RuleAnswer both = rule_of(life_report(gear), MakersRule::momentary_peaks);
+  test::expect_relative(both.allowed->value, 1000, 1e-9);
+  EXPECT_EQ(both.present->value, turning.present->value);
+}
+
+// Kind: behaviour.  The answer states hours with three digits at least.
+TEST(LifeReport, BehaviourHoursOfShortAndLongLives) {
+  GearSet gear = joint();
+  gear.duty->block = {{1, 20 * kPerMinute, 1000}};
+  const LifeReport brief = life_report(gear);
+  EXPECT_EQ(brief.answer.find("after 0 h"), std::string::npos) << brief.answer;
+  gear.duty->block = {{1, 20 * kPerMinute, 1e-3}};
+  const LifeReport lasting = life_report(gear);
+  EXPECT_NE(lasting.answer.find("e+"), std::string::npos) << lasting.answer;
+}
+
 TEST(LifeReport, BehaviourManyTorquesAreRoundedUp) {
   GearSet gear = joint();
   gear.duty->block.clear();

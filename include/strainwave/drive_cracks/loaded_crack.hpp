@@ -102,6 +102,10 @@ struct LoadedCrack : CrackNumbers<Solution> {
   [[nodiscard]] Solution with_faces(Faces state) const {
     return state == Faces::pressed ? solution.pressed() : solution;
   }
+  /// The elastic constants for a given state of the faces.
+  [[nodiscard]] auto moduli_with(Faces state) const {
+    return state == Faces::pressed ? this->moduli.pressed() : this->moduli;
+  }
 };
 
 /// A groove all round a diaphragm.  It thins the plate; it does not have a front that sweeps an
@@ -288,13 +292,18 @@ class CrackLoads {
   }
 
   /// Which senses of torque open a wall crack.
+  /// @param by_shear  part of the shear stress that opens the crack like a normal stress
+  ///                  (`opening_by_shear`) [-]
   template <class Crack>
-  [[nodiscard]] BothSenses faces_of(const Crack& crack) const {
+  [[nodiscard]] BothSenses faces_of(const Crack& crack, double by_shear = 0.0) const {
     const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
     const double P = gear_.load.axial_force;
     const double T = std::abs(gear_.load.torque);
-    const double from_P = value_of(stress.normal[kAxial]) * P;
-    const double from_T = value_of(stress.normal[kTorsion]) * T;
+    const auto opening = [&](std::size_t load) {
+      return value_of(stress.normal[load]) + by_shear * value_of(stress.shear[load]);
+    };
+    const double from_P = opening(kAxial) * P;
+    const double from_T = opening(kTorsion) * T;
     const double scale = std::abs(from_P) + std::abs(from_T) +
                          std::abs(value_of(stress.shear[kAxial]) * P) +
                          std::abs(value_of(stress.shear[kTorsion]) * T);
@@ -542,6 +551,7 @@ class CrackLoads {
       const WallThroughCrack& crack, const Wall<Real>& wall,
       const LaminateStiffness<Real>& laminate) const {
     const Real angle = lift_(crack.angle);
+    const Moduli moduli = crack_moduli(laminate, angle);
     Numbers<sif::BasicThroughCrackInTube<Real>> result{
         .parameters = {.half_length = lift_(crack.half_length),
                        .mean_radius = wall.mean_radius,
@@ -552,9 +562,9 @@ class CrackLoads {
                        .shell_correction = false,
                        .thin_sheet = true,
                        .count = crack.count},
-        .moduli = crack_moduli(laminate, angle),
+        .moduli = moduli,
         .constraint = sif::Constraint::plane_stress,
-        .faces = faces_of(crack)};
+        .faces = faces_of(crack, value_of(moduli.opening_by_shear()))};
     // The size of a crack at which the curvature counts is that of an isotropic wall.
     auto isotropic = result.parameters;
     isotropic.poissons_ratio = Real(kMetalPoissonsRatio);

@@ -102,6 +102,23 @@ struct BasicCrackModuli {
   Real shear{};  ///< shear modulus mu of mode III [Pa]
   /// Absent: mode II releases as much energy as mode I, independently of it.
   std::optional<AnisotropicSliding<Real>> anisotropic = {};
+
+  /// What a unit of shear stress on the crack's plane opens, over what a unit of normal stress
+  /// opens
+  /// [-]; 0 in an isotropic material.
+  [[nodiscard]] Real opening_by_shear() const {
+    return anisotropic ? Real(opening * anisotropic->coupling) : Real(0.0);
+  }
+  /// The constants of a crack whose faces are pressed together without friction and slide; its mode
+  /// I is left out (LA-9).
+  [[nodiscard]] BasicCrackModuli pressed() const {
+    BasicCrackModuli without = *this;
+    if (anisotropic)
+      without.anisotropic = AnisotropicSliding<Real>{
+          .sliding = anisotropic->sliding - opening_by_shear() * anisotropic->coupling,
+          .coupling = Real(0.0)};
+    return without;
+  }
 };
 /// BasicCrackModuli without derivatives.
 using CrackModuli = BasicCrackModuli<double>;

@@ -49,6 +49,13 @@ struct DutyHistory {
 /// (DY-1).
 [[nodiscard]] DutyHistory at_flexspline(DutyHistory history);
 
+/// Factor D of a vibration on the loads of a duty [-]; theory manual eq. (GR-28).
+/// @param softer  stiffness of the drive in the file over that of now, K_0/K [-]; > 0
+[[nodiscard]] double amplification(const DutyResonance& resonance, double softer = 1.0);
+
+/// The same duty with all torques, axial forces and bending moments multiplied by a factor.
+[[nodiscard]] DutyHistory amplified(DutyHistory history, double factor);
+
 /// A part of the drive, as far as its loads turn differently.
 enum class DutyPlace {
   flexspline,       ///< wall, rim and teeth: wave passes

@@ -161,9 +161,10 @@ struct PlaceFatigue {
   double sensitivity = 0.0;     ///< M [-]
   double endurance = 0.0;       ///< of the part, normal stress at R = -1 [Pa]
   std::optional<CriticalPlane> plane;
-  std::optional<double> reserve;   ///< 1/utilisation of the plane [-]
-  std::optional<double> handbook;  ///< handbook reserve S [-]
-  std::vector<MinerLife> miner;    ///< empty without knee cycles and slope
+  std::optional<double> reserve;                  ///< 1/utilisation of the plane [-]
+  std::optional<double> reserve_with_peaks = {};  ///< with the momentary peaks [-]
+  std::optional<double> handbook;                 ///< handbook reserve S [-]
+  std::vector<MinerLife> miner;                   ///< empty without knee cycles and slope
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -184,6 +185,9 @@ struct PlaceFatigue {
     field({"endurance", "Pa", "amplitude that the place endures at R = -1"}, &P::endurance);
     field({"plane", "", "the most used plane"}, &P::plane);
     field({"reserve", "1", "reserve against endurance by the most used plane"}, &P::reserve);
+    field({"reserve_with_peaks", "1",
+           "reserve with the momentary peaks, each as if it came for ever; absent: no peaks"},
+          &P::reserve_with_peaks);
     field({"handbook", "1", "reserve by the handbooks; 1.5 is usual"}, &P::handbook);
     field({"miner", "", "damage by Miner"}, &P::miner);
   }
