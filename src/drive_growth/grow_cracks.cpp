@@ -684,6 +684,7 @@ class Path {
       }
       state = between(above);
     }
+    drop_rows_beyond(state);
     report_.end = DriveEnd::assessment;
     report_.governing = path;
     report_.repetitions = state.back();
@@ -832,6 +833,18 @@ class Path {
     trace_->times.push_back(time);
     for (std::size_t k = 0; k < cracks.size(); ++k)
       trace_->sizes[k].push_back(growing_.size_of(state, k).size);
+  }
+
+  /// Takes off the rows and the arrests beyond a state that lies before the last step.
+  void drop_rows_beyond(const State& state) {
+    const double time = state.back() * growing_.duration();
+    const auto beyond = [&](const auto& row) { return row.time > time; };
+    for (std::size_t k = 0; k < report_.cracks.size(); ++k) {
+      std::erase_if(report_.cracks[k].series, beyond);
+      if (std::erase_if(report_.cracks[k].events, beyond) > 0) stands_still_[k] = false;
+    }
+    std::erase_if(report_.stiffness, beyond);
+    report_.drives.resize(report_.stiffness.size());
   }
 
   /// Adds a row to the series, if the last one is far enough.
