@@ -871,10 +871,16 @@ class Path {
         for (const TipLoad& load : at_tip)
           if (load.count > 0 && crack.rate_of(load.cycle, size.size) > 0)
             ratios_[k].take(load.cycle.ratio);
-      if (all_stand && !stands_still_[k]) {
-        stands_still_[k] = true;
-        event(state, k, CrackEvent::arrested);
+      if (all_stand && !stands_still_[k]) event(state, k, CrackEvent::arrested);
+      // A vibration that rises, or the other cracks, may let a crack grow on.
+      if (!all_stand) {
+        report_.cracks[k].grows = true;
+        if (stands_still_[k])
+          std::erase_if(report_.cracks[k].events, [](const GrowthEvent& event) {
+            return event.event == CrackEvent::arrested;
+          });
       }
+      stands_still_[k] = all_stand;
       const double cycles = crack.duty().cycles();
       const TipCycle widest = crack.widest(loads[fastest]);
       std::vector<GrowthPoint>& series = report_.cracks[k].series;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "growth_support.hpp"
 #include "support/expect.hpp"
@@ -25,6 +26,38 @@ TEST(PathEnds, BehaviourRowsNeverRunBackwards) {  // GR-24
   EXPECT_EQ(series.back().time, report.time);
   EXPECT_TRUE(std::ranges::is_sorted(report.stiffness, {}, &StiffnessOverLife::time));
   EXPECT_EQ(report.drives.size(), report.stiffness.size());
+}
+
+TEST(PathEnds, BehaviourACrackThatGrowsAgainIsNotAtRest) {  // GR-28
+  // The long crack softens the drive, whose vibration rises until the short crack grows too.  A
+  // crack that has grown is not at rest at the end.  Source: the words of the report; exact.
+  GearSet gear = test::cracked_wall(R"(kind = "through"
+half_length = "12 mm"
+distance = "40 mm"
+[[flexspline.crack]]
+kind = "through"
+half_length = "5 mm"
+distance = "110 mm")");
+  gear.duty->block.resize(2);
+  gear.duty->block[1].torque = 0;
+  gear.duty->resonance = DutyResonance{.frequency_ratio = 0.93, .damping_ratio = 0.02};
+  GrowthBounds bounds;
+  bounds.threshold = 1.002 * [&] {
+    GearSet alone = gear;
+    alone.duty->resonance.reset();
+    const GrowingCrack crack(alone, drive_cracks(alone)[1], duty_history(alone), {});
+    const double amplified = 1 / std::hypot(1 - 0.93 * 0.93, 2 * 0.02 * 0.93);
+    return crack.widest(crack.loads(crack.crack().size, amplified)[0]).full_range();
+  }();
+  gear.material.at("steel").growth_bounds = bounds;
+  const GrowthReport report = grow_cracks(gear, test::until_size("flexspline.crack[0]", 16e-3));
+  const CrackGrowth& other = report.cracks[1];
+  ASSERT_EQ(other.series.front().rate, 0.0);
+  ASSERT_GT(other.series.back().rate, 0.0);
+  EXPECT_TRUE(other.grows);
+  EXPECT_TRUE(other.events.empty());
+  EXPECT_FALSE(other.margin);
+  EXPECT_FALSE(other.factor_to_grow);
 }
 
 }  // namespace
