@@ -560,6 +560,24 @@ class Path {
       }
       return finish_at(state, *end);
     };
+    // Shortens a step that passes an end until the end lies between two neighbouring states.
+    const auto finish_between = [&](double above, const auto& step_to) {
+      State before = state;
+      double below = 0.0;
+      for (double middle = above / 2; below < middle && middle < above;
+           middle = (below + above) / 2) {
+        State at(state.size());
+        step_to(middle, at);
+        if (ended(at)) {
+          above = middle;
+          next = at;
+        } else {
+          below = middle;
+          before = at;
+        }
+      }
+      return finish(before, next);
+    };
     double jump = kFirstJump * step_factor_;
     double since_jump = 1.0;
     record(state);
@@ -578,7 +596,10 @@ class Path {
           state = next;
           return arrested(state);
         }
-        if (ended(next)) return finish(state, next);
+        if (ended(next))
+          return finish_between(jump, [&](double length, State& at) {
+            for (std::size_t i = 0; i < state.size(); ++i) at[i] = state[i] + length * slope[i];
+          });
         state = next;
         slope = next_slope;
         since_jump = 0.0;
@@ -612,25 +633,11 @@ class Path {
         continue;
       }
       ++report_.steps;
-      if (ended(next)) {
-        State before = state;
-        double below = 0.0;
-        double above = h;
-        for (double middle = above / 2; below < middle && middle < above;
-             middle = (below + above) / 2) {
-          State at(state.size());
+      if (ended(next))
+        return finish_between(h, [&](double length, State& at) {
           State at_slope(state.size());
-          stepper.do_step(system, state, slope, 0.0, at, at_slope, middle, error);
-          if (ended(at)) {
-            above = middle;
-            next = at;
-          } else {
-            below = middle;
-            before = at;
-          }
-        }
-        return finish(before, next);
-      }
+          stepper.do_step(system, state, slope, 0.0, at, at_slope, length, error);
+        });
       since_assessment += h;
       since_jump += h;
       state = next;

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "growth_support.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/drive_growth/life_trace.hpp"
 #include "support/expect.hpp"
 
 /// @file
@@ -58,6 +60,39 @@ distance = "110 mm")");
   EXPECT_TRUE(other.events.empty());
   EXPECT_FALSE(other.margin);
   EXPECT_FALSE(other.factor_to_grow);
+}
+
+/// The drive of size 25 with one crack in the barrel, a law of Paris and one torque.
+GearSet size25(const FlexsplineCrack& crack, double torque) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/growing_size25.toml");
+  Material& steel = gear.material.at(gear.flexspline->material);
+  steel.growth = {Paris{.coefficient = 1.65e-11, .exponent = 3}};
+  steel.growth_bounds.reset();
+  steel.yield_strength = 900e6;
+  steel.fracture_toughness = 80e6;
+  gear.flexspline->crack = {crack};
+  gear.duty->block = {{.duration = 3, .output_speed = 20 * units::rpm, .torque = torque}};
+  return gear;
+}
+
+TEST(PathEnds, BehaviourATimeThatIsAskedForIsKeptWhereRatesJump) {  // GR-24
+  // The depth rests and grows in turns, because its range follows the threshold.  Source: the time
+  // that is asked for; the bisection ends at neighbouring numbers, 1e-12.
+  WallSurfaceCrack crack;
+  crack.depth = 0.1 * units::mm;
+  crack.half_length = 1 * units::mm;
+  crack.angle = 0;
+  GearSet gear = size25(crack, 82);
+  GrowthBounds bounds;
+  bounds.threshold = 1.4e6;
+  gear.material.at(gear.flexspline->material).growth_bounds = bounds;
+  GrowthOptions options;
+  for (double hours = 9.1; hours < 14; hours += 0.3) {
+    options.stop.time = hours * 3600;
+    const LifeTrace trace = life_trace(gear, options);
+    ASSERT_EQ(trace.end, DriveEnd::until);
+    test::expect_relative(trace.time, hours * 3600, 1e-12);
+  }
 }
 
 }  // namespace
