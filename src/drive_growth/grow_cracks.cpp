@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -47,6 +48,37 @@ double stiffness_at(const GearSet& gear) {
   return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
 }
 
+/// The steps of the duty and its peaks that the failure assessment looks at: those that no other
+/// step exceeds in torque, axial force and bending moment together (GR-40).
+std::vector<DutyStep> heaviest_steps(const DutyHistory& history) {
+  const auto loads = [](const DutyStep& step) {
+    return std::tuple(-std::abs(step.torque), step.torque, step.axial_force,
+                      std::abs(step.bending_moment));
+  };
+  std::vector<DutyStep> steps = history.steps;
+  for (const DutyMomentaryPeak& peak : history.peaks) steps.push_back(peak.step);
+  std::erase_if(steps, [](const DutyStep& step) {
+    return step.torque == 0 && step.axial_force == 0 && step.bending_moment == 0;
+  });
+  std::ranges::stable_sort(steps, {}, loads);
+  const auto equal = std::ranges::unique(steps, {}, loads);
+  steps.erase(equal.begin(), equal.end());
+  std::vector<DutyStep> heaviest;
+  for (const DutyStep& step : steps) {
+    const auto exceeded = [&](double sign) {
+      return std::ranges::any_of(steps, [&](const DutyStep& other) {
+        return &other != &step && other.torque * step.torque >= 0 &&
+               std::abs(other.torque) >= std::abs(step.torque) &&
+               std::abs(other.bending_moment) >= std::abs(step.bending_moment) &&
+               sign * other.axial_force >= sign * step.axial_force;
+      });
+    };
+    // Of two steps in compression, the weaker one may press the faces less.
+    if (!exceeded(1) || (step.axial_force < 0 && !exceeded(-1))) heaviest.push_back(step);
+  }
+  return heaviest;
+}
+
 /// The cracks of a drive on their common path.
 class Growing {
  public:
@@ -58,6 +90,7 @@ class Growing {
         step_factor_(step_factor),
         history_(duty_history(gear)),
         at_flexspline_(at_flexspline(history_)),
+        heaviest_(heaviest_steps(history_)),
         first_stiffness_(stiffness_at(gear)) {
     take_cracks();
     const double factor = amplification(start(0.0));
@@ -76,30 +109,6 @@ class Growing {
 
   /// Time of a repetition [s].
   [[nodiscard]] double duration() const { return history_.duration; }
-  /// The steps of the duty and its peaks that the failure assessment looks at: those with the
-  /// largest torque of each sense, the largest tension and compression, and the largest bending
-  /// moment.
-  [[nodiscard]] std::vector<DutyStep> heaviest() const {
-    std::vector<DutyStep> steps = history_.steps;
-    for (const DutyMomentaryPeak& peak : history_.peaks) steps.push_back(peak.step);
-    std::vector<DutyStep> heaviest;
-    const auto take = [&](double DutyStep::*load, double sign) {
-      const auto most = std::ranges::max_element(
-          steps, {}, [&](const DutyStep& step) { return sign * step.*load; });
-      if (most == steps.end() || !(sign * (*most).*load > 0)) return;
-      const bool known = std::ranges::any_of(heaviest, [&](const DutyStep& step) {
-        return step.torque == most->torque && step.axial_force == most->axial_force &&
-               step.bending_moment == most->bending_moment;
-      });
-      if (!known) heaviest.push_back(*most);
-    };
-    take(&DutyStep::torque, 1);
-    take(&DutyStep::torque, -1);
-    take(&DutyStep::axial_force, 1);
-    take(&DutyStep::axial_force, -1);
-    take(&DutyStep::bending_moment, 1);
-    return heaviest;
-  }
 
   [[nodiscard]] State start(double repetitions) const {
     State state;
@@ -224,9 +233,8 @@ class Growing {
     };
     GearSet gear = gear_at(state);
     const double factor = amplification(state);
-    const std::vector<DutyStep> steps = heaviest();
     const bool axial =
-        std::ranges::any_of(steps, [](const DutyStep& step) { return step.axial_force != 0; });
+        std::ranges::any_of(heaviest_, [](const DutyStep& step) { return step.axial_force != 0; });
     const double of_flexspline = flexspline_torque(arrangement_of(history_.fixed), history_.ratio);
     const auto assess = [&](double torque, const auto& counts) {
       // The assessment asks for a torque; a step without one takes a negligible torque.
@@ -236,7 +244,7 @@ class Growing {
           take(crack.path, crack.breaks(),
                ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
     };
-    for (const DutyStep& step : steps) {
+    for (const DutyStep& step : heaviest_) {
       if (axial) gear.load.axial_force = step.axial_force * factor;
       if (step.torque != 0 || step.axial_force != 0) {
         const bool alike = of_flexspline == 1;  // all members bear the torque of the output
@@ -417,8 +425,9 @@ class Growing {
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
-  DutyHistory history_;        ///< with the torque of the output
-  DutyHistory at_flexspline_;  ///< with the torque of the flexspline
+  DutyHistory history_;             ///< with the torque of the output
+  DutyHistory at_flexspline_;       ///< with the torque of the flexspline
+  std::vector<DutyStep> heaviest_;  ///< those that are assessed
   double first_stiffness_;
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;     // first tip of each crack in the state

@@ -8,6 +8,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "support/expect.hpp"
+#include "support/random_drive.hpp"
 
 /// @file
 /// Rows, events and times at the ends of a path.
@@ -92,6 +93,40 @@ TEST(PathEnds, BehaviourATimeThatIsAskedForIsKeptWhereRatesJump) {  // GR-24
     const LifeTrace trace = life_trace(gear, options);
     ASSERT_EQ(trace.end, DriveEnd::until);
     test::expect_relative(trace.time, hours * 3600, 1e-12);
+  }
+}
+
+TEST(PathEnds, IdentityTheReserveIsTheLeastOfAllSteps) {  // GR-40
+  // The reserve of a duty is the least of those of its steps alone.  The random steps have both
+  // senses of torque, tension, compression and moments.  Tolerance: rounding.
+  GearSet gear = test::growing_shaft();
+  gear.load.axial_force = 0;
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 3 * units::mm;
+  GrowthOptions options;
+  options.stop.cycles = 1e-6;
+  const auto reserve = [&](const std::vector<DutyBlock>& blocks) {
+    gear.duty->block = blocks;
+    return grow_cracks(gear, options).stiffness.front().reserve.value();
+  };
+  const auto step = [](double torque, double force, double moment) {
+    DutyBlock block{.duration = 60, .output_speed = 0.1, .torque = torque};
+    block.axial_force = force;
+    block.bending_moment = moment;
+    return block;
+  };
+  // A step that is the worst, and has no largest load.
+  test::expect_relative(reserve({step(6000, 0, 0), step(0, 0, 3000), step(5900, 0, 2900)}),
+                        reserve({step(5900, 0, 2900)}), 1e-12);
+  test::Dice dice(20261130);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<DutyBlock> blocks;
+    double least = 1e300;
+    for (int k = 0; k < 6; ++k) {
+      blocks.push_back(step(dice.uniform(-4000, 4000), dice.uniform(-2e5, 3e5),
+                            std::max(0.0, dice.uniform(-1000, 2000))));
+      least = std::min(least, reserve({blocks.back()}));
+    }
+    test::expect_relative(reserve(blocks), least, 1e-12);
   }
 }
 
