@@ -314,6 +314,9 @@ class Growing {
     if (crack.ends_in_table || std::exp(state[first_[k]]) < crack.range_end) return false;
     GearSet grown = gear_at(state);
     if (!break_through(grown, in_drive_[k])) return false;
+    // A crack that is longer than the solution for the crack through the wall cannot go on.
+    const DriveCrack through = drive_cracks(grown)[in_drive_[k]];
+    if (through.size.size >= through.range_end) return false;
     gear_ = std::move(grown);
     take_cracks();
     return true;

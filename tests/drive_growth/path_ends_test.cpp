@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "growth_support.hpp"
 #include "strainwave/core/units.hpp"
@@ -127,6 +128,28 @@ TEST(PathEnds, IdentityTheReserveIsTheLeastOfAllSteps) {  // GR-40
       least = std::min(least, reserve({blocks.back()}));
     }
     test::expect_relative(reserve(blocks), least, 1e-12);
+  }
+}
+
+TEST(PathEnds, BehaviourALongSurfaceCrackDoesNotShrinkAtTheWall) {  // GR-26
+  // No crack shrinks.  A crack that is longer than the range of the crack through the wall ends at
+  // the wall, and a shorter one goes on.  Source: (GR-26); 1e-3 for the growth of the length.
+  for (const double half_length : {3e-3, 20e-3, 60e-3}) {
+    WallSurfaceCrack crack;
+    crack.depth = 0.3 * units::mm;
+    crack.half_length = half_length;
+    crack.angle = std::numbers::pi / 2;
+    const GrowthReport report = grow_cracks(size25(crack, 82));
+    const CrackGrowth& growth = report.cracks[0];
+    EXPECT_TRUE(std::ranges::is_sorted(growth.series, {}, &GrowthPoint::half_length));
+    const bool goes_on = growth.events.front().event == CrackEvent::through_wall;
+    EXPECT_EQ(goes_on, half_length < 8e-3);
+    if (goes_on) continue;
+    EXPECT_EQ(report.end, DriveEnd::range);
+    ASSERT_EQ(growth.events.size(), 1U);
+    test::expect_relative(growth.events.front().half_length, half_length, 1e-3);
+    test::expect_relative(growth.series.back().half_length, half_length, 1e-3);
+    EXPECT_LT(growth.series.back().size, 0.453e-3);
   }
 }
 
