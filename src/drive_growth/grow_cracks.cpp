@@ -139,7 +139,12 @@ class Growing {
   [[nodiscard]] double amplification(const State& state) const {
     const auto& resonance = gear_.duty->resonance;
     if (!resonance) return 1.0;
-    const double K = stiffness_at(gear_at(state));
+    double K = first_stiffness_;
+    try {
+      K = stiffness_at(gear_at(state));
+    } catch (const InputError&) {  // a trial beyond the end that `end_at` finds
+      return 1.0;
+    }
     const double r = resonance->frequency_ratio * std::sqrt(first_stiffness_ / K);
     const double damped = 2 * resonance->damping_ratio * r;
     return 1 / std::sqrt((1 - r * r) * (1 - r * r) + damped * damped);
@@ -200,10 +205,17 @@ class Growing {
   struct End {
     CrackEvent event;
     std::size_t crack;
+    /// The rule of the input that the drive breaks at this state; empty: none.
+    std::string refused = {};
   };
   [[nodiscard]] std::optional<End> end_at(const State& state) const {
     const double factor = amplification(state);
-    const bool severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
+    bool severed = false;
+    try {
+      severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
+    } catch (const InputError& error) {  // cracks that meet, for example
+      return End{CrackEvent::range, crack_of(error.field()), error.what()};
+    }
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double a = std::exp(state[first_[k]]);
       // A vibration may raise the torque beyond a table of K over a turn.
@@ -317,12 +329,23 @@ class Growing {
     // A crack that is longer than the solution for the crack through the wall cannot go on.
     const DriveCrack through = drive_cracks(grown)[in_drive_[k]];
     if (through.size.size >= through.range_end) return false;
+    try {
+      (void)stiffness_at(grown);
+    } catch (const InputError&) {
+      return false;
+    }
     gear_ = std::move(grown);
     take_cracks();
     return true;
   }
 
  private:
+  /// The growing crack to which a field of the drive belongs; the first one if there is none.
+  [[nodiscard]] std::size_t crack_of(const std::string& field) const {
+    for (std::size_t k = 0; k < cracks_.size(); ++k)
+      if (field.starts_with(cracks_[k].crack().path)) return k;
+    return 0;
+  }
   /// Whether the reserve of a crack is only the end of its table of K over a turn.
   [[nodiscard]] bool ends_in_table(const CrackStrength& strength, double torque) const {
     for (const GrowingCrack& crack : cracks_) {
@@ -559,7 +582,7 @@ class Path {
     // The path ends between two neighbouring states.
     const auto finish = [&](const State& before, const State& beyond) {
       const auto end = growing_.end_at(beyond);
-      state = end ? beyond : before;
+      state = end && end->refused.empty() ? beyond : before;
       if (const auto failed = failing(before)) {
         state = before;
         return assessment_end(state, *failed);
@@ -726,7 +749,9 @@ class Path {
       const State before = state;
       event(before, end.crack, CrackEvent::range);
       const bool had_table = growing_.cracks()[end.crack].crack().turn_table != nullptr;
-      if (growing_.through_wall(state, end.crack)) {
+      if (!end.refused.empty()) {
+        report_.notes.push_back(refused_size_note(path, end.refused));
+      } else if (growing_.through_wall(state, end.crack)) {
         if (told_) {
           CrackGrowth& crack = report_.cracks[end.crack];
           crack.events.back().event = CrackEvent::through_wall;

@@ -153,5 +153,45 @@ TEST(PathEnds, BehaviourALongSurfaceCrackDoesNotShrinkAtTheWall) {  // GR-26
   }
 }
 
+TEST(PathEnds, BehaviourCracksThatMeetEndTheRange) {  // GR-24
+  // Two circumferential cracks, whose middles are 18.5 degrees apart, grow until their ends meet:
+  // the half lengths are half of the distance.  Source: the arc by hand; 1e-6.
+  WallThroughCrack crack;
+  crack.half_length = 4 * units::mm;
+  crack.angle = std::numbers::pi / 2;
+  crack.position = 0.0;
+  GearSet gear = size25(crack, 150);
+  crack.position = 18.5 * units::deg;
+  gear.flexspline->crack.emplace_back(crack);
+  gear.duty->block.push_back({.duration = 3, .output_speed = 0, .torque = 0});
+  const double radius = (62.499e-3 - 0.453e-3) / 2;
+  const GrowthReport report = grow_cracks(gear);
+  EXPECT_EQ(report.end, DriveEnd::range);
+  EXPECT_TRUE(has(report, "growth.refused_size"));
+  EXPECT_GT(report.time, 0.0);
+  test::expect_relative(report.cracks[0].series.back().size + report.cracks[1].series.back().size,
+                        radius * 18.5 * units::deg, 1e-6);
+  EXPECT_LT(report.step_error, 1e-6);
+  // A vibration asks for the stiffness at each trial step.
+  gear.duty->resonance = DutyResonance{.frequency_ratio = 0.3, .damping_ratio = 0.02};
+  const GrowthReport vibrating = grow_cracks(gear);
+  EXPECT_EQ(vibrating.end, DriveEnd::range);
+  EXPECT_LT(vibrating.time, report.time);
+}
+
+TEST(PathEnds, BehaviourASurfaceCrackAtTheEndOfItsSectionEndsTheRange) {  // GR-24
+  // The half length along the axis ends at the distance to the end of the section, 2.6 mm.  Source:
+  // the place of the crack; 1e-6, the share that the range leaves.
+  WallSurfaceCrack crack;
+  crack.depth = 0.05 * units::mm;
+  crack.half_length = 2.5 * units::mm;
+  crack.angle = 0;
+  crack.distance = 2.6 * units::mm;
+  const GrowthReport report = grow_cracks(size25(crack, 82));
+  EXPECT_EQ(report.end, DriveEnd::range);
+  EXPECT_GT(report.time, 0.0);
+  EXPECT_NEAR(report.cracks[0].series.back().half_length, 2.6e-3, 3e-9);
+}
+
 }  // namespace
 }  // namespace strainwave
