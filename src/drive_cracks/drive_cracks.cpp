@@ -468,9 +468,13 @@ class Maker {
     made.range_text = "0.8 of the wall, the range of the stress intensity";
     use(made, {"FA-6", "FA-9"});
     if (made.assembly) use(made, {"SP-3"});
+    const double place = crack.distance.value_or(wall.length / 2);
+    made.length_end =
+        kNearlyAll * std::min(pi * wall.mean_radius / std::abs(std::sin(crack.angle)),
+                              std::min(place, wall.length - place) / std::cos(crack.angle));
     if (crack.count > 1) {
       made.count = crack.count;
-      made.length_end = longest_in_row(crack, wall);
+      made.length_end = std::min(made.length_end, longest_in_row(crack, wall));
       use(made, {"CG-7"});
     }
   }

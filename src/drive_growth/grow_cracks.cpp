@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -47,6 +48,37 @@ double stiffness_at(const GearSet& gear) {
   return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
 }
 
+/// The steps of the duty and its peaks that the failure assessment looks at: those that no other
+/// step exceeds in torque, axial force and bending moment together (GR-40).
+std::vector<DutyStep> heaviest_steps(const DutyHistory& history) {
+  const auto loads = [](const DutyStep& step) {
+    return std::tuple(-std::abs(step.torque), step.torque, step.axial_force,
+                      std::abs(step.bending_moment));
+  };
+  std::vector<DutyStep> steps = history.steps;
+  for (const DutyMomentaryPeak& peak : history.peaks) steps.push_back(peak.step);
+  std::erase_if(steps, [](const DutyStep& step) {
+    return step.torque == 0 && step.axial_force == 0 && step.bending_moment == 0;
+  });
+  std::ranges::stable_sort(steps, {}, loads);
+  const auto equal = std::ranges::unique(steps, {}, loads);
+  steps.erase(equal.begin(), equal.end());
+  std::vector<DutyStep> heaviest;
+  for (const DutyStep& step : steps) {
+    const auto exceeded = [&](double sign) {
+      return std::ranges::any_of(steps, [&](const DutyStep& other) {
+        return &other != &step && other.torque * step.torque >= 0 &&
+               std::abs(other.torque) >= std::abs(step.torque) &&
+               std::abs(other.bending_moment) >= std::abs(step.bending_moment) &&
+               sign * other.axial_force >= sign * step.axial_force;
+      });
+    };
+    // Of two steps in compression, the weaker one may press the faces less.
+    if (!exceeded(1) || (step.axial_force < 0 && !exceeded(-1))) heaviest.push_back(step);
+  }
+  return heaviest;
+}
+
 /// The cracks of a drive on their common path.
 class Growing {
  public:
@@ -58,6 +90,7 @@ class Growing {
         step_factor_(step_factor),
         history_(duty_history(gear)),
         at_flexspline_(at_flexspline(history_)),
+        heaviest_(heaviest_steps(history_)),
         first_stiffness_(stiffness_at(gear)) {
     take_cracks();
     const double factor = amplification(start(0.0));
@@ -76,30 +109,6 @@ class Growing {
 
   /// Time of a repetition [s].
   [[nodiscard]] double duration() const { return history_.duration; }
-  /// The steps of the duty and its peaks that the failure assessment looks at: those with the
-  /// largest torque of each sense, the largest tension and compression, and the largest bending
-  /// moment.
-  [[nodiscard]] std::vector<DutyStep> heaviest() const {
-    std::vector<DutyStep> steps = history_.steps;
-    for (const DutyMomentaryPeak& peak : history_.peaks) steps.push_back(peak.step);
-    std::vector<DutyStep> heaviest;
-    const auto take = [&](double DutyStep::*load, double sign) {
-      const auto most = std::ranges::max_element(
-          steps, {}, [&](const DutyStep& step) { return sign * step.*load; });
-      if (most == steps.end() || !(sign * (*most).*load > 0)) return;
-      const bool known = std::ranges::any_of(heaviest, [&](const DutyStep& step) {
-        return step.torque == most->torque && step.axial_force == most->axial_force &&
-               step.bending_moment == most->bending_moment;
-      });
-      if (!known) heaviest.push_back(*most);
-    };
-    take(&DutyStep::torque, 1);
-    take(&DutyStep::torque, -1);
-    take(&DutyStep::axial_force, 1);
-    take(&DutyStep::axial_force, -1);
-    take(&DutyStep::bending_moment, 1);
-    return heaviest;
-  }
 
   [[nodiscard]] State start(double repetitions) const {
     State state;
@@ -130,7 +139,12 @@ class Growing {
   [[nodiscard]] double amplification(const State& state) const {
     const auto& resonance = gear_.duty->resonance;
     if (!resonance) return 1.0;
-    const double K = stiffness_at(gear_at(state));
+    double K = first_stiffness_;
+    try {
+      K = stiffness_at(gear_at(state));
+    } catch (const InputError&) {  // a trial beyond the end that `end_at` finds
+      return 1.0;
+    }
     const double r = resonance->frequency_ratio * std::sqrt(first_stiffness_ / K);
     const double damped = 2 * resonance->damping_ratio * r;
     return 1 / std::sqrt((1 - r * r) * (1 - r * r) + damped * damped);
@@ -191,10 +205,17 @@ class Growing {
   struct End {
     CrackEvent event;
     std::size_t crack;
+    /// The rule of the input that the drive breaks at this state; empty: none.
+    std::string refused = {};
   };
   [[nodiscard]] std::optional<End> end_at(const State& state) const {
     const double factor = amplification(state);
-    const bool severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
+    bool severed = false;
+    try {
+      severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
+    } catch (const InputError& error) {  // cracks that meet, for example
+      return End{CrackEvent::range, crack_of(error.field()), error.what()};
+    }
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double a = std::exp(state[first_[k]]);
       // A vibration may raise the torque beyond a table of K over a turn.
@@ -224,9 +245,8 @@ class Growing {
     };
     GearSet gear = gear_at(state);
     const double factor = amplification(state);
-    const std::vector<DutyStep> steps = heaviest();
     const bool axial =
-        std::ranges::any_of(steps, [](const DutyStep& step) { return step.axial_force != 0; });
+        std::ranges::any_of(heaviest_, [](const DutyStep& step) { return step.axial_force != 0; });
     const double of_flexspline = flexspline_torque(arrangement_of(history_.fixed), history_.ratio);
     const auto assess = [&](double torque, const auto& counts) {
       // The assessment asks for a torque; a step without one takes a negligible torque.
@@ -236,7 +256,7 @@ class Growing {
           take(crack.path, crack.breaks(),
                ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
     };
-    for (const DutyStep& step : steps) {
+    for (const DutyStep& step : heaviest_) {
       if (axial) gear.load.axial_force = step.axial_force * factor;
       if (step.torque != 0 || step.axial_force != 0) {
         const bool alike = of_flexspline == 1;  // all members bear the torque of the output
@@ -306,12 +326,26 @@ class Growing {
     if (crack.ends_in_table || std::exp(state[first_[k]]) < crack.range_end) return false;
     GearSet grown = gear_at(state);
     if (!break_through(grown, in_drive_[k])) return false;
+    // A crack that is longer than the solution for the crack through the wall cannot go on.
+    const DriveCrack through = drive_cracks(grown)[in_drive_[k]];
+    if (through.size.size >= through.range_end) return false;
+    try {
+      (void)stiffness_at(grown);
+    } catch (const InputError&) {
+      return false;
+    }
     gear_ = std::move(grown);
     take_cracks();
     return true;
   }
 
  private:
+  /// The growing crack to which a field of the drive belongs; the first one if there is none.
+  [[nodiscard]] std::size_t crack_of(const std::string& field) const {
+    for (std::size_t k = 0; k < cracks_.size(); ++k)
+      if (field.starts_with(cracks_[k].crack().path)) return k;
+    return 0;
+  }
   /// Whether the reserve of a crack is only the end of its table of K over a turn.
   [[nodiscard]] bool ends_in_table(const CrackStrength& strength, double torque) const {
     for (const GrowingCrack& crack : cracks_) {
@@ -417,8 +451,9 @@ class Growing {
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
-  DutyHistory history_;        ///< with the torque of the output
-  DutyHistory at_flexspline_;  ///< with the torque of the flexspline
+  DutyHistory history_;             ///< with the torque of the output
+  DutyHistory at_flexspline_;       ///< with the torque of the flexspline
+  std::vector<DutyStep> heaviest_;  ///< those that are assessed
   double first_stiffness_;
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;     // first tip of each crack in the state
@@ -547,7 +582,7 @@ class Path {
     // The path ends between two neighbouring states.
     const auto finish = [&](const State& before, const State& beyond) {
       const auto end = growing_.end_at(beyond);
-      state = end ? beyond : before;
+      state = end && end->refused.empty() ? beyond : before;
       if (const auto failed = failing(before)) {
         state = before;
         return assessment_end(state, *failed);
@@ -559,6 +594,24 @@ class Path {
         return false;
       }
       return finish_at(state, *end);
+    };
+    // Shortens a step that passes an end until the end lies between two neighbouring states.
+    const auto finish_between = [&](double above, const auto& step_to) {
+      State before = state;
+      double below = 0.0;
+      for (double middle = above / 2; below < middle && middle < above;
+           middle = (below + above) / 2) {
+        State at(state.size());
+        step_to(middle, at);
+        if (ended(at)) {
+          above = middle;
+          next = at;
+        } else {
+          below = middle;
+          before = at;
+        }
+      }
+      return finish(before, next);
     };
     double jump = kFirstJump * step_factor_;
     double since_jump = 1.0;
@@ -578,7 +631,10 @@ class Path {
           state = next;
           return arrested(state);
         }
-        if (ended(next)) return finish(state, next);
+        if (ended(next))
+          return finish_between(jump, [&](double length, State& at) {
+            for (std::size_t i = 0; i < state.size(); ++i) at[i] = state[i] + length * slope[i];
+          });
         state = next;
         slope = next_slope;
         since_jump = 0.0;
@@ -612,25 +668,11 @@ class Path {
         continue;
       }
       ++report_.steps;
-      if (ended(next)) {
-        State before = state;
-        double below = 0.0;
-        double above = h;
-        for (double middle = above / 2; below < middle && middle < above;
-             middle = (below + above) / 2) {
-          State at(state.size());
+      if (ended(next))
+        return finish_between(h, [&](double length, State& at) {
           State at_slope(state.size());
-          stepper.do_step(system, state, slope, 0.0, at, at_slope, middle, error);
-          if (ended(at)) {
-            above = middle;
-            next = at;
-          } else {
-            below = middle;
-            before = at;
-          }
-        }
-        return finish(before, next);
-      }
+          stepper.do_step(system, state, slope, 0.0, at, at_slope, length, error);
+        });
       since_assessment += h;
       since_jump += h;
       state = next;
@@ -684,6 +726,7 @@ class Path {
       }
       state = between(above);
     }
+    drop_rows_beyond(state);
     report_.end = DriveEnd::assessment;
     report_.governing = path;
     report_.repetitions = state.back();
@@ -706,7 +749,9 @@ class Path {
       const State before = state;
       event(before, end.crack, CrackEvent::range);
       const bool had_table = growing_.cracks()[end.crack].crack().turn_table != nullptr;
-      if (growing_.through_wall(state, end.crack)) {
+      if (!end.refused.empty()) {
+        report_.notes.push_back(refused_size_note(path, end.refused));
+      } else if (growing_.through_wall(state, end.crack)) {
         if (told_) {
           CrackGrowth& crack = report_.cracks[end.crack];
           crack.events.back().event = CrackEvent::through_wall;
@@ -834,6 +879,18 @@ class Path {
       trace_->sizes[k].push_back(growing_.size_of(state, k).size);
   }
 
+  /// Takes off the rows and the arrests beyond a state that lies before the last step.
+  void drop_rows_beyond(const State& state) {
+    const double time = state.back() * growing_.duration();
+    const auto beyond = [&](const auto& row) { return row.time > time; };
+    for (std::size_t k = 0; k < report_.cracks.size(); ++k) {
+      std::erase_if(report_.cracks[k].series, beyond);
+      if (std::erase_if(report_.cracks[k].events, beyond) > 0) stands_still_[k] = false;
+    }
+    std::erase_if(report_.stiffness, beyond);
+    report_.drives.resize(report_.stiffness.size());
+  }
+
   /// Adds a row to the series, if the last one is far enough.
   void record(const State& state) {
     if (trace_ != nullptr) take_trace(state);
@@ -858,10 +915,16 @@ class Path {
         for (const TipLoad& load : at_tip)
           if (load.count > 0 && crack.rate_of(load.cycle, size.size) > 0)
             ratios_[k].take(load.cycle.ratio);
-      if (all_stand && !stands_still_[k]) {
-        stands_still_[k] = true;
-        event(state, k, CrackEvent::arrested);
+      if (all_stand && !stands_still_[k]) event(state, k, CrackEvent::arrested);
+      // A vibration that rises, or the other cracks, may let a crack grow on.
+      if (!all_stand) {
+        report_.cracks[k].grows = true;
+        if (stands_still_[k])
+          std::erase_if(report_.cracks[k].events, [](const GrowthEvent& event) {
+            return event.event == CrackEvent::arrested;
+          });
       }
+      stands_still_[k] = all_stand;
       const double cycles = crack.duty().cycles();
       const TipCycle widest = crack.widest(loads[fastest]);
       std::vector<GrowthPoint>& series = report_.cracks[k].series;

@@ -49,15 +49,15 @@ RateLaw law_of_crack(const GearSet& gear, const DriveCrack& crack, const RateCho
 }
 
 /// Which of the phases and points of a cycle counts: the one with the fastest growth; without
-/// growth the one with the widest range.
+/// growth the one with the widest range; among equal ones the one with the largest K_max.
 class WorstPoint {
  public:
   void take(const TipCycle& at, double rate, double least) {
     if (at.largest > load_.largest.largest) load_.largest = at;
-    if (rate < fastest_) return;
+    if (rate < fastest_ && !equal(rate, fastest_)) return;
     if (rate == 0) load_.least = std::min(load_.least.value_or(least), least);
-    if (rate == fastest_ && at.full_range() <= load_.cycle.full_range()) return;
-    fastest_ = rate;
+    if (equal(rate, fastest_) && !goes_before(at)) return;
+    fastest_ = std::max(rate, fastest_);
     load_.cycle = at;
     if (rate > 0) load_.least = least;
   }
@@ -71,6 +71,19 @@ class WorstPoint {
   }
 
  private:
+  /// Whether two numbers differ by rounding at most.
+  static bool equal(double one, double other) {
+    constexpr double kRounding = 1e-9;
+    return one == other ||
+           std::abs(one - other) < kRounding * std::max(std::abs(one), std::abs(other));
+  }
+  /// Whether a cycle of the same rate goes before the one that counts so far.
+  [[nodiscard]] bool goes_before(const TipCycle& at) const {
+    const double range = at.full_range();
+    const double so_far = load_.cycle.full_range();
+    return equal(range, so_far) ? at.largest > load_.cycle.largest : range > so_far;
+  }
+
   TipLoad load_;
   double fastest_ = 0.0;
 };

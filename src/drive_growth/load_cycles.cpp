@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -60,12 +62,7 @@ class CountedValue {
       for (const DutyStep& step : steps) require_covered(crack, step);
     double largest = 0.0;
     for (std::size_t point = 0; point < factors_.points() && !steps.empty(); ++point) {
-      const auto constant = [&](const DutyStep& step) {
-        if (factors_.has_turn()) return mean(factors_.over_turn(point, step.torque));
-        LoadState state = state_of(crack, step, 1);
-        state.assembly = state.bending_moment = 0.0;
-        return factors_.at(point, state);
-      };
+      const auto constant = [&](const DutyStep& step) { return constant_at(point, step); };
       const auto farthest = [&](const Modes& from) {
         Modes widest{};
         for (const DutyStep& step : steps) {
@@ -103,7 +100,21 @@ class CountedValue {
     return product(factors_.at(point_, state_of(crack_, step, turned)), direction_);
   }
 
+  /// K under the constant loads of a step, the three modes of each point of the front.
+  [[nodiscard]] std::vector<double> constant(const DutyStep& step) const {
+    std::vector<double> all;
+    for (std::size_t point = 0; point < factors_.points(); ++point)
+      for (const double of_mode : constant_at(point, step)) all.push_back(of_mode);
+    return all;
+  }
+
  private:
+  [[nodiscard]] Modes constant_at(std::size_t point, const DutyStep& step) const {
+    if (factors_.has_turn()) return mean(factors_.over_turn(point, step.torque));
+    LoadState state = state_of(crack_, step, 1);
+    state.assembly = state.bending_moment = 0.0;
+    return factors_.at(point, state);
+  }
   static double product(const Modes& a, const Modes& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
@@ -128,6 +139,79 @@ class CountedValue {
   Modes direction_{};
   std::size_t point_ = 0;
 };
+
+/// The loads at a share of the way from one step to another.
+DutyStep between(const DutyStep& from, const DutyStep& to, double share) {
+  DutyStep step = from;
+  const auto mix = [&](double DutyStep::*load) { step.*load += share * (to.*load - from.*load); };
+  mix(&DutyStep::torque);
+  mix(&DutyStep::axial_force);
+  mix(&DutyStep::bending_moment);
+  return step;
+}
+
+/// A step that the counting passes over, and the loads of the line that it leaves.
+struct Departure {
+  std::size_t step = 0;
+  DutyStep line;
+};
+
+/// The steps between two reversals whose K leaves the line between the two (GR-21), the farthest
+/// one first; the lines from this one to the reversals stand for the other steps.
+/// @param reversals  steps at which the counted value turns, by rising number
+std::vector<Departure> departures(const CountedValue& value, const std::vector<DutyStep>& steps,
+                                  const std::vector<std::size_t>& reversals) {
+  constexpr double kRounding = 1e-9;
+  // Under one axial force, K lies on a line.
+  if (std::ranges::adjacent_find(steps, std::ranges::not_equal_to(), &DutyStep::axial_force) ==
+          steps.end() ||
+      reversals.empty())
+    return {};
+  std::vector<std::vector<double>> K;
+  for (const DutyStep& step : steps) K.push_back(value.constant(step));
+  std::vector<std::pair<std::size_t, std::size_t>> open;
+  for (std::size_t i = 0; i + 1 < reversals.size(); ++i)
+    open.emplace_back(reversals[i], reversals[i + 1]);
+  open.emplace_back(reversals.back(), reversals.front() + steps.size());
+  std::vector<Departure> found;
+  while (!open.empty()) {
+    const auto [begin, end] = open.back();
+    open.pop_back();
+    const std::size_t first = begin % steps.size();
+    const std::size_t last = end % steps.size();
+    const auto along = [&](std::size_t i) { return K[last][i] - K[first][i]; };
+    double length = 0.0;  // squares of distances
+    for (std::size_t i = 0; i < K[first].size(); ++i) length += along(i) * along(i);
+    double farthest = 0.0;
+    double share_there = 0.0;
+    std::size_t there = begin;
+    for (std::size_t step = begin + 1; step < end; ++step) {
+      const std::vector<double>& here = K[step % steps.size()];
+      double share = 0.0;
+      double size = 0.0;
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        share += (here[i] - K[first][i]) * along(i);
+        size += here[i] * here[i];
+      }
+      share = length > 0 ? std::clamp(share / length, 0.0, 1.0) : 0.0;
+      double distance = 0.0;
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        const double off = here[i] - K[first][i] - share * along(i);
+        distance += off * off;
+      }
+      if (distance <= std::max(farthest, kRounding * kRounding * (length + size))) continue;
+      farthest = distance;
+      share_there = share;
+      there = step;
+    }
+    if (there == begin) continue;
+    found.push_back(
+        {.step = there % steps.size(), .line = between(steps[first], steps[last], share_there)});
+    open.emplace_back(begin, there);
+    open.emplace_back(there, end);
+  }
+  return found;
+}
 
 bool turns(const DriveCrack& crack, const DutyStep& step) {
   if (crack.turning == TurningLoad::none || step.output_speed == 0) return false;
@@ -176,9 +260,10 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     if (!turns(crack, step)) return 0.0;
     return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * per_turn;
   };
-  std::vector<double> left;          // turning cycles of each step that no other cycle uses
-  std::vector<double> values;        // the extremes of each step
-  std::vector<std::size_t> step_of;  // the step of each value
+  std::vector<double> left;            // turning cycles of each step that no other cycle uses
+  std::vector<double> values;          // the extremes of each step
+  std::vector<std::size_t> step_of;    // the step of each value
+  std::vector<std::size_t> reversals;  // steps at which the constant load turns
   // Steps that follow on each other with the same load are one step.
   std::vector<DutyStep> steps;
   std::vector<std::size_t> number;  // of the step in the duty
@@ -197,6 +282,7 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
   }
   const CountedValue value(crack, at_torque, steps);
   const std::vector<double> turned = left;
+  std::vector<bool> joined(steps.size(), false);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     const double here = value.of(steps[b], 0);
     const double one = value.of(steps[b], 1);
@@ -207,7 +293,10 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
     const double first = rose ? std::max(one, other) : std::min(one, other);
     const double second = rose ? std::min(one, other) : std::max(one, other);
     values.insert(values.end(), {first, second});
-    if (rose != rises) values.push_back(first);
+    if (rose != rises) {
+      values.push_back(first);
+      reversals.push_back(b);
+    }
     step_of.resize(values.size(), b);
   }
   // (GR-21): the cycles between steps.
@@ -222,7 +311,10 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
                           .count = count,
                           .step = number[high],
                           .rare = false});
-    for (const std::size_t used : {high, low}) left[used] = std::max(0.0, left[used] - count / 2);
+    for (const std::size_t used : {high, low}) {
+      left[used] = std::max(0.0, left[used] - count / 2);
+      joined[used] = true;
+    }
   };
   RainflowCounter counter;
   const auto take = [&](const CountedCycle& counted) {
@@ -232,6 +324,16 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHis
   };
   counter.add(values, take);
   counter.finish(history.residue, take);
+  // ... and those of steps that leave the line between the reversals.
+  for (const Departure& from : departures(value, steps, reversals)) {
+    if (joined[from.step]) continue;
+    duty.cycle.push_back({.from = state_of(crack, steps[from.step], 1),
+                          .to = state_of(crack, from.line, -1),
+                          .count = 1,
+                          .step = number[from.step],
+                          .rare = false});
+    left[from.step] = std::max(0.0, left[from.step] - 0.5);
+  }
   // ... and the cycles of the load that turns.
   for (std::size_t b = 0; b < steps.size(); ++b)
     if (left[b] > 0)

@@ -253,6 +253,15 @@ Note laminate_crack_note(const std::string& path) {
               "the laminate."};
 }
 
+Note refused_size_note(const std::string& path, const std::string& rule) {
+  return {.code = "growth.refused_size",
+          .text = fmt::format("the growth ends where a larger crack breaks a rule: {}", rule),
+          .path = path,
+          .equation = "GR-24",
+          .severity = Severity::care,
+          .next_step = "Give one crack in the place of cracks that meet, and see what follows."};
+}
+
 Note no_curve_note(const std::string& why) {
   return {.code = "growth.no_curve",
           .text = "the coupled drive has no solution with the grown cracks: " + why,

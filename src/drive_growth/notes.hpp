@@ -51,6 +51,9 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// A surface crack with a table of K over a turn goes on through the wall, where it has none.
 [[nodiscard]] Note through_wall_note(const std::string& path);
 
+/// The cracks grow until the rules of the input refuse the drive, because they meet for example.
+[[nodiscard]] Note refused_size_note(const std::string& path, const std::string& rule);
+
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);
 

@@ -184,6 +184,30 @@ TEST(Interaction, BehaviourFractureBesideTheFastestPoint) {  // GR-12
     EXPECT_TRUE(std::isinf(growth_with_interaction(crack, loads, kSize, rule_of(rule), 0.01)));
 }
 
+TEST(Interaction, LimitSmallChangesOfSizeChangeGrowthByLittle) {  // GR-18, GR-23
+  // The stations of a through crack have the same range and different K_max, so the law of Paris
+  // gives them the same rate, and only the larger K_max may count.  Source: K and its plastic zone
+  // are smooth functions of the size.  For steps of 0.5 % in size the steps of the logarithm of
+  // the growth differ by 2e-3 at most; another station changes it by 0.017.
+  GearSet gear = test::cracked_wall(R"(kind = "through"
+half_length = "4.4 mm"
+angle = "45 deg")");
+  gear.material.at("steel").yield_strength = 900e6;
+  gear.duty->block.resize(2);
+  gear.duty->block[1].torque = 1600;
+  const GrowingCrack crack = test::only_crack(gear);
+  Interaction rule = rule_of(InteractionRule::wheeler);
+  rule.wheeler_exponent = 1.0;
+  std::vector<double> growth;
+  for (int i = 0; i < 60; ++i) {
+    const double a = 4e-3 * std::pow(1.005, i);
+    growth.push_back(std::log(growth_with_interaction(
+        crack, crack.loads({.size = a, .aspect_ratio = 1.0})[0], a, rule, 0.01)));
+  }
+  for (std::size_t i = 2; i < growth.size(); ++i)
+    EXPECT_NEAR(growth[i] - growth[i - 1], growth[i - 1] - growth[i - 2], 2e-3) << i;
+}
+
 TEST(Interaction, IdentityIntervalOfAPeakWithFurtherWaves) {  // GR-27
   // Further waves of a peak in ten parts are the same waves; their counts tell nothing about the
   // interval.

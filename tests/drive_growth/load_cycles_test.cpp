@@ -286,6 +286,67 @@ TEST(LoadCycles, BehaviourAxialForceOfAnAnnularCrack) {  // GR-21
   EXPECT_GT(crack.growth(crack.loads({.size = 1e-3})[0], 1e-3), 0.0);
 }
 
+DutyBlock pulled_block(double torque, double force) {
+  DutyBlock block{.duration = 60, .output_speed = 0.1, .torque = torque};
+  block.axial_force = force;
+  return block;
+}
+
+TEST(LoadCycles, IdentityAStepBesideTheLineOfTheOthers) {  // GR-21
+  // The force goes from -200 kN to 0, and a torque acts on half of the way.  The torque makes the
+  // cycle that it makes under a resting force of -100 kN, and the cycle of the pressed faces adds
+  // no growth.  Source: (GR-21) by hand; rounding.
+  GearSet gear = test::unbreakable_shaft();
+  gear.duty->block = {pulled_block(0, -200e3), pulled_block(1500, -100e3), pulled_block(0, 0)};
+  const GrowingCrack crack = test::only_crack(gear);
+  gear.duty->block = {pulled_block(0, -100e3), pulled_block(1500, -100e3)};
+  const GrowingCrack reference = test::only_crack(gear);
+  const CrackSize size{.size = 3e-3};
+  const double growth = crack.growth(crack.loads(size)[0], size.size);
+  EXPECT_GT(growth, 0.0);
+  test::expect_relative(growth, reference.growth(reference.loads(size)[0], size.size), 1e-9);
+  EXPECT_EQ(crack.duty().cycles(), 2.0);
+}
+
+TEST(LoadCycles, LimitAStepNearTheLineOfTheOthers) {  // GR-21
+  // A step between two others on their line adds nothing, and a step near the line adds little: the
+  // cube of its distance by the law of Paris.  Source: (GR-2), (GR-21); 1e-6 for 1 % of the way.
+  GearSet gear = test::unbreakable_shaft();
+  const CrackSize size{.size = 3e-3};
+  const auto growth = [&](double torque) {
+    gear.duty->block = {pulled_block(0, 0), pulled_block(torque, 50e3), pulled_block(2000, 200e3)};
+    const GrowingCrack crack = test::only_crack(gear);
+    return crack.growth(crack.loads(size)[0], size.size);
+  };
+  const double on_line = growth(500);
+  test::expect_relative(growth(520), on_line, 1e-5);
+  EXPECT_NE(growth(520), on_line);
+}
+
+TEST(LoadCycles, CrosscheckEachStepOfAShaftReachesItsK) {  // GR-12, GR-21
+  // The largest K_max of a duty is that of the largest step alone, also of a step that lies between
+  // others in the counted direction.  Source: the cycle of each step with a step without load;
+  // rounding.
+  GearSet gear = test::unbreakable_shaft();
+  const CrackSize size{.size = 3e-3};
+  const auto largest = [&] {
+    const GrowingCrack crack = test::only_crack(gear);
+    return GrowingCrack::governing(crack.loads(size)[0]).largest;
+  };
+  test::Dice dice(2026);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<DutyBlock> blocks;
+    double of_steps = 0.0;
+    for (int k = 0; k < 7; ++k) {
+      blocks.push_back(pulled_block(dice.uniform(-6000, 6000), dice.uniform(-1e6, 1.2e6)));
+      gear.duty->block = {blocks.back(), pulled_block(0, 0)};
+      of_steps = std::max(of_steps, largest());
+    }
+    gear.duty->block = blocks;
+    test::expect_relative(largest(), of_steps, 1e-9);
+  }
+}
+
 TEST(LoadCycles, BehaviourOneModeRestsAndTheOtherChanges) {  // GR-21
   // A large constant force beside a small torque that changes, and the other way round: what
   // changes is counted.

@@ -37,7 +37,7 @@ struct EnumNames<DriveEnd> {
 
 /// Something that happens to a crack on its way.
 enum class CrackEvent {
-  arrested,      ///< the crack stands still from here on
+  arrested,      ///< the crack stands still from here on, up to the end
   through_wall,  ///< a surface crack goes on as a crack through the wall
   breaks,        ///< K_max reaches the toughness
   assessment,    ///< the point leaves the assessment line
