@@ -58,8 +58,8 @@ TitledTable summary_table(const SimulationReport& report) {
           .table = std::move(table),
           .remark =
               "The error of the output is its angle beyond that of an ideal stiff gear. The "
-              "largest values are those among the sampled times. Lost energy contains what "
-              "the hysteresis stores, except in slip elements."};
+              "largest values are those of all steps, not of the rows alone. Lost energy "
+              "contains what the hysteresis stores, except in slip elements."};
 }
 
 TitledTable growth_table(const MotionGrowth& growth) {
@@ -188,9 +188,10 @@ std::vector<std::string> simulation_sentences(const SimulationReport& report) {
                     number_and_unit(report.growth->pace, hours)));
   }
   if (report.largest_difference)
-    sentences.push_back(
-        fmt::format("The cracks move the output by up to {} against the sound drive.",
-                    number_and_unit(*report.largest_difference, angle)));
+    sentences.push_back(fmt::format(
+        "The cracks move the output by up to {} against the sound drive, at the times of "
+        "the rows.",
+        number_and_unit(*report.largest_difference, angle)));
   return sentences;
 }
 

@@ -205,6 +205,7 @@ class MotionRun::Steps {
                 .beyond_table = beyond_table_,
                 .time_reached = at_.time,
                 .last = unpacked(at_.state),
+                .largest = at_.largest,
                 .steps = at_.steps,
                 .rejected = at_.rejected,
                 .event_count = at_.event_count,
@@ -386,6 +387,27 @@ class MotionRun::Steps {
     at_.segment_end = corner;
     at_.slope = rate(at_.time, at_.state);
     end_beyond_table(last_forces_);
+    take_values(last_forces_);
+  }
+
+  /// Raises the largest values to those at the beginning of a step.
+  void take_values(const JointForces& forces) {
+    at_.values = motion_values(joint_, at_.time, unpacked(at_.state), forces);
+    at_.largest.take(at_.values);
+  }
+
+  /// Raises the largest values to those within the step.
+  void take_step() {
+    LargestValues::Step values{at_.values};
+    for (std::size_t n = 1; n < LargestValues::kParts; ++n) {
+      const double share = static_cast<double>(n) / LargestValues::kParts;
+      const double time = at_.time + share * trial_->length;
+      const MotionSample inner =
+          sample(time, between(at_.time, at_.state, at_.slope, *trial_, time));
+      values[n] = motion_values(joint_, time, inner.state, inner.forces);
+    }
+    values.back() = motion_values(joint_, after_, unpacked(trial_->state), trial_->forces);
+    at_.largest.take(values);
   }
 
   /// Ends the motion at a torque that the table does not contain.
@@ -427,6 +449,7 @@ class MotionRun::Steps {
   }
 
   void accept() {
+    take_step();
     const State& x = at_.state;
     at_.exchanged += std::abs(kinetic(trial_->state, kInputSpeed) - kinetic(x, kInputSpeed)) +
                      std::abs(kinetic(trial_->state, kOutputSpeed) - kinetic(x, kOutputSpeed));
@@ -451,6 +474,7 @@ class MotionRun::Steps {
       guards_.restart(at_.guards, fresh_at_end_, last_forces_, unpacked(at_.state));
     }
     at_.fresh.swap(fresh_at_end_);
+    take_values(at_.loops ? last_forces_ : trial_->forces);
     ++at_.steps;
     end_beyond_table(trial_->forces);
     trial_.reset();

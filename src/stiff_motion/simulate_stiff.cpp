@@ -187,6 +187,7 @@ class StiffRun::Steps {
                 .beyond_table = beyond_table_,
                 .time_reached = reached_,
                 .last = unpacked(x_),
+                .largest = largest_,
                 .steps = counts.steps,
                 .rejected = counts.rejected,
                 .event_count = event_count_,
@@ -295,6 +296,24 @@ class StiffRun::Steps {
     }
     cvode_.begin(reached_, x_, end_);
     begins_ = false;
+    values_ = values_at(reached_, x_);
+    largest_.take(values_);
+  }
+  [[nodiscard]] MotionValues values_at(double time, std::span<const double> x) const {
+    const JointState state = unpacked(x);
+    return motion_values(joint_, time, state, forces(time, state));
+  }
+  /// Raises the largest values to those within the step that ends at the time reached.
+  /// @param begin  of the step [s]
+  void take_step(double begin) {
+    LargestValues::Step made{values_};
+    for (std::size_t n = 1; n < LargestValues::kParts; ++n) {
+      const double share = static_cast<double>(n) / LargestValues::kParts;
+      const double time = begin + share * (reached_ - begin);
+      made[n] = values_at(time, cvode_.state_at(time));
+    }
+    values_ = made.back() = values_at(reached_, x_);
+    largest_.take(made);
   }
   void take_sample() {
     const double step = *sampled_->servo.sample_time;
@@ -335,7 +354,9 @@ class StiffRun::Steps {
     exchange(joint_.input_inertia, kMotorSpeed);
     exchange(joint_.output_inertia, kLoadSpeed);
     std::ranges::copy(cvode_.state(), x_.begin());
-    reached_ = end_ - made.time <= kOneTime * end_ ? end_ : made.time;
+    const double before =
+        std::exchange(reached_, end_ - made.time <= kOneTime * end_ ? end_ : made.time);
+    take_step(before);
     begins_ = reached_ >= end_;
     std::vector<double> values(guards_.size());
     guard(reached_, x_, values);
@@ -376,6 +397,8 @@ class StiffRun::Steps {
   std::uint64_t samplings_ = 0;  ///< of the controller [-]
   double at_start_ = 0.0;        ///< stored energy [J]
   double kinetic_change_ = 0.0;  ///< kinetic energy that came and went [J]
+  LargestValues largest_;        ///< until the time reached
+  MotionValues values_ = {};     ///< at this time
   std::uint64_t event_count_ = 0;
   std::vector<EventTime> events_;
   bool beyond_table_ = false;

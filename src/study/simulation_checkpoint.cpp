@@ -49,7 +49,10 @@ void each_number(Checkpoint& at, const Number& number, const Size& size, const P
     }
     list(m.guards);
     list(m.fresh);
-    for (auto& value : of.largest) number(value);
+    for (auto* const value : {&m.largest.torque, &m.largest.error, &m.largest.input_torque,
+                              &m.largest.lag, &m.largest.output_torque})
+      number(*value);
+    for (auto& value : m.values) number(value);
     list(of.orders);
   };
   number(at.samples);

@@ -230,13 +230,12 @@ class MovedJoint {
              const MotionState* from, const std::vector<double>& orders,
              const std::optional<SteadyPart>& steady)
       : ratio_(joint.ratio), steady_(steady), run_(begun(joint, engine, options, from)) {
-    if (const auto* const drive = std::get_if<ServoDrive>(&joint.input)) given_ = drive->speed;
+    controlled_ = std::holds_alternative<ServoDrive>(joint.input);
     output_given_ = joint.output_speed.has_value();
     grows_ = std::ranges::any_of(
         joint.cracks, [](const BreathingCrack& crack) { return crack.growth.has_value(); });
     if (steady_) sums_.emplace(orders, std::size_t{2});
     if (from == nullptr) return;
-    largest_ = from->largest;
     if (sums_) sums_->restore(from->orders);
   }
 
@@ -254,16 +253,9 @@ class MovedJoint {
     return now_->state.output_angle - now_->state.input_angle / ratio_;
   }
 
-  /// Adds the sample to the summary.
+  /// Adds the sample to the sums of the lines.
   void take() {
-    if (!now_) return;
-    const auto raise = [](double& most, double value) { most = std::max(most, std::abs(value)); };
-    raise(largest_[0], now_->forces.torque);
-    raise(largest_[1], error());
-    raise(largest_[2], now_->forces.input_torque);
-    if (given_) raise(largest_[3], given_->integral(now_->time) - now_->state.input_angle);
-    if (output_given_) raise(largest_[4], now_->forces.output_torque);
-    if (!sums_ || now_->time < steady_->from || now_->time > steady_->to) return;
+    if (!now_ || !sums_ || now_->time < steady_->from || now_->time > steady_->to) return;
     sums_->add((now_->time - steady_->from) / (steady_->to - steady_->from),
                now_->state.input_angle, std::array{error(), now_->forces.torque});
   }
@@ -271,7 +263,7 @@ class MovedJoint {
   /// State at a sample; the explicit engine has one.
   /// @param samples  those that were taken
   [[nodiscard]] MotionState state(std::uint64_t samples) const {
-    MotionState made{.motion = std::get<MotionRun>(run_).checkpoint(), .largest = largest_};
+    MotionState made{.motion = std::get<MotionRun>(run_).checkpoint()};
     // A sample that is not taken yet comes again.
     made.motion.next_sample = std::min(made.motion.next_sample, samples);
     if (sums_) made.orders = sums_->numbers();
@@ -280,11 +272,11 @@ class MovedJoint {
 
   [[nodiscard]] MotionSummary summary() const {
     const Motion motion = std::visit([](const auto& run) { return run.motion(); }, run_);
-    MotionSummary made{.largest_torque = largest_[0],
-                       .largest_error = largest_[1],
-                       .largest_input_torque = largest_[2]};
-    if (given_) made.largest_lag = largest_[3];
-    if (output_given_) made.largest_output_torque = largest_[4];
+    MotionSummary made{.largest_torque = motion.largest.torque,
+                       .largest_error = motion.largest.error,
+                       .largest_input_torque = motion.largest.input_torque};
+    if (controlled_) made.largest_lag = motion.largest.lag;
+    if (output_given_) made.largest_output_torque = motion.largest.output_torque;
     made.last_error = motion.last.output_angle - motion.last.input_angle / ratio_;
     made.lost_energy = motion.energy.lost;
     if (grows_) made.released_energy = motion.energy.released;
@@ -314,12 +306,11 @@ class MovedJoint {
   double ratio_;
   std::optional<SteadyPart> steady_;
   Run run_;
-  std::optional<Profile> given_ = {};  ///< speed that a controller follows
   std::optional<OrderSums> sums_ = {};
   std::optional<MotionSample> now_ = {};
+  bool controlled_ = false;    ///< whether a controller drives the input
   bool output_given_ = false;  ///< whether the output moves as given
   bool grows_ = false;         ///< whether a crack grows
-  std::array<double, 5> largest_ = {};
 };
 
 /// Progress of two motions that go side by side, which never falls.  It counts from the share at

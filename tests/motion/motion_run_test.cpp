@@ -111,7 +111,12 @@ std::vector<double> numbers(const Motion& motion) {
           static_cast<double>(motion.rejected),
           static_cast<double>(motion.event_count),
           motion.last.input_angle,
-          motion.last.output_speed};
+          motion.last.output_speed,
+          motion.largest.torque,
+          motion.largest.error,
+          motion.largest.input_torque,
+          motion.largest.lag,
+          motion.largest.output_torque};
 }
 
 TEST(MotionRun, IdentityAMotionFromACheckpointHasTheSameDigits) {

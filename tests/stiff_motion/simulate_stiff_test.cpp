@@ -77,6 +77,10 @@ std::pair<Motion, Motion> expect_one_motion(const Joint& joint, const JointState
   EXPECT_NEAR(one.energy.at_end, other.energy.at_end, kAgreement * one.energy.exchanged);
   EXPECT_LT(other.energy.imbalance, kAgreement);
   EXPECT_EQ(one.event_count, other.event_count);
+  // The parabolas of both roads have other points, which are close together.
+  test::expect_relative(other.largest.torque, one.largest.torque, 1e-4);
+  test::expect_relative(other.largest.error, one.largest.error, 1e-4);
+  test::expect_relative(other.largest.input_torque, one.largest.input_torque, 1e-4);
   for (std::size_t k = 0; k < EnumNames<MotionEvent>::names.size(); ++k) {
     const auto event = static_cast<MotionEvent>(k);
     const std::vector<double> times = times_of(one, event);

@@ -13,6 +13,7 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/motion/joint.hpp"
+#include "strainwave/motion/largest_values.hpp"
 
 namespace strainwave {
 
@@ -87,6 +88,7 @@ struct Motion {
   double time_reached = 0.0;           ///< [s]
   JointState last = {};                ///< the last good state
   MotionEnergy energy = {};            ///< until the time reached
+  LargestValues largest = {};          ///< likewise
   std::uint64_t steps = 0;             ///< accepted [-]
   std::uint64_t rejected = 0;          ///< [-]
   std::uint64_t event_count = 0;       ///< also of events that the list leaves out [-]
@@ -121,6 +123,8 @@ struct MotionCheckpoint {
   std::optional<LoopMemory> loops = {};  ///< of the contacts; absent: the joint has no loops
   std::vector<double> guards = {};       ///< functions whose change of sign is an event
   std::vector<bool> fresh = {};          ///< whether the step begins at an event of this function
+  LargestValues largest = {};            ///< until the time
+  MotionValues values = {};              ///< at the time
 
   friend bool operator==(const MotionCheckpoint&, const MotionCheckpoint&) = default;
 };

@@ -121,24 +121,22 @@ struct MotionSummary {
   static void describe(Visitor&& field) {
     field({.name = "largest_torque",
            .unit = "N*m",
-           .doc = "largest magnitude of the torque of the drive on the load, among the samples",
+           .doc = "largest magnitude of the torque of the drive on the load",
            .headline = true},
           &MotionSummary::largest_torque);
     field({.name = "largest_error",
            .unit = "rad",
-           .doc = "largest magnitude of the output's error, among the samples",
+           .doc = "largest magnitude of the output's error",
            .headline = true},
           &MotionSummary::largest_error);
-    field({"largest_input_torque", "N*m",
-           "largest magnitude of the torque of the input, among the samples"},
+    field({"largest_input_torque", "N*m", "largest magnitude of the torque of the input"},
           &MotionSummary::largest_input_torque);
     field({"last_error", "rad", "error of the output at the end"}, &MotionSummary::last_error);
     field({"largest_lag", "rad",
            "largest magnitude of the angle of the input behind the given one, with a controller"},
           &MotionSummary::largest_lag);
     field({"largest_output_torque", "N*m",
-           "largest magnitude of the external torque that the given speed of the output needs, "
-           "among the samples"},
+           "largest magnitude of the external torque that the given speed of the output needs"},
           &MotionSummary::largest_output_torque);
     field(
         {"lost_energy", "J", "energy lost, or stored in drivetrain.hysteresis and in the friction"},
@@ -283,7 +281,7 @@ struct SimulationReport {
   std::optional<ContactLosses> contacts = {};  ///< absent: the file does not ask for them
   MotionSummary intact;
   std::optional<MotionSummary> cracked = {};  ///< absent: no crack that a motion contains
-  /// largest difference of the output's angle between both motions, among the samples [rad]
+  /// largest difference of the output's angle between both motions, among the rows [rad]
   std::optional<double> largest_difference = {};
   std::optional<MotionGrowth> growth = {};  ///< absent: the cracks keep their sizes
   /// absent: the input never turns four times at one given speed, in the half of that time
@@ -307,8 +305,7 @@ struct SimulationReport {
     field({"cracked", "", "the drive with its cracks"}, &SimulationReport::cracked);
     field({.name = "largest_difference",
            .unit = "rad",
-           .doc =
-               "largest difference of the output's angle, cracked against sound, among the samples",
+           .doc = "largest difference of the output's angle, cracked against sound, among the rows",
            .headline = true},
           &SimulationReport::largest_difference);
     field({"growth", "", "growth of the cracks during the motion"}, &SimulationReport::growth);
@@ -328,9 +325,6 @@ inline constexpr double kMostRows = 1e6;
 /// State of one motion at a sample.
 struct MotionState {
   MotionCheckpoint motion = {};  ///< state of the explicit engine, from which `MotionRun` goes on
-  /// largest magnitudes until now: torque [N*m], error [rad], torque of the input [N*m], lag [rad],
-  /// torque on an output that moves as given [N*m]
-  std::array<double, 5> largest = {};
   std::vector<double> orders = {};  ///< sums of the lines (MO-20); empty: no lines are computed
 
   friend bool operator==(const MotionState&, const MotionState&) = default;

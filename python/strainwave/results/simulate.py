@@ -100,19 +100,19 @@ class SimulatePart(Part):
     """The sound drive."""
 
     largest_torque: Quantity
-    """largest magnitude of the torque of the drive on the load, among the samples [N*m]"""
+    """largest magnitude of the torque of the drive on the load [N*m]"""
     largest_error: Quantity
-    """largest magnitude of the output's error, among the samples [rad]"""
+    """largest magnitude of the output's error [rad]"""
     largest_input_torque: Quantity
-    """largest magnitude of the torque of the input, among the samples [N*m]"""
+    """largest magnitude of the torque of the input [N*m]"""
     last_error: Quantity
     """error of the output at the end [rad]"""
     largest_lag: Optional[Quantity]
     """largest magnitude of the angle of the input behind the given one, with a controller
     [rad]; None if absent"""
     largest_output_torque: Optional[Quantity]
-    """largest magnitude of the external torque that the given speed of the output needs, among
-    the samples [N*m]; None if absent"""
+    """largest magnitude of the external torque that the given speed of the output needs [N*m];
+    None if absent"""
     lost_energy: Quantity
     """energy lost, or stored in drivetrain.hysteresis and in the friction [J]"""
     released_energy: Optional[Quantity]
@@ -378,7 +378,7 @@ class SimulateResult(Result):
     cracked: Optional[SimulatePart]
     """the drive with its cracks; None if absent"""
     largest_difference: Optional[Quantity]
-    """largest difference of the output's angle, cracked against sound, among the samples [rad];
+    """largest difference of the output's angle, cracked against sound, among the rows [rad];
     None if absent"""
     growth: Optional[Growth]
     """growth of the cracks during the motion; None if absent"""
