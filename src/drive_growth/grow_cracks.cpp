@@ -139,15 +139,11 @@ class Growing {
   [[nodiscard]] double amplification(const State& state) const {
     const auto& resonance = gear_.duty->resonance;
     if (!resonance) return 1.0;
-    double K = first_stiffness_;
     try {
-      K = stiffness_at(gear_at(state));
+      return strainwave::amplification(*resonance, first_stiffness_ / stiffness_at(gear_at(state)));
     } catch (const InputError&) {  // a trial beyond the end that `end_at` finds
       return 1.0;
     }
-    const double r = resonance->frequency_ratio * std::sqrt(first_stiffness_ / K);
-    const double damped = 2 * resonance->damping_ratio * r;
-    return 1 / std::sqrt((1 - r * r) * (1 - r * r) + damped * damped);
   }
 
   /// Relative growth of each tip in one repetition.
