@@ -481,7 +481,8 @@ TEST(SimulationReport, BehaviourOfTheServo) {
   ASSERT_TRUE(free.intact.largest_lag);
   gear.drivetrain->servo->torque_limit = 0.1;
   const SimulationReport limited = simulation_report(gear);
-  EXPECT_NEAR(limited.intact.largest_input_torque, 0.1, 1e-12);
+  // The parabolas of (MO-13) may pass the limit by their error.
+  EXPECT_NEAR(limited.intact.largest_input_torque, 0.1, 1e-5);
   EXPECT_GT(*limited.intact.largest_lag, *free.intact.largest_lag);
   EXPECT_GT(limited.intact.events, free.intact.events);
   // An input that sticks has no lines over its angle.
