@@ -837,10 +837,18 @@ JointState state_on_response(const Joint& joint, const ResponseSettings& setting
 double small_frequency(const Joint& joint, const BalanceSettings& settings) {
   check_balance(joint, settings, JointEnd::load);
   const ElasticCurve elastic = elastic_curve(joint);
-  double stiffness = elastic.at(elastic.twist_under(-settings.load_torque)).tangent;
-  if (joint.hysteresis) stiffness += joint.hysteresis->stiffness;
-  for (const SlipElement& of : joint.slip_elements) stiffness += of.stiffness;
-  return std::sqrt(stiffness / Ends(joint, settings.input).inertia()) / (2 * pi);
+  const ElasticCurve::Sides tangents = elastic.tangents_under(-settings.load_torque);
+  const double inertia = Ends(joint, settings.input).inertia();
+  const auto frequency = [&](double stiffness) {
+    if (joint.hysteresis) stiffness += joint.hysteresis->stiffness;
+    for (const SlipElement& of : joint.slip_elements) stiffness += of.stiffness;
+    return std::sqrt(stiffness / inertia) / (2 * pi);
+  };
+  return bilinear_frequency(frequency(tangents.below), frequency(tangents.above));
+}
+
+double bilinear_frequency(double one, double other) {
+  return one == other ? one : 2 * one * other / (one + other);  // (MO-16)
 }
 
 double twist_at_rest(const Joint& joint, double load_torque) {

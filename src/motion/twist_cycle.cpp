@@ -182,6 +182,20 @@ ElasticCurve::At ElasticCurve::at(double twist) const {
   return {.torque = state.torque, .tangent = tangent / (1 + compliance * tangent)};  // (MO-1)
 }
 
+ElasticCurve::Sides ElasticCurve::tangents_under(double torque) const {
+  if (torque != 0) {
+    const double tangent = at(twist_under(torque)).tangent;
+    return {.below = tangent, .above = tangent};
+  }
+  if (!nodes_.empty()) {
+    const Node& zero = *std::ranges::lower_bound(nodes_, 0.0, {}, &Node::torque);
+    return {.below = 1 / zero.below, .above = 1 / zero.above};
+  }
+  const double tangent = tangent_stiffness(spring_, 0.0);
+  return {.below = tangent / (1 + backward_ * tangent),
+          .above = tangent / (1 + forward_ * tangent)};  // (MO-1)
+}
+
 double ElasticCurve::twist_under(double torque) const {
   if (!nodes_.empty()) {
     const auto next = std::ranges::lower_bound(nodes_, torque, {}, &Node::torque);

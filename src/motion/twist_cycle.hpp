@@ -30,6 +30,12 @@ class ElasticCurve {
     double tangent = 0.0;  ///< dT/dphi [N*m/rad]
   };
   [[nodiscard]] At at(double twist) const;
+  /// Tangents on both sides of a torque; they differ at 0 if the cracks open under one sense.
+  struct Sides {
+    double below = 0.0;  ///< [N*m/rad]
+    double above = 0.0;  ///< [N*m/rad]
+  };
+  [[nodiscard]] Sides tangents_under(double torque) const;
   /// The twist under a torque [rad].
   [[nodiscard]] double twist_under(double torque) const;
   /// Twists at which the tangent or its slope jumps, rising [rad].

@@ -107,6 +107,22 @@ double output_twist(const GearSet& gear, const AssembledDrive* drive, double tor
          shaft_compliance(gear, torque) * torque;  // (DY-15)
 }
 
+/// Loss at zero torque of the output (DY-15) [rad].
+/// @param largest  torque of the flexspline in the loop [N*m]
+double hysteresis_at_output(const GearSet& gear, const AssembledDrive& drive, double largest) {
+  if (gear.drivetrain->fixed == FixedMember::circular_spline)
+    return Hysteresis(drive, largest).loss_at_zero().total();
+  const double step =
+      std::abs(flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio));
+  // The friction of seals and output bearing acts on the output.
+  const double friction = gear.rating ? gear.rating->friction_torque : 0.0;
+  GearSet at_flexspline = gear;
+  if (at_flexspline.rating) at_flexspline.rating->friction_torque = step * friction;
+  const double loss = Hysteresis(at_flexspline, largest).loss_at_zero().total();
+  const double of_shaft = (shaft_compliance(gear, friction) + shaft_compliance(gear, -friction));
+  return step * (loss - of_shaft * step * friction) + of_shaft * friction;  // (DY-15)
+}
+
 /// Torques on the output over a turn (DY-15).
 struct TorqueRange {
   double least = 0.0;
@@ -218,9 +234,7 @@ DriveBudget budget_of(const GearSet& gear, const BudgetAt& at) {
   budget.lost_motion = output_twist(gear, assembled, makers.lost_motion) -
                        output_twist(gear, assembled, -makers.lost_motion);  // (TC-18)
   if (assembled != nullptr)
-    budget.hysteresis =
-        std::abs(flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio)) *
-        Hysteresis(*assembled, makers.rated).loss_at_zero().total();
+    budget.hysteresis = hysteresis_at_output(gear, *assembled, makers.rated);
   return budget;
 }
 

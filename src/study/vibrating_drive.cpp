@@ -14,6 +14,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/model/input/section_materials.hpp"
+#include "strainwave/motion/harmonic_balance.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -151,6 +152,40 @@ void note_inertias(const GearSet& gear, std::vector<Note>& notes) {
     missing("output shaft", gear.output_shaft->material, "output_shaft.material");
 }
 
+constexpr double kSenseOnly = 1e-9;   // torque that opens cracks and does nothing else [N*m]
+constexpr double kSameCracks = 1e-9;  // of their compliance and of a frequency [-]
+
+/// Cracks that open under one sense only have two linear drives about torque 0.
+void note_both_senses(const GearSet& gear, std::vector<Note>& notes) {
+  const std::vector<std::optional<VibratingDrive>> drives =
+      vibrating_drives(gear, std::array{kSenseOnly, -kSenseOnly});
+  if (!drives[0] || !drives[1]) return;
+  const auto differ = [](double one, double other) {
+    return std::abs(one - other) > kSameCracks * std::max(one, other);
+  };
+  if (!differ(sum_of(drives[0]->cracks), sum_of(drives[1]->cracks))) return;
+  const std::vector<ChainMode> forward = drives[0]->modes(MotorGives::speed);
+  const std::vector<ChainMode> backward = drives[1]->modes(MotorGives::speed);
+  if (forward.empty() || backward.empty()) return;
+  const double f = forward.front().frequency;
+  const double b = backward.front().frequency;
+  if (!differ(f, b)) return;
+  notes.push_back(
+      {.code = "modes.one_sense",
+       .text =
+           fmt::format("the torque is 0, and the answer holds while the cracks are as one sense "
+                       "of the torque opens them; with a locked input the first mode has {} "
+                       "under positive torque and {} under negative torque, and a small "
+                       "vibration through 0 has {}",
+                       shown_quantity(f, "Hz", 6), shown_quantity(b, "Hz", 6),
+                       shown_quantity(bilinear_frequency(f, b), "Hz", 6)),
+       .path = "load.torque",
+       .equation = "MO-16",
+       .severity = Severity::care,
+       .next_step = "Give a torque that the drive bears, or run strainwave backbone, which follows "
+                    "the cracks over a period."});
+}
+
 }  // namespace
 
 DriveSprings springs_of(const std::vector<VibratingMember>& members) {
@@ -258,6 +293,7 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
       for (const std::string& path : paths)
         states.without_one.emplace_back(path, vibrating(without_crack(gear, path)));
   }
+  if (torque == 0 && states.with_cracks) note_both_senses(gear, states.notes);
   note_inertias(gear, states.notes);
   const std::vector<Note> of_springs =
       coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;

@@ -83,6 +83,28 @@ TEST(HarmonicBalance, ReferenceBilinearSpring) {
   }
 }
 
+TEST(HarmonicBalance, ReferenceSmallVibrationsOfABilinearSpring) {
+  // (MO-16): about torque 0 the period is pi (1/w1 + 1/w2) for a crack of either sense, also with
+  // the hysteresis as a spring beside both.  Under a torque one sense holds.  The tolerance is that
+  // of rounding.
+  for (const double beside : {0.0, 2e4})
+    for (const OpeningSense sense : {OpeningSense::positive, OpeningSense::negative}) {
+      Joint joint = joint_with(LinearSpring{5e4});
+      joint.cracks = {{.compliance = 1 / 5e4, .sense = sense}};
+      if (beside > 0) joint.slip_elements = {{.stiffness = beside, .limit = 1}};
+      const double whole = std::sqrt(5e4 + beside);
+      const double cracked = std::sqrt(2.5e4 + beside);
+      const auto small = [&](double load_torque) {
+        return small_frequency(
+            joint, {.input = VibratingInput::locked, .load_torque = load_torque, .harmonics = 9});
+      };
+      test::expect_relative(small(0.0), 1 / (pi / whole + pi / cracked), 1e-14);
+      const double open = sense == OpeningSense::positive ? -1.0 : 1.0;  // external torque
+      test::expect_relative(small(open), cracked / (2 * pi), 1e-14);
+      test::expect_relative(small(-open), whole / (2 * pi), 1e-14);
+    }
+}
+
 TEST(HarmonicBalance, ConvergenceOfABilinearSpringOverTheHarmonics) {
   // (MO-15): the error of the frequency falls at least with the fourth power of the harmonics.
   Joint joint = joint_with(LinearSpring{5e4});

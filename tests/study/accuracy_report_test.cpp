@@ -387,6 +387,28 @@ TEST(AccuracyReport, BehaviourARangeOfTheSpeedMakesABand) {
   EXPECT_EQ(held.bands->worst_case.largest, held.bands->worst_case.least);
 }
 
+TEST(AccuracyReport, CrosscheckHysteresisByTheFrictionOfTheOutput) {
+  // (DY-15, TC-17): without friction in the contacts, the loss at zero torque is the twist between
+  // both senses of the friction torque on the output.  The wind-up of a drive that gravity turns by
+  // this torque is the same twist by another road, for either arrangement.  2e-3 is the error of
+  // the cubic between the points of the envelopes; the factor |s| in a wrong place changes 4.6e-3.
+  GearSet gear = robot_axis();
+  gear.range.clear();
+  gear.scatter.clear();
+  gear.mesh->friction_coefficient = 0;
+  gear.wave_generator->bearing->outer_ring->friction_coefficient = 0;
+  gear.rating->friction_torque = 6;
+  gear.drivetrain->gravity_torque = 6;
+  for (const FixedMember fixed : {FixedMember::circular_spline, FixedMember::flexspline}) {
+    gear.drivetrain->fixed = fixed;
+    const AccuracyReport report = accuracy_report(gear, {.torque = 0.0, .draws = 0});
+    test::expect_relative(*report.intact_hysteresis,
+                          report.of(BudgetItem::wind_up).intact.peak_to_valley(), 2e-3);
+    test::expect_relative(*report.cracked_hysteresis,
+                          report.of(BudgetItem::wind_up).cracked->peak_to_valley(), 2e-3);
+  }
+}
+
 TEST(AccuracyReport, BehaviourNotesSayWhatIsMissing) {
   GearSet gear = robot_axis();
   EXPECT_FALSE(noted(accuracy_report(gear, kNoDraws), "accuracy.no_kinematic_error"));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -70,6 +71,24 @@ TEST(BackboneReport, LimitCrackThatBreathesAboutNoTorque) {
   const double expected = 2 / (1 / at(100.0) + 1 / at(-100.0));
   for (const BackboneRow& row : report.backbone)
     test::expect_relative(row.cracked->frequency, expected, 1e-8);
+  test::expect_relative(*report.cracked_small_frequency, expected, 1e-8);
+}
+
+TEST(BackboneReport, IdentityAMirroredCrackAboutNoTorque) {
+  // (MO-16): the mirror image of a drive has the crack at the negative angle, and torque 0 is its
+  // own image.  The images have equal frequencies, and under a torque they do not.  1e-10 is the
+  // tolerance of the quadrature.
+  GearSet gear = shaken_joint();
+  const auto small = [&](double torque, double sense) {
+    GearSet image = gear;
+    for (FlexsplineCrack& of : image.flexspline->crack)
+      if (auto* const crack = std::get_if<WallThroughCrack>(&of)) crack->angle *= sense;
+    return *backbone_report(image, {.load_torque = torque, .harmonics = 3, .points = 2})
+                .cracked_small_frequency;
+  };
+  test::expect_relative(small(0.0, -1), small(0.0, +1), 1e-10);
+  test::expect_relative(small(100.0, -1), small(-100.0, +1), 1e-10);
+  EXPECT_GT(std::abs(small(100.0, -1) / small(100.0, +1) - 1), 1e-6);
 }
 
 TEST(BackboneReport, BehaviourExampleOfARobotJoint) {

@@ -14,14 +14,17 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/dynamics/drivetrain_chain.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/modes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/frf_report.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
+#include "support/summed_joint.hpp"
 
 namespace strainwave {
 namespace {
@@ -135,6 +138,34 @@ TEST(ModesReport, IdentitySharesSumToOneAndGiveTheDerivative) {
   ASSERT_EQ(mode.cracks.size(), 1U);
   EXPECT_EQ(mode.cracks.front().path, "output_shaft.crack[0]");
   test::expect_relative(mode.cracks.front().change, *mode.change, 1e-6);
+}
+
+TEST(ModesReport, BehaviourACrackOfOneSenseAboutNoTorque) {
+  // (MO-16): without a torque no sense opens the crack, so a note gives the frequencies of both
+  // senses and that of the vibration through 0.  The numbers are those of reports about a torque.
+  const GearSet gear = test::summed_joint("");
+  const auto note_of = [](const std::vector<Note>& notes) {
+    const auto found = std::ranges::find(notes, "modes.one_sense", &Note::code);
+    return found == notes.end() ? std::string() : found->text;
+  };
+  const auto locked = [&](double torque) {
+    return first(modes_report(gear, torque), MotorGives::speed).cracked->frequency;
+  };
+  const double one = locked(100.0);
+  const double other = locked(-100.0);
+  const std::string text = note_of(modes_report(gear, 0.0).notes);
+  for (const double frequency : {one, other, 2 / (1 / one + 1 / other)})
+    EXPECT_NE(text.find(shown_quantity(frequency, "Hz", 6)), std::string::npos) << text;
+  EXPECT_NE(shown_quantity(one, "Hz", 6), shown_quantity(other, "Hz", 6));
+  FrfOptions about_zero;
+  about_zero.torque = 0.0;
+  about_zero.points = 40;
+  EXPECT_EQ(note_of(frf_report(gear, about_zero).notes), text);
+  EXPECT_EQ(note_of(modes_report(gear, 100.0).notes), "");
+  // A crack that both senses open needs no note.
+  GearSet both = gear;
+  both.flexspline->crack.clear();
+  EXPECT_EQ(note_of(modes_report(both, 0.0).notes), "");
 }
 
 /// Derivative of ln f of the first mode by the logarithm of a compliance, by central differences.

@@ -167,9 +167,9 @@ TEST(SimulationReport, BehaviourOfTheExample) {
   EXPECT_TRUE(report.cracked->converged);
   double most = 0.0;
   for (const SimulationRow& row : report.rows) most = std::max(most, std::abs(row.torque));
-  // The largest value lies between two rows, of which there are more than steps.
+  // The largest value lies between two rows; 1e-3 bounds what the torque rises in 0.5 ms there.
   EXPECT_GE(report.intact.largest_torque, most);
-  EXPECT_LT(report.intact.largest_torque, 1.0001 * most);
+  EXPECT_LT(report.intact.largest_torque, 1.001 * most);
   EXPECT_GT(*report.largest_difference, 0.0);
   // The motor brakes to the end, and the last row shows this too.
   const auto end = report.rows.end();
@@ -481,7 +481,8 @@ TEST(SimulationReport, BehaviourOfTheServo) {
   ASSERT_TRUE(free.intact.largest_lag);
   gear.drivetrain->servo->torque_limit = 0.1;
   const SimulationReport limited = simulation_report(gear);
-  EXPECT_NEAR(limited.intact.largest_input_torque, 0.1, 1e-12);
+  // The parabolas of (MO-13) may pass the limit by their error.
+  EXPECT_NEAR(limited.intact.largest_input_torque, 0.1, 1e-5);
   EXPECT_GT(*limited.intact.largest_lag, *free.intact.largest_lag);
   EXPECT_GT(limited.intact.events, free.intact.events);
   // An input that sticks has no lines over its angle.

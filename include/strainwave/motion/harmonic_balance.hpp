@@ -166,8 +166,14 @@ struct ForcedResponse {
                                            const ResponsePoint& point);
 
 /// Frequency of small vibrations about the load torque, with the hysteresis at rest as a spring of
-/// its stiffness and without damping [Hz].
+/// its stiffness and without damping [Hz].  Without a load torque, cracks that open under one sense
+/// are open for a part of each period.
 [[nodiscard]] double small_frequency(const Joint& joint, const BalanceSettings& settings);
+
+/// Frequency of a vibration whose spring has one stiffness for each sense of the torque (MO-16).
+/// @param one    frequency with the stiffness of one sense [Hz]; > 0
+/// @param other  the same of the other sense [Hz]; > 0
+[[nodiscard]] double bilinear_frequency(double one, double other);
 
 /// Twist of the spring and the open cracks under the load torque alone [rad].
 [[nodiscard]] double twist_at_rest(const Joint& joint, double load_torque);
