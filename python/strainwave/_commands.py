@@ -470,7 +470,8 @@ class DriveCommands:
                 noise: Optional[float] = None, false_calls: Optional[float] = None,
                 find: Optional[Literal["out", "repair"]] = None,
                 repaired_to: Optional[Named] = None, detection_data: Optional[Named] = None,
-                threshold: Optional[float] = None, see: Optional[Sequence[Named]] = None,
+                threshold: Optional[float] = None, floor: Optional[float] = None,
+                ceiling: Optional[float] = None, see: Optional[Sequence[Named]] = None,
                 at: Optional[Sequence[Named]] = None, every: Optional[Named] = None,
                 first: Optional[Named] = None, risk: Optional[float] = None,
                 most: Optional[int] = None, draws: Optional[int] = None,
@@ -502,6 +503,10 @@ class DriveCommands:
                 signal with `threshold`
             threshold: signal of `detection_data` from which on a crack counts as found, in the unit
                 of the signal
+            floor: signal of `detection_data` at which the noise begins, in the unit of the signal;
+                a signal at the floor or below it counts as somewhere below
+            ceiling: signal of `detection_data` at which the scale ends, in the unit of the signal;
+                a signal at the ceiling or above it counts as somewhere above
             see: path of a crack that the inspections can see, once for each; all cracks if left out
             at: time of an inspection, with its unit, once for each
             every: interval of the inspections, a time with its unit
@@ -523,9 +528,9 @@ class DriveCommands:
         given: dict[str, Any] = {"until": until, "method": method, "a50": a50, "a90": a90,
                                  "detection": detection, "noise": noise, "false_calls": false_calls,
                                  "find": find, "repaired_to": repaired_to, "detection_data": detection_data,
-                                 "threshold": threshold, "see": see, "at": at, "every": every,
-                                 "first": first, "risk": risk, "most": most, "draws": draws,
-                                 "importance_sampling": importance_sampling, "seed": seed,
+                                 "threshold": threshold, "floor": floor, "ceiling": ceiling, "see": see,
+                                 "at": at, "every": every, "first": first, "risk": risk, "most": most,
+                                 "draws": draws, "importance_sampling": importance_sampling, "seed": seed,
                                  "threads": threads}
         answer: results.inspect.InspectResult = self._run("inspect", given, texts, progress)
         return answer

@@ -61,8 +61,9 @@ std::vector<DutyStep> heaviest_steps(const DutyHistory& history) {
     return step.torque == 0 && step.axial_force == 0 && step.bending_moment == 0;
   });
   std::ranges::stable_sort(steps, {}, loads);
-  const auto equal = std::ranges::unique(steps, {}, loads);
-  steps.erase(equal.begin(), equal.end());
+  // std::ranges::unique of this library does not compile by clang 14.
+  const auto same = [&](const DutyStep& a, const DutyStep& b) { return loads(a) == loads(b); };
+  steps.erase(std::unique(steps.begin(), steps.end(), same), steps.end());
   std::vector<DutyStep> heaviest;
   for (const DutyStep& step : steps) {
     const auto exceeded = [&](double sign) {

@@ -186,7 +186,7 @@ struct PlaceFatigue {
     field({"plane", "", "the most used plane"}, &P::plane);
     field({"reserve", "1", "reserve against endurance by the most used plane"}, &P::reserve);
     field({"reserve_with_peaks", "1",
-           "reserve with the momentary peaks, each as if it came for ever; absent: no peaks"},
+           "reserve with the momentary peaks, each as if it came for ever"},
           &P::reserve_with_peaks);
     field({"handbook", "1", "reserve by the handbooks; 1.5 is usual"}, &P::handbook);
     field({"miner", "", "damage by Miner"}, &P::miner);

@@ -279,6 +279,12 @@ class Method(Part):
     if absent"""
     trials: Optional[int]
     """number of trials behind the curve; None if absent"""
+    bound_equation: str
+    """equation of the bound of the trials"""
+    below_floor: Optional[int]
+    """of these trials, signals at the floor or below; None if absent"""
+    above_ceiling: Optional[int]
+    """of these trials, signals at the ceiling or above; None if absent"""
     crack: str
     """of a measurement: the crack that ends the life of the file"""
     noise: Optional[Quantity]
@@ -306,6 +312,9 @@ class Method(Part):
         "a50_bound": ("a50_bound", _to.quantity),
         "a90_bound": ("a90_bound", _to.quantity),
         "trials": ("trials", _to.plain),
+        "bound_equation": ("bound_equation", _to.plain),
+        "below_floor": ("below_floor", _to.plain),
+        "above_ceiling": ("above_ceiling", _to.plain),
         "crack": ("crack", _to.plain),
         "noise": ("noise", _to.quantity),
         "threshold": ("threshold", _to.quantity),

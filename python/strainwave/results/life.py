@@ -239,6 +239,9 @@ class Fatigue(Part):
     """the most used plane; None if absent"""
     reserve: Optional[Quantity]
     """reserve against endurance by the most used plane; None if absent"""
+    reserve_with_peaks: Optional[Quantity]
+    """reserve with the momentary peaks, each as if it came for ever; absent: no peaks; None if
+    absent"""
     handbook: Optional[Quantity]
     """reserve by the handbooks; 1.5 is usual; None if absent"""
     miner: tuple[Miner, ...]
@@ -259,6 +262,7 @@ class Fatigue(Part):
         "endurance": ("endurance", _to.quantity),
         "plane": ("plane", Plane._of),
         "reserve": ("reserve", _to.quantity),
+        "reserve_with_peaks": ("reserve_with_peaks", _to.quantity),
         "handbook": ("handbook", _to.quantity),
         "miner": ("miner", _to.many(Miner._of)),
     }
