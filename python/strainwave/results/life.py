@@ -240,8 +240,7 @@ class Fatigue(Part):
     reserve: Optional[Quantity]
     """reserve against endurance by the most used plane; None if absent"""
     reserve_with_peaks: Optional[Quantity]
-    """reserve with the momentary peaks, each as if it came for ever; absent: no peaks; None if
-    absent"""
+    """reserve with the momentary peaks, each as if it came for ever; None if absent"""
     handbook: Optional[Quantity]
     """reserve by the handbooks; 1.5 is usual; None if absent"""
     miner: tuple[Miner, ...]
