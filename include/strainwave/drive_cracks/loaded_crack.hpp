@@ -292,6 +292,7 @@ class CrackLoads {
   }
 
   /// Which senses of torque open a wall crack.
+  /// @param crack     of the wall
   /// @param by_shear  part of the shear stress that opens the crack like a normal stress
   ///                  (`opening_by_shear`) [-]
   template <class Crack>

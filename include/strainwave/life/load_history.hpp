@@ -50,7 +50,8 @@ struct DutyHistory {
 [[nodiscard]] DutyHistory at_flexspline(DutyHistory history);
 
 /// Factor D of a vibration on the loads of a duty [-]; theory manual eq. (GR-28).
-/// @param softer  stiffness of the drive in the file over that of now, K_0/K [-]; > 0
+/// @param resonance  frequency ratio r_0 and damping ratio of the vibration
+/// @param softer     stiffness of the drive in the file over that of now, K_0/K [-]; > 0
 [[nodiscard]] double amplification(const DutyResonance& resonance, double softer = 1.0);
 
 /// The same duty with all torques, axial forces and bending moments multiplied by a factor.

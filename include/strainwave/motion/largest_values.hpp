@@ -23,7 +23,7 @@ using MotionValues = std::array<double, 5>;
 struct LargestValues {
   /// even parts of a step; the values between two of them are those of a parabola
   static constexpr std::size_t kParts = 4;
-  using Step = std::array<MotionValues, kParts + 1>;
+  using Step = std::array<MotionValues, kParts + 1>;  ///< values of one step, its ends included
 
   double torque = 0.0;         ///< of the drive on the load [N*m]
   double error = 0.0;          ///< of the output, against an ideal stiff gear [rad]
