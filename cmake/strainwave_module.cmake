@@ -43,7 +43,7 @@ function(strainwave_test folder)
     STRAINWAVE_CLI="$<TARGET_FILE:strainwave_cli>")
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
   strainwave_flags(${target})
-  # The code of most tests need not be fast; with -O0 it compiles in half the time.
+  # The code of most tests need not be fast; with -O0 it compiles in three quarters of the time.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
   if((STRAINWAVE_SANITIZE OR STRAINWAVE_BUILD_FE) AND NOT ARG_PARTS)
     set(ARG_PARTS 4)

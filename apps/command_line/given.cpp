@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "given.hpp"
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 namespace strainwave::cli {
@@ -21,7 +23,8 @@ std::string as_typed(const OptionError& error, const std::vector<Argument>& argu
 }
 
 void warn(const Program& program, std::string_view message) {
-  std::cerr << program.name << ": " << message << '\n';
+  // At once, so that no other process writes within the line.
+  std::cerr << fmt::format("{}: {}\n", program.name, message);
 }
 
 }  // namespace strainwave::cli

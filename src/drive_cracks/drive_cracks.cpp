@@ -214,10 +214,6 @@ class Maker {
         return std::vector<Modes>{{bar.stress_intensity(size.size, 0.0).I[sif::kMoment], 0.0, 0.0}};
       };
     } else {
-      made.notes.push_back(
-          {"the wall is thinner than in the table of tension, so K by axial force "
-           "and bending moment is extrapolated",
-           "FR-15"});
       // The bending stress hardly changes through so thin a wall.  The crack takes the largest one
       // as tension all round.
       made.bending = [D, d, solution = loaded.solution](const CrackSize& size) {

@@ -51,32 +51,36 @@ double stiffness_at(const GearSet& gear) {
 /// The steps of the duty and its peaks that the failure assessment looks at: those that no other
 /// step exceeds in torque, axial force and bending moment together (GR-40).
 std::vector<DutyStep> heaviest_steps(const DutyHistory& history) {
-  const auto loads = [](const DutyStep& step) {
-    return std::tuple(-std::abs(step.torque), step.torque, step.axial_force,
-                      std::abs(step.bending_moment));
-  };
   std::vector<DutyStep> steps = history.steps;
   for (const DutyMomentaryPeak& peak : history.peaks) steps.push_back(peak.step);
   std::erase_if(steps, [](const DutyStep& step) {
     return step.torque == 0 && step.axial_force == 0 && step.bending_moment == 0;
   });
-  std::ranges::stable_sort(steps, {}, loads);
-  // std::ranges::unique of this library does not compile by clang 14.
-  const auto same = [&](const DutyStep& a, const DutyStep& b) { return loads(a) == loads(b); };
-  steps.erase(std::unique(steps.begin(), steps.end(), same), steps.end());
-  std::vector<DutyStep> heaviest;
-  for (const DutyStep& step : steps) {
-    const auto exceeded = [&](double sign) {
-      return std::ranges::any_of(steps, [&](const DutyStep& other) {
-        return &other != &step && other.torque * step.torque >= 0 &&
-               std::abs(other.torque) >= std::abs(step.torque) &&
-               std::abs(other.bending_moment) >= std::abs(step.bending_moment) &&
-               sign * other.axial_force >= sign * step.axial_force;
-      });
-    };
-    // Of two steps in compression, the weaker one may press the faces less.
-    if (!exceeded(1) || (step.axial_force < 0 && !exceeded(-1))) heaviest.push_back(step);
-  }
+  // A step of the front exceeds every other one, and each comes after those that exceed it.
+  const auto front = [&](double sign) {
+    std::ranges::stable_sort(steps, {}, [&](const DutyStep& step) {
+      return std::tuple(-std::abs(step.torque), step.torque, -sign * step.axial_force,
+                        -std::abs(step.bending_moment));
+    });
+    std::vector<DutyStep> kept;
+    for (const DutyStep& step : steps)
+      if (std::ranges::none_of(kept, [&](const DutyStep& other) {
+            return other.torque * step.torque >= 0 &&
+                   std::abs(other.torque) >= std::abs(step.torque) &&
+                   std::abs(other.bending_moment) >= std::abs(step.bending_moment) &&
+                   sign * other.axial_force >= sign * step.axial_force;
+          }))
+        kept.push_back(step);
+    return kept;
+  };
+  std::vector<DutyStep> heaviest = front(1);
+  // Of two steps in compression, the weaker one may press the faces less, and both count.
+  for (const DutyStep& step : front(-1))
+    if (step.axial_force < 0 && std::ranges::none_of(heaviest, [&](const DutyStep& known) {
+          return known.torque == step.torque && known.axial_force == step.axial_force &&
+                 std::abs(known.bending_moment) == std::abs(step.bending_moment);
+        }))
+      heaviest.push_back(step);
   return heaviest;
 }
 

@@ -259,7 +259,7 @@ Note refused_size_note(const std::string& path, const std::string& rule) {
           .path = path,
           .equation = "GR-24",
           .severity = Severity::care,
-          .next_step = "Give one crack in the place of cracks that meet, and see what follows."};
+          .next_step = "If two cracks meet, replace them by one crack and grow it."};
 }
 
 Note no_curve_note(const std::string& why) {

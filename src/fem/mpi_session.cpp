@@ -11,6 +11,7 @@
 #pragma GCC diagnostic ignored "-Wdouble-promotion"
 #include <deal.II/base/mpi.h>
 #pragma GCC diagnostic pop
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -89,7 +90,8 @@ int MpiSession::last_code(int code, const std::function<void()>& complain) const
 void MpiSession::agree(const std::exception_ptr& fault, const std::string& words) const {
   const int here = rank();
   std::function<void()> complain;
-  if (fault) complain = [&] { std::cerr << "rank " << here << ": " << words << std::endl; };
+  // The sentence is written at once, because mpirun puts its own words between two writes.
+  if (fault) complain = [&] { std::cerr << fmt::format("rank {}: {}\n", here, words); };
   const int first = impl_->least(fault ? here : Impl::kNobody, complain);
   if (first == Impl::kNobody) return;
   const std::string others =

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostClimbs = 200;
 /// Newton's method ends at such a step, relative: the next one is its square.
-constexpr double kSmallClimb = 1e-9;
+constexpr double kSmallClimb = 1e-7;
 
 /// Likelihood of a signal by its distance above the line.
 TrialLikelihood signal_likelihood(SignalIs is, double r) {
@@ -110,15 +110,17 @@ SignalLine LimitedSignals::fit() const {
               .slope = line.slope + share * step[1],
               .sharpness = line.sharpness + share * step[2]};
     };
+    // Before the search: the likelihood of so near a line differs by rounding only.
+    if (step.norm() < kSmallClimb * line.sharpness) return moved(1.0);
     double share = 1.0;
     while (share > 1e-10 && !(moved(share).sharpness > 0 && likelihood(moved(share)) >= value))
       share /= 2;
-    if (!(share > 1e-10)) break;  // the value no longer rises
     line = moved(share);
     value = likelihood(line);
-    if (step.norm() < kSmallClimb * line.sharpness) break;
   }
-  return line;
+  throw InputError("signal",
+                   "has no line that is surely the most likely one; try more cracks of "
+                   "other sizes");
 }
 
 SignalInformation LimitedSignals::information(const SignalLine& line) const {

@@ -87,12 +87,12 @@ TitledTable bearing_table(const LifeReport& report) {
 TitledTable fatigue_table(const LifeReport& report) {
   const DisplayUnit unit = display_unit({}, "Pa");
   Table table{.head = {"place", "hoop", "shear from", "to", "endures", "surface", "size", "support",
-                       "concentration", "reserve", "handbook", "Miner"},
+                       "concentration", "reserve", "with peaks", "handbook", "Miner"},
               .align = "lr"};
   for (const PlaceFatigue& place : report.fatigue) {
     auto& row = table.rows.emplace_back(cells(plain_words(enum_name(place.place))));
     if (!(place.hoop_amplitude > 0)) {
-      row.insert(row.end(), {"not known", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-"});
+      row.insert(row.end(), {"not known", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-"});
       continue;
     }
     const MinerLife* const sum = governing_sum(place);
@@ -103,16 +103,18 @@ TitledTable fatigue_table(const LifeReport& report) {
                 known ? stress(place.endurance) : "not known", shown_number(place.surface, 3),
                 shown_number(place.size, 3), shown_number(place.support, 3),
                 shown_number(place.concentration, 3), reserve(place.reserve),
-                reserve(place.handbook), sum != nullptr ? hours(sum->life) : std::string("-")});
+                reserve(place.reserve_with_peaks), reserve(place.handbook),
+                sum != nullptr ? hours(sum->life) : std::string("-")});
   }
-  return {fmt::format("Fatigue of the flexspline over the duty, stresses in {} (LI-34 to LI-42)",
-                      unit.text),
-          table,
-          fmt::format(
-              "The reserve is 1 at the endurance limit, by the most used plane; the "
-              "handbooks ask for 1.5. Miner gives the {} of a place above its limit: by Haibach if "
-              "blocks bring it there, by the original sum if only momentary peaks do.",
-              hours_unit().text)};
+  return {
+      fmt::format("Fatigue of the flexspline over the duty, stresses in {} (LI-34 to LI-42)",
+                  unit.text),
+      table,
+      fmt::format("The reserve is 1 at the endurance limit, by the most used plane; the "
+                  "handbooks ask for 1.5. With peaks, each momentary peak counts as if it came for "
+                  "ever. Miner gives the {} of a place above its limit: by Haibach if "
+                  "blocks bring it there, by the original sum if only momentary peaks do.",
+                  hours_unit().text)};
 }
 
 TitledTable buckling_table(const BuckledBarrel& of) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -144,10 +145,14 @@ ShaftAccuracy ShaftCracks::hollow_accuracy(const std::string& path) {
   if (!clearly_less(sif::AnnularCrackHollow::kMaxTensionRadiusRatio, radius_ratio)) return accuracy;
   accuracy.tension = accuracy::kAnnularExtrapolated;
   accuracy.K_I = accuracy.tension / 2;
-  if (gear.load.axial_force != 0)
+  const auto pulls = [](const DutyBlock& block) {
+    return block.axial_force != 0 || block.bending_moment != 0;
+  };
+  if (gear.load.axial_force != 0 || (gear.duty && std::ranges::any_of(gear.duty->block, pulls)))
     member.notes.push_back({.code = "crack.tension_range",
                             .text = "the wall is thinner than in the table in tension, r_i/r_o <= "
-                                    "0.95, so the axial entries are extrapolated",
+                                    "0.95, so the axial entries and K by a bending moment are "
+                                    "extrapolated",
                             .path = path,
                             .equation = "FR-15",
                             .severity = Severity::care});

@@ -81,8 +81,8 @@ void set_loads(PlaceReport& report, std::vector<PlaceStep> steps) {
 
 /// The waves whose range is larger than that of a wave at one torque, because their peak and valley
 /// have different torques.  The amplitude of the wave is so large that a change of the torque is
-/// smaller, as in a flexspline, whose bending is the larger part.  Changes of the torque within one
-/// rise or fall of the wave, and waves with a smaller range, are no such cycles.
+/// smaller, as in a flexspline, whose bending is the larger part.  The table leaves out changes of
+/// the torque within one rise or fall of the wave, and waves with a smaller range.
 CountedCycles cycles_between(const PlaceCycles& of, Residue residue, std::optional<int> classes) {
   double largest = 0.0;
   for (const PlaceStep& step : of.steps) largest = std::max(largest, std::abs(step.torque));

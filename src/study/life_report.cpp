@@ -444,6 +444,11 @@ std::vector<MinerLife> miner_lives(const LifeCase& of, const std::vector<WaveSta
   return lives;
 }
 
+/// Whether momentary peaks bring a place above its endurance limit, for a time that is not known.
+bool peaks_alone_exceed(const PlaceFatigue& place) {
+  return place.miner.empty() && place.reserve_with_peaks && *place.reserve_with_peaks < 1;
+}
+
 /// The shorter lives of two sides: which side it is may depend on the rule.
 std::vector<MinerLife> shorter(const std::vector<MinerLife>& one,
                                const std::vector<MinerLife>& other) {
@@ -541,7 +546,7 @@ void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states,
            result.miner.empty() ? "Lower the load, or give cycles and slope of the material's "
                                   "fatigue for the hours."
                                 : "Lower the load, or make the wall stronger."});
-    else if (result.reserve_with_peaks && *result.reserve_with_peaks < 1 && result.miner.empty())
+    else if (peaks_alone_exceed(result))
       report.notes.push_back(
           {"life.peaks_not_counted",
            fmt::format(
@@ -712,7 +717,7 @@ LifePart flexspline_part(const LifeReport& report) {
       continue;
     }
     reserve = std::min(reserve.value_or(*place.reserve), *place.reserve);
-    by_peaks = by_peaks || (place.reserve_with_peaks && *place.reserve_with_peaks < 1);
+    by_peaks = by_peaks || peaks_alone_exceed(place);
     if (const MinerLife* const sum = governing_sum(place);
         sum != nullptr && (!part.end || *sum->life < *part.end)) {
       part.end = sum->life;

@@ -238,7 +238,7 @@ TEST(InspectedRisk, ReferenceLimitsOfUnequalWeights) {
 }
 
 // Kind: identity (IR-16).  The parts that fail and the others are two sides of one share.  The
-// limits of both sides come from the rarer side.
+// rarer side gives the limits of both.
 TEST(InspectedRisk, IdentityBothSidesOfAWeightedShare) {
   WeightSums rare;
   for (const double weight : {0.2, 0.3, 1.1}) rare.add(weight);

@@ -77,7 +77,7 @@ std::pair<Motion, Motion> expect_one_motion(const Joint& joint, const JointState
   EXPECT_NEAR(one.energy.at_end, other.energy.at_end, kAgreement * one.energy.exchanged);
   EXPECT_LT(other.energy.imbalance, kAgreement);
   EXPECT_EQ(one.event_count, other.event_count);
-  // The parabolas of both roads have other points, which are close together.
+  // Each engine puts its parabolas through points of its own steps.
   test::expect_relative(other.largest.torque, one.largest.torque, 1e-4);
   test::expect_relative(other.largest.error, one.largest.error, 1e-4);
   test::expect_relative(other.largest.input_torque, one.largest.input_torque, 1e-4);

@@ -319,6 +319,10 @@ TEST(OutputShaftCrack, LimitRadiusRatioOfTheTable) {
         << radius_ratio;
     EXPECT_EQ(uncertainties(gear),
               noted == 1 ? (std::array{1.0, 1.0, 0.002}) : (std::array{0.005, 0.005, 0.002}));
+    // Growth takes the moment of the duty.
+    gear.load.axial_force = 0;
+    gear.duty.emplace().block.emplace_back().bending_moment = 5;
+    EXPECT_EQ(test::count_notes(output_shaft_compliance(gear).notes, "crack.tension_range"), noted);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/catalogue/torque_limits.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/layouts/life.hpp"
 #include "strainwave/life/survival.hpp"
 #include "strainwave/life/tube_buckling.hpp"
@@ -374,6 +375,9 @@ TEST(LifeReport, BehaviourPeaksAboveTheEnduranceLimit) {
   const LifeReport without = life_report(gear);
   EXPECT_GE(test::count_notes(without.notes, "life.peaks_not_counted"), 1);
   EXPECT_NE(evidence_of(without).verdict.judgement, Judgement::good);
+  EXPECT_NE(life_text(with_line, gear, {})
+                .find(" " + shown_number(*root_of(with_line).reserve_with_peaks, 3) + " "),
+            std::string::npos);
   const auto part = std::ranges::find(without.parts, "flexspline", &LifePart::name);
   EXPECT_TRUE(part->origin.starts_with("not known: momentary peaks are above")) << part->origin;
   gear.duty->peak.clear();
@@ -422,9 +426,9 @@ TEST(LifeReport, IdentityTheAnswerNamesThePartThatEnds) {
 // Kind: identity (DY-1), (LI-21).  With the flexspline fixed, an output torque of (i + 1)/i times
 // another one does to the flexspline and the bearing what the other one does with the circular
 // spline fixed, per turn of the wave generator against the flexspline.  The ratio of the lives to
-// the rating is 1 at the rating, whatever is fixed.
+// the rating is 1 at the rating, whatever is fixed.  Tolerance: the solver of the coupled drive.
 TEST(LifeReport, IdentityFixedFlexspline) {
-  const double i = 30;
+  const double i = 50;
   GearSet gear = joint(25, i);
   gear.duty->block = {{100, 20 * kPerMinute, 60}};
   const LifeReport circular = life_report(gear);
@@ -434,14 +438,13 @@ TEST(LifeReport, IdentityFixedFlexspline) {
   const LifeReport flexspline = life_report(other);
   // The wave generator turns (i + 1) times against the flexspline in one turn of either output.
   test::expect_relative(flexspline.bearing_by_forces->duty.ten_percent,
-                        circular.bearing_by_forces->duty.ten_percent, 2e-3);
+                        circular.bearing_by_forces->duty.ten_percent, 1e-6);
   test::expect_relative(*flexspline.fatigue.back().reserve, *circular.fatigue.back().reserve, 1e-6);
   test::expect_relative(root_life(flexspline, MinerRule::elementary),
-                        root_life(circular, MinerRule::elementary), 1e-4);
-  if (const auto& rated = makers_limits(other).rated_torque) {
-    other.duty->block = {{1, 2000 * kPerMinute / (i + 1), rated->value}};
-    test::expect_relative(*life_report(other).bearing_by_forces->ratio, 1.0, 2e-3);
-  }
+                        root_life(circular, MinerRule::elementary), 1e-6);
+  other.duty->block = {
+      {1, -2000 * kPerMinute / (i + 1), -makers_limits(other).rated_torque.value().value}};
+  test::expect_relative(*life_report(other).bearing_by_forces->ratio, 1.0, 1e-6);
 }
 
 // Kind: identity (LI-31).  The bearing's life from ball forces counts the blocks.  A peak with the
@@ -453,7 +456,7 @@ TEST(LifeReport, IdentityPeaksDoNotLoadTheBalls) {
         {.torque = peak, .output_speed = 20 * kPerMinute, .duration = 0.15, .interval = 2}};
     return life_report(gear).bearing_by_forces->duty.ten_percent;
   };
-  test::expect_relative(life_with(150), life_with(150.001), 1e-6);
+  test::expect_relative(life_with(150), life_with(150.001), 1e-9);
 }
 
 // Kind: behaviour (LI-2).  Peaks that stand still are no peaks of the maker's rule.

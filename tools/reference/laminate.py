@@ -4,7 +4,9 @@ The layers are three-dimensional here.  Their stiffness tensor is turned by inde
 stack of cylinders in elasticity theory: the displacements are u_r = w(r), u_theta = phi r z and
 u_z = e z, and minimal energy over w and e gives the torque per twist phi.  So radial stress and the
 exact hoop strain w/r are included, which the theory of thin walls leaves out.  The energy at the
-tip of a crack comes from the four roots of the characteristic equation, with 40 digits.
+tip of a crack comes from the four roots of the characteristic equation, with 40 digits.  The added
+compliance of a crack in a tube comes from the displacements of its faces behind the tip: if they
+overlap, a pressure on the faces brings the opening back to 0.
 
 Independent: no matrix of a layer in plane stress is turned by a formula, no integral A, B, D, and
 no cubic for the sum of the roots.
@@ -95,20 +97,62 @@ def sheet(plies):
     return np.linalg.inv(A)
 
 
-def energy(S, angle):
-    """(opening, coupling, sliding) of a crack at an angle in a sheet."""
+def turned_sheet(S, angle):
+    """Compliance of a sheet in the axes of a crack."""
     c, s = np.cos(angle), np.sin(angle)
-    # strains and stresses in the axes of the crack
     T = np.array([[c * c, s * s, 2 * c * s], [s * s, c * c, -2 * c * s],
                   [-c * s, c * s, c * c - s * s]])
     inverse = np.linalg.inv(T)
-    a = inverse.T @ S @ inverse
+    return inverse.T @ S @ inverse, T
+
+
+def upper_roots(a):
     scale = mp.mpf(1) / a[0, 0]
     coefficients = [1, -2 * a[0, 2] * scale, (2 * a[0, 1] + a[2, 2]) * scale,
                     -2 * a[1, 2] * scale, a[1, 1] * scale]
     roots = mp.polyroots([mp.mpf(x) for x in coefficients], maxsteps=500, extraprec=400)
     upper = sorted((z for z in roots if z.imag > 0), key=lambda z: z.imag)
     assert len(upper) == 2
+    return upper
+
+
+def crack_in_tube(S, radius, thickness, angle, half_length):
+    """Added compliance under torque about +z and -z, without friction.
+
+    The upper face behind the tip moves by K sqrt(2r/pi) times the factors of Sih, Paris and Irwin.
+    Closing the crack by the stress ahead of the tip takes half of K times the factor as G.
+    """
+    a, T = turned_sheet(S, angle)
+    s1, s2 = upper_roots(a)
+
+    def p(z):
+        return a[0, 0] * z * z + a[0, 1] - a[0, 2] * z
+
+    def q(z):
+        return a[0, 1] * z + a[1, 1] / z - a[1, 2]
+
+    def face(value):
+        return float((mp.mpc(0, 1) * value / (s1 - s2)).real)
+
+    opening = face(s1 * q(s2) - s2 * q(s1)), face(q(s2) - q(s1))  # by K_I, by K_II
+    sliding = face(s1 * p(s2) - s2 * p(s1)), face(p(s2) - p(s1))
+    added = []
+    for sense in (1, -1):
+        # y is against the hoop direction, so the shear of a positive torque is negative.
+        shear = -sense / (2 * np.pi * radius ** 2 * thickness)
+        _, K_I, K_II = T @ np.array([0.0, 0.0, shear])  # over sqrt(pi a)
+        if opening[0] * K_I + opening[1] * K_II < 0:
+            K_I = -opening[1] * K_II / opening[0]  # with the pressure of the faces
+        G = (K_I * (opening[0] * K_I + opening[1] * K_II)
+             + K_II * (sliding[0] * K_I + sliding[1] * K_II)) / 2
+        added.append(4 * thickness * G * np.pi * half_length ** 2 / 2)  # both tips, from 0 to a
+    return added
+
+
+def energy(S, angle):
+    """(opening, coupling, sliding) of a crack at an angle in a sheet."""
+    a, _ = turned_sheet(S, angle)
+    upper = upper_roots(a)
     p, q = upper[0] + upper[1], upper[0] * upper[1]
     opening = -a[1, 1] / 2 * (p / q).imag
     sliding = a[0, 0] / 2 * p.imag
@@ -144,7 +188,15 @@ def tables():
                 if abs(value) < 1e-20:
                     value = 0
                 table.add(f"{name}.{part}", ("", "", angle), value, "1/Pa", SOURCE, 10, 12)
-    return [table]
+    cracks = Table("laminate_cracks", "first [rad]", "second [rad]", "angle [rad]")
+    for first, second in ((45, 45), (10, 10), (-20, -20), (30, -45)):
+        S = sheet([(T300, np.radians(first), 1.0), (T300, np.radians(second), 1.0)])
+        for angle in (-80, -50, -10, 5, 20, 60):
+            for sense, value in zip(("positive", "negative"),
+                                    crack_in_tube(S, 0.06, 0.0012, np.radians(angle), 0.002)):
+                cracks.add(sense, [np.radians(x) for x in (first, second, angle)], value, "rad/(N*m)",
+                           "displacements of the faces behind the tip", 10, 12)
+    return [table, cracks]
 
 
 if __name__ == "__main__":

@@ -103,8 +103,7 @@ struct BasicCrackModuli {
   /// Absent: mode II releases as much energy as mode I, independently of it.
   std::optional<AnisotropicSliding<Real>> anisotropic = {};
 
-  /// What a unit of shear stress on the crack's plane opens, over what a unit of normal stress
-  /// opens
+  /// Opening by a unit of shear stress on the crack's plane over that by a unit of normal stress
   /// [-]; 0 in an isotropic material.
   [[nodiscard]] Real opening_by_shear() const {
     return anisotropic ? Real(opening * anisotropic->coupling) : Real(0.0);

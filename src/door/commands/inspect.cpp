@@ -178,13 +178,12 @@ DetectionFit fitted_detection(const Request& request, const InspectOptions& o, D
   if (!signals) return fit_hits(form, hits);
   if (o.detection == DetectionForm::log_logistic)
     throw OptionError("detection", "must be log_normal, or left out, for signals");
-  if (o.floor && *o.floor > *o.threshold)
-    throw OptionError("floor",
-                      "must not be above --threshold, because a crack with a signal "
-                      "between the two could not be called");
-  if (o.ceiling && *o.ceiling < *o.threshold)
-    throw OptionError("ceiling", "must not be below --threshold, which no signal could then reach");
-  return fit_signals(read, *o.threshold, {.floor = o.floor, .ceiling = o.ceiling});
+  try {
+    return fit_signals(read, *o.threshold, {.floor = o.floor, .ceiling = o.ceiling});
+  } catch (const InputError& error) {
+    if (error.field() == "floor" || error.field() == "ceiling") throw OptionError(error);
+    throw;
+  }
 }
 
 /// An option that says how cracks are looked for, in the place of a field of [inspection].
