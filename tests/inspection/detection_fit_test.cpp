@@ -206,33 +206,33 @@ TEST(DetectionFit, CrosscheckBoundsOfLimitedSignals) {
     double floor;
     double ceiling;
   };
-  for (const auto& [number, floor, ceiling] :
+  for (const Trials& of :
        {Trials{10, 40, 400}, Trials{15, 60, 250}, Trials{30, 60, 250}, Trials{30, 80, 150}}) {
     int sets = 0;
     int held = 0;
     double width = 0.0;
     for (std::size_t set = 0; set < 400; ++set) {
       std::vector<SizedSignal> trials;
-      for (std::size_t i = 0; i < number; ++i) {
-        const double x = 3 * static_cast<double>(i) / static_cast<double>(number - 1) - 1.5;
+      for (std::size_t i = 0; i < of.number; ++i) {
+        const double x = 3 * static_cast<double>(i) / static_cast<double>(of.number - 1) - 1.5;
         const double signal =
-            100 * std::exp(1.1 * x + 0.3 * counter_normal(6, number * set + i, 1));
+            100 * std::exp(1.1 * x + 0.3 * counter_normal(6, of.number * set + i, 1));
         trials.push_back(
-            {.size = 1e-3 * std::exp(x), .signal = std::clamp(signal, floor, ceiling)});
+            {.size = 1e-3 * std::exp(x), .signal = std::clamp(signal, of.floor, of.ceiling)});
       }
       const auto inside = std::ranges::count_if(trials, [&](const SizedSignal& one) {
-        return one.signal > floor && one.signal < ceiling;
+        return one.signal > of.floor && one.signal < of.ceiling;
       });
       if (inside < 5) continue;
-      const DetectionFit fit = fit_signals(trials, 100, {.floor = floor, .ceiling = ceiling});
+      const DetectionFit fit = fit_signals(trials, 100, {.floor = of.floor, .ceiling = of.ceiling});
       ++sets;
       if (!fit.a90_bound || *fit.a90_bound >= 1e-3 * std::exp(kWidth)) ++held;
       width += std::log(fit.a90 / fit.a50);
     }
-    EXPECT_GT(sets, 300) << number;
-    EXPECT_GT(static_cast<double>(held) / sets, 0.95) << number;
+    EXPECT_GT(sets, 300) << of.number;
+    EXPECT_GT(static_cast<double>(held) / sets, 0.95) << of.number;
     // The most likely curve of few known signals is too narrow.
-    EXPECT_NEAR(width / sets / kWidth, 0.9, 0.06) << number;
+    EXPECT_NEAR(width / sets / kWidth, 0.9, 0.06) << of.number;
   }
 }
 

@@ -30,8 +30,22 @@ concept TableRow = Described<T> && requires {
 
 /// Reads a member of a described struct: a data member, or the result of a member function or
 /// lambda that takes the struct.
+///
+/// Does what std::invoke does, without the functions that each of thousands of members would make.
 template <class T, class Member>
-using MemberValue = std::decay_t<std::invoke_result_t<Member, const T&>>;
+[[gnu::always_inline]] inline decltype(auto) member_of(const T& value, const Member& member) {
+  if constexpr (std::is_member_object_pointer_v<Member>)
+    return (value.*member);
+  else if constexpr (std::is_member_function_pointer_v<Member>)
+    return (value.*member)();
+  else
+    return member(value);
+}
+
+/// Type of a member, as member_of reads it.
+template <class T, class Member>
+using MemberValue =
+    std::decay_t<decltype(member_of(std::declval<const T&>(), std::declval<const Member&>()))>;
 
 /// Whether a type is a list of numbers, which is walked as one column.
 /// @{
@@ -101,7 +115,7 @@ void visit_columns(const Field& field, const Walk& walk, ValueVisitor& to) {
       visit_columns<MemberValue<T, decltype(member)>>(
           inner,
           [&](const auto& leaf) {
-            walk([&](const T& element) { leaf(std::invoke(member, element)); });
+            walk([&](const T& element) { leaf(member_of(element, member)); });
           },
           to);
     });
@@ -127,7 +141,7 @@ void visit_columns(const Field& field, const Walk& walk, ValueVisitor& to) {
 template <class T>
 void visit_fields(const T& value, ValueVisitor& to) {
   T::describe([&](const Field& inner, auto member) {
-    const auto& part = std::invoke(member, value);
+    const auto& part = member_of(value, member);
     if constexpr (is_optional<std::decay_t<decltype(part)>>) {
       if (part && to.field(inner)) visit_value(*part, inner, to);
     } else if (to.field(inner)) {
