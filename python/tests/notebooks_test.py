@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Executes the notebooks in examples/notebooks as Jupyter does.  They are stored without output, and the
-last cell of code of each asserts a number."""
+last cell of code of each asserts a number.  The environment variable STRAINWAVE_NOTEBOOKS names a folder that keeps
+them with their outputs, for tools/render_site."""
 
 import ast
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -52,7 +54,8 @@ class Notebooks(unittest.TestCase):
             self.assertEqual(asserted_numbers(source), [], source)
 
     def test_behaviour_each_notebook_runs_and_shows_pictures_that_are_pictures(self):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = os.environ.get("STRAINWAVE_NOTEBOOKS", temporary)
             ended = subprocess.run([sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute",
                                     "--output-dir", folder, *map(str, NOTEBOOKS)],
                                    capture_output=True, text=True, check=False)

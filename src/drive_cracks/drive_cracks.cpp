@@ -63,10 +63,12 @@ const char* const kNoField =
     "Assess the crack by finite elements of the part, because no field of the file can give this "
     "stress.";
 const char* const kLaminate =
-    "no failure assessment is derived for a crack in a laminate, and the bending of its plies by "
-    "the assembly is left out";
-const char* const kMeasuredToughness =
-    "Compare the energy release rate of the crack with a measured toughness of the laminate.";
+    "the ligaments beside a crack in a laminate and the bending of its plies by the assembly are "
+    "not assessed";
+const char* const kGiveEnergy =
+    "Give fracture_energy of the laminate in the file, to compare the energy release rate with.";
+const char* const kPliesByElements =
+    "Assess the plies beside the crack by finite elements of the part.";
 const char* const kOnlyRisesWithTorque =
     "Assess the crack by finite elements of the part. No driver makes this crack acceptable, "
     "because every stress of a driver, also a given one, counts as proportional to the torque, and "
@@ -125,6 +127,28 @@ struct BothStates {
   Solution pressed;
 };
 
+/// The modes of (LA-15), whose squares add up to the energy release rate of a crack in a laminate
+/// times the reference modulus.  In an isotropic wall they are the modes themselves.
+struct EnergyModes {
+  double opening = 1.0;           ///< factor on the first mode [-]
+  double opening_by_shear = 0.0;  ///< share of K_II in it [-]
+  double sliding = 1.0;           ///< factor on the second mode [-]
+
+  EnergyModes() = default;
+  EnergyModes(const CrackModuli& moduli, double reference)
+      : opening(std::sqrt(reference / moduli.opening)),
+        opening_by_shear(moduli.opening_by_shear()),
+        sliding(std::sqrt(reference * moduli.pressed().anisotropic->sliding)) {}
+  [[nodiscard]] UnitStressIntensity<2> of(UnitStressIntensity<2> k, Faces faces) const {
+    for (std::size_t load = 0; load < 2; ++load) {
+      k.I[load] =
+          faces == Faces::pressed ? 0.0 : opening * (k.I[load] + opening_by_shear * k.II[load]);
+      k.II[load] *= sliding;
+    }
+    return k;
+  }
+};
+
 /// Wall of a flexspline with its length, as the cracked section.
 struct LongWall {
   double mean_radius = 0.0;
@@ -165,6 +189,7 @@ class Maker {
           made.material = solid_name(gear_, made.material);
           made.wave_number = gear_.drive.wave_number;
           fill(made, crack, loaded);
+          take_toughness(made);
           if constexpr (requires { crack.turn_table; })
             if (crack.turn_table) {
               auto table = gear_.turn_tables.at(*crack.turn_table);
@@ -358,18 +383,21 @@ class Maker {
             const LoadedCrack<sif::ThroughCrackInTube>& loaded) const {
     const LongWall wall = long_wall(crack.section);
     take_basics(made, loaded);
+    const EnergyModes energy_modes = take_reference_modulus(made);
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
-    if (made.moduli.anisotropic) {
-      leave_unknown(made, kLaminate, kMeasuredToughness);
-      use(made, {"LA-9"});
+    if (made.laminate) {
+      const bool energy = material_of_crack(made).fracture_energy.has_value();
+      leave_unknown(made, kLaminate, energy ? kPliesByElements : kGiveEnergy);
+      use(made, {"LA-9", "LA-15"});
     }
-    made.front = [states = BothStates(loaded.solution), bending](const CrackSize& size,
-                                                                 Faces faces) {
+    made.front = [states = BothStates(loaded.solution), bending, energy_modes](
+                     const CrackSize& size, Faces faces) {
       const double root = std::sqrt(pi * size.size);
       const sif::ThroughCrackInTube& solution = states.with(faces);
       auto front = along(solution, size.size, {-1.0, 0.0, 1.0});
+      for (FrontIntensity& at : front) at.load = energy_modes.of(at.load, faces);
       // (FA-14): the full stress of the outer fibre, and in a row the neighbours under the same
       // stress (CG-7).
       RowFactors row{1.0, 0.0, 0.0, 1.0};
@@ -393,7 +421,7 @@ class Maker {
               std::min(round / 2 - crack.half_length * sine,
                        std::min(place, wall.length - place) - crack.half_length * cosine));
     sif::ThroughCrackInTube curved = loaded.solution;
-    if (made.moduli.anisotropic) curved.poissons_ratio = kMetalPoissonsRatio;
+    if (made.laminate) curved.poissons_ratio = kMetalPoissonsRatio;
     const double shell = sif::ThroughCrackInTube::kMaxShellParameter /
                          std::sqrt(curved.shell_parameter_squared(1.0));
     const double half_round = kNearlyAll * pi * wall.mean_radius / (2 * sine);
@@ -478,7 +506,7 @@ class Maker {
   /// Ends the range of a row at the end of its table (CG-8), or where neighbours open or press its
   /// faces (CG-7).
   void end_where_row_is_known(DriveCrack& made, WallThroughCrack crack, double radius) const {
-    if (made.moduli.anisotropic) return;
+    if (made.laminate) return;
     constexpr const char* kText = "the end of what is known of the cracks' influence on each other";
     const double table =
         kNearlyAll * sif::largest_tabulated_share(crack.angle) * pi * radius / crack.count;
@@ -645,6 +673,32 @@ class Maker {
     made.range_text = "where the gap to the next crack of the row is a fifth of the half length";
   }
 
+  [[nodiscard]] const Material& material_of_crack(const DriveCrack& made) const {
+    return material_of(gear_, made.material, made.path + ".material");
+  }
+
+  /// Gives a crack of a laminate the modulus of its equivalent K (LA-15).
+  /// @return  what turns K into the modes whose energies add up
+  [[nodiscard]] EnergyModes take_reference_modulus(DriveCrack& made) const {
+    if (!made.moduli.anisotropic) return {};
+    const double reference =
+        material_of_crack(made).reference_modulus.value_or(made.moduli.opening);
+    const EnergyModes modes(made.moduli, reference);
+    made.laminate = true;
+    made.moduli = {.opening = reference, .shear = made.moduli.shear};
+    return modes;
+  }
+
+  /// The equivalent K at which the crack fractures; eqs. (FR-20), (LA-15).
+  void take_toughness(DriveCrack& made) const {
+    if (made.material.empty()) return;
+    const Material& material = material_of_crack(made);
+    if (!made.laminate)
+      made.toughness = material.fracture_toughness;
+    else if (material.fracture_energy)
+      made.toughness = std::sqrt(*material.fracture_energy * made.moduli.opening);
+  }
+
   [[nodiscard]] bool on_rim(WallSection section) const {
     return gear_.flexspline->crack_free != CrackFree::factor && section == WallSection::rim;
   }
@@ -652,7 +706,7 @@ class Maker {
   [[nodiscard]] AssemblyStress assembly_of(DriveCrack& made, WallSection section,
                                            const LongWall& wall, double angle) const {
     if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring without bending it
-    if (made.moduli.anisotropic) return {};
+    if (made.laminate) return {};
     const ElasticConstants steel = loads_.wall_steel(section);
     made.assembly = true;
     made.turning = TurningLoad::wave;

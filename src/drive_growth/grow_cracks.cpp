@@ -404,14 +404,15 @@ class Growing {
         if (first_time) report_.notes.push_back(unknown_balls_note(all[i].path));
         continue;
       }
-      if (all[i].moduli.anisotropic) {
+      if (all[i].laminate && !has_law(gear_, all[i])) {
         if (first_time) report_.notes.push_back(laminate_crack_note(all[i].path));
         continue;
       }
       in_drive_.push_back(i);
       coupled_.push_back(coupled_drive);
       const DutyHistory& history = history_of(all[i]);
-      cracks_.emplace_back(gear_, std::move(all[i]), history, options_.rate, std::move(at_torque));
+      const RateChoice choice = choice_of(all[i], options_.rate);
+      cracks_.emplace_back(gear_, std::move(all[i]), history, choice, std::move(at_torque));
       if (first_time) check_first(cracks_.back());
       first_.push_back(at);
       at += cracks_.back().tips().size();
@@ -800,8 +801,9 @@ class Path {
     const auto& cracks = growing_.cracks();
     const double factor = growing_.amplification(growing_.start(0.0));
     for (const GrowingCrack& crack : cracks) {
-      report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate, factor));
-      for (Note& note : crack_notes(growing_.gear(), crack, options_.rate))
+      const RateChoice choice = choice_of(crack.crack(), options_.rate);
+      report_.cracks.push_back(described_crack(growing_.gear(), crack, choice, factor));
+      for (Note& note : crack_notes(growing_.gear(), crack, choice))
         report_.notes.push_back(std::move(note));
       cite_models(report_, crack, options_.interaction);
     }

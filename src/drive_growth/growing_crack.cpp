@@ -35,6 +35,11 @@ const Material& material_of_crack(const GearSet& gear, const DriveCrack& crack) 
 /// The law that is chosen for a crack, or that of its material.
 RateLaw law_of_crack(const GearSet& gear, const DriveCrack& crack, const RateChoice& choice) {
   const Material& material = material_of_crack(gear, crack);
+  if (crack.laminate && choice.mixed_mode != MixedMode::energy)
+    throw InputError("mixed_mode",
+                     fmt::format("must be energy, because {} is in a laminate, whose modes are "
+                                 "those of the energy release rate",
+                                 crack.path));
   if (choice.law.empty() && material.growth.empty())
     throw InputError(
         (FieldPath("material") / crack.material / "growth").text(),
@@ -43,7 +48,7 @@ RateLaw law_of_crack(const GearSet& gear, const DriveCrack& crack, const RateCho
                     crack.path, records_with_laws()));
   RateLaw law =
       choice.law.empty() ? material.growth.front() : rate_law(require_material(choice.law));
-  if (crack.through_thickness > 0)
+  if (crack.through_thickness > 0 && !crack.laminate)
     law = law_of_through_crack(law, crack.through_thickness, material.yield_strength);
   return law;
 }
@@ -129,6 +134,15 @@ double least_factor(MixedMode rule, const TipCycle& cycle, std::span<const Modes
   return -pressed;
 }
 
+RateChoice choice_of(const DriveCrack& crack, RateChoice choice) {
+  if (crack.laminate) choice.law.clear();
+  return choice;
+}
+
+bool has_law(const GearSet& gear, const DriveCrack& crack) {
+  return !material_of_crack(gear, crack).growth.empty();
+}
+
 GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                            const RateChoice& choice, CracksAtTorques at_torque)
     : crack_(std::move(crack)),
@@ -138,7 +152,8 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHist
       law_(law_of_crack(gear, crack_, choice)),
       mixed_mode_(choice.mixed_mode) {
   const Material& material = material_of_crack(gear, crack_);
-  poissons_ratio_ = elastic_constants(material).nu;
+  // The rule of energy does not ask for it in a laminate, which has no mode III.
+  poissons_ratio_ = crack_.laminate ? 0.0 : elastic_constants(material).nu;
   yield_strength_ = material.yield_strength;
   const std::optional<GrowthBounds> bounds =
       choice.law.empty() ? material.growth_bounds : growth_bounds(require_material(choice.law));
@@ -146,7 +161,7 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHist
     limits_.threshold = bounds->threshold;
     limits_.intrinsic_size = bounds->short_crack_size;
   }
-  if (!law_.toughness()) limits_.toughness = material.fracture_toughness;
+  if (!law_.toughness()) limits_.toughness = crack_.toughness;
 }
 
 std::span<const Tip> GrowingCrack::tips() const {
@@ -263,6 +278,11 @@ double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) c
 }
 
 double GrowingCrack::yield_strength() const {
+  if (crack_.laminate)
+    throw InputError("interaction",
+                     fmt::format("must be none, because {} is in a laminate, where no plastic zone "
+                                 "slows the growth down behind an overload",
+                                 crack_.path));
   if (!yield_strength_)
     throw InputError(
         (FieldPath("material") / crack_.material / "yield_strength").text(),

@@ -125,11 +125,12 @@ void note_validity(GrowthReport& report, const GearSet& gear, const RateChoice& 
     std::optional<GrowthBounds> bounds;
     const RateLaw* law = nullptr;
     std::string of = choice.law;
-    if (!choice.law.empty()) {
+    for (const DriveCrack& in_drive : drive_cracks(gear))
+      if (in_drive.path == crack.path && choice_of(in_drive, choice).law.empty())
+        of = in_drive.material;
+    if (of == choice.law) {
       bounds = growth_bounds(require_material(choice.law));
     } else {
-      for (const DriveCrack& in_drive : drive_cracks(gear))
-        if (in_drive.path == crack.path) of = in_drive.material;
       const Material& material = gear.material.at(of);
       bounds = material.growth_bounds;
       if (!material.growth.empty()) law = &material.growth.front();
@@ -243,14 +244,12 @@ Note unknown_balls_note(const std::string& path) {
 Note laminate_crack_note(const std::string& path) {
   return {.code = "growth.laminate",
           .text =
-              "the crack is in a laminate, for which no law of growth is known, so the crack "
-              "keeps its size",
+              "the crack is in a laminate that states no law of growth, so the crack keeps its "
+              "size",
           .path = path,
-          .equation = "LA-9",
+          .equation = "LA-15",
           .severity = Severity::cannot_tell,
-          .next_step =
-              "Compare the energy release rate of the crack with a measured threshold of "
-              "the laminate."};
+          .next_step = "Give growth and reference_modulus of the laminate in the file."};
 }
 
 Note refused_size_note(const std::string& path, const std::string& rule) {

@@ -174,6 +174,7 @@ std::map<std::string_view, std::string> unit_patterns() {
       {"1/Pa", any({fmt::format("1/{}", words_like("Pa")), fmt::format("{}\\^2/{}", length, force),
                     fmt::format("{}\\^3/\\({}\\)", length, torque)})},
       {"N/m", fmt::format("{}/{}", force, length)},
+      {"J/m^2", fmt::format("{}/{}\\^2", words_like("J"), length)},
       {"Pa*m^0.5", any({fmt::format("{}{}{}\\^0?\\.5", stress, times, length),
                         fmt::format("{}/{}\\^1\\.5", force, length)})},
       {"kg/m^3", fmt::format("{}/{}\\^3", mass, length)},

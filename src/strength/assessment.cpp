@@ -254,7 +254,7 @@ void cannot_tell(StrengthState& state, std::string unknown, std::string next_ste
 
 /// Names the properties that the material lacks, and requests them.
 void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Material& material) {
-  if (crack.moduli.anisotropic) {
+  if (crack.laminate) {
     cannot_tell(state, crack.unknown, crack.next_step);
     return;
   }
@@ -283,7 +283,7 @@ void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtS
   state.relative_uncertainty = uncertainty(asked, state);
   if (asked.material.yield_strength)
     state.plastic_zone = present.plastic_zone(*asked.material.yield_strength);
-  const std::optional<double>& K_Ic = asked.material.fracture_toughness;
+  const std::optional<double>& K_Ic = asked.crack.toughness;
   if (!K_Ic) return;
   state.utilisation = state.K / *K_Ic;  // (FR-20)
   state.brittle_size =
@@ -418,7 +418,8 @@ std::string_view word(StrengthVerdict verdict) {
   return verdict == StrengthVerdict::cannot_tell ? "cannot tell" : enum_name(verdict);
 }
 
-std::string words(const CrackStrength& crack, const StrengthState& state, TorqueSense given) {
+std::string words(const CrackStrength& crack, const StrengthState& state, TorqueSense given,
+                  bool laminate) {
   const std::string sense = state.sense == given
                                 ? ""
                                 : fmt::format(" under torque of the other sense (T {} 0)",
@@ -427,6 +428,11 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
       sense + (state.with_assembly ? " together with the assembly's bending" : "");
   switch (state.verdict) {
     case StrengthVerdict::fractures:
+      if (laminate)
+        return fmt::format(
+            "fractures at this load{}: the energy release rate is {:.3g} times the fracture "
+            "energy{}",
+            with, *state.utilisation * *state.utilisation, size_words(crack, state));
       if (!state.K_r)
         return fmt::format("fractures at this load{}: K = {} reaches K_Ic{}", with,
                            shown_intensity(state.K), size_words(crack, state));
@@ -452,7 +458,11 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
       break;
   }
   std::string text = fmt::format("cannot tell{}: {}", sense, state.unknown);
-  if (state.utilisation) text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
+  if (state.utilisation && laminate)
+    text += fmt::format("; the energy release rate is {:.3g} times the fracture energy",
+                        *state.utilisation * *state.utilisation);
+  else if (state.utilisation)
+    text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
   if (state.L_r) text += fmt::format("; L_r = {:.3g}", *state.L_r);
   return text + accuracy_words(state) + size_words(crack, state);
 }
@@ -494,7 +504,7 @@ CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   const TorqueSense given = asked.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative;
   const TorqueSense other =
       given == TorqueSense::positive ? TorqueSense::negative : TorqueSense::positive;
-  result.toughness = asked.material.fracture_toughness;
+  result.toughness = asked.crack.toughness;
   result.states = states_of(asked, given);
   const std::size_t n = result.states.size();
   const bool other_known =
@@ -514,7 +524,7 @@ CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   }
   const StrengthState& worst = *result.worst();
   result.verdict = worst.verdict;
-  result.sentence = words(result, worst, given);
+  result.sentence = words(result, worst, given, asked.crack.laminate);
   result.next_step = worst.next_step;
   const auto beside = [&](const char* what, const StrengthState& state) {
     result.sentence += fmt::format("; under the {}: {}", what, word(state.verdict));

@@ -162,7 +162,8 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
   std::vector<CrackStrength> strength = crack_strength(gear, result.cracks);
   if (strength.empty()) return;
   const bool known = std::ranges::any_of(gear.material, [](const auto& named) {
-    return named.second.fracture_toughness || named.second.yield_strength;
+    return named.second.fracture_toughness || named.second.yield_strength ||
+           named.second.fracture_energy;
   });
   if (!known) {
     result.notes.push_back(

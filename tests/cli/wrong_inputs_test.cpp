@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/program.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -116,8 +117,10 @@ TEST_F(WrongInputs, ReferenceTable) {
   EXPECT_GE(rows.size(), 300U);
   std::set<std::string> commands;
   std::string renewed;
-  for (const Row& row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
     EXPECT_TRUE(commands.insert(row.command).second) << "twice: " << row.command;
+    if (test::kSanitized && i % 4 != 0) continue;
     const std::string outcome = outcome_of(row);
     renewed += "\n$ " + row.command + "\n" + outcome + "\n";
     if (!renew) {

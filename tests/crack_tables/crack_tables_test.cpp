@@ -15,6 +15,7 @@
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 #include "support/random_drive.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -175,7 +176,9 @@ CrackTables tables_of(const Case& of, std::size_t rows, GearSet& varied) {
 // 1e-10 of the compliance added by the cracks; the tables have 1e-11 and the engine's quadrature
 // 1e-10, which it undercuts by far.
 TEST(CrackTables, CrosscheckEveryKindWithTheEngine) {
+  std::size_t number = 0;
   for (const Case& of : cases()) {
+    if (test::kSanitized && ++number % 2 == 0) continue;
     GearSet varied = of.gear;
     const CrackTables tables = tables_of(of, 100'000'000, varied);
     ASSERT_GE(tables.tables(), 1U) << of.name;

@@ -17,6 +17,7 @@
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/io/input_remarks.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -370,6 +371,7 @@ std::vector<std::string> comments_of(const std::string& text) {
 }
 
 TEST(Edit, BehaviourEveryFieldOfEveryExample) {
+  std::size_t seen = 0;
   std::size_t n = 0;
   for (const auto& file : std::filesystem::directory_iterator(STRAINWAVE_EXAMPLES)) {
     if (file.path().extension() != ".toml") continue;
@@ -378,6 +380,7 @@ TEST(Edit, BehaviourEveryFieldOfEveryExample) {
     for (const auto& [path, remark] : before) {
       SCOPED_TRACE(file.path().filename().string() + " " + path);
       if (before.contains(path + "[0]")) continue;  // its elements are tested
+      if (test::kSanitized && ++seen % 5 != 0) continue;
       ++n;
       const std::string own = own_value(text, path, remark.written);
       EXPECT_EQ(edit(text, path, own), text);
@@ -401,7 +404,7 @@ TEST(Edit, BehaviourEveryFieldOfEveryExample) {
       for (const auto& [at, kept] : before) EXPECT_EQ(after.at(at).written, kept.written) << at;
     }
   }
-  EXPECT_GT(n, 300U);
+  EXPECT_GT(n, test::kSanitized ? 100U : 300U);
 }
 
 TEST(Edit, CrosscheckTheReaderSeesTheChange) {

@@ -72,6 +72,11 @@ struct DriveCrack {
   double through_thickness = 0.0;  ///< thickness of the wall of a through crack, else 0 [m]
   TurningLoad turning = TurningLoad::none;  ///< load that changes in each turn
   CrackModuli moduli;                       ///< E' and mu [Pa]
+  /// Whether the crack cuts the plies of a laminate.  Modes I and II are then those of (LA-15), and
+  /// `moduli` is the reference modulus.
+  bool laminate = false;
+  /// Equivalent K at which the crack fractures [Pa*m^0.5]; absent: the material states none
+  std::optional<double> toughness = {};
   /// Plane stress or plane strain ahead of the front; the plastic zone depends on it.
   sif::Constraint constraint = sif::Constraint::plane_strain;
   BothSenses faces;  ///< state of the faces at the given load, without the assembly

@@ -25,6 +25,13 @@ struct RateChoice {
   std::string law;
 };
 
+/// The choice as it applies to a crack: the laws of the library are those of metals, so a laminate
+/// keeps its own.
+[[nodiscard]] RateChoice choice_of(const DriveCrack& crack, RateChoice choice);
+
+/// Whether the material of a crack states a law of growth.
+[[nodiscard]] bool has_law(const GearSet& gear, const DriveCrack& crack);
+
 /// The cycle at a tip between two states of K (GR-22).
 ///
 /// The larger equivalent factor of the two is K_max.  The range is the equivalent of the ranges of
@@ -78,7 +85,7 @@ class GrowingCrack {
   /// @param gear       has passed `check` and has a duty
   /// @param crack      of drive_cracks(gear), or the crack that coupled_crack makes
   /// @param history    duty of the drive, as in crack_duty
-  /// @param choice     law of growth and rule of mixed modes
+  /// @param choice     choice_of(crack): law of growth and rule of mixed modes
   /// @param at_torque  the crack at the torques of the duty, if K is not proportional to the
   ///                   torque; ignored for a crack under the balls, whose table the constructor
   ///                   makes

@@ -317,8 +317,8 @@ class SameParts {
   /// intensities nor their errors change with the limits of a material, which only divide a stress
   /// intensity, and with the friction, which only the hysteresis contains.
   static bool enters_no_model(const std::string& path) {
-    constexpr std::array<std::string_view, 3> kLimits = {".fracture_toughness", ".yield_strength",
-                                                         ".ultimate_strength"};
+    constexpr std::array<std::string_view, 4> kLimits = {".fracture_toughness", ".fracture_energy",
+                                                         ".yield_strength", ".ultimate_strength"};
     constexpr std::array<std::string_view, 3> kFriction = {
         "mesh.friction_coefficient", "wave_generator.bearing.rolling_friction",
         "wave_generator.bearing.outer_ring.friction_coefficient"};

@@ -24,8 +24,6 @@ void refuse_isotropic_numbers(const FieldPath& path, const Material& material,
   refuse_if_given(material.ultimate_strength.has_value(), path / "ultimate_strength", why);
   refuse_if_given(material.fracture_toughness.has_value(), path / "fracture_toughness", why);
   refuse_if_given(material.fatigue.has_value(), path / "fatigue", why);
-  refuse_if_given(!material.growth.empty(), path / "growth", why);
-  refuse_if_given(material.growth_bounds.has_value(), path / "growth_bounds", why);
 }
 
 void check_layer(const FieldPath& path, const Material& layer) {
@@ -45,6 +43,9 @@ void check_layer(const FieldPath& path, const Material& layer) {
   refuse_isotropic_numbers(path, layer,
                            "is not read for a layer of a laminate; give its strengths as "
                            "ply_strength");
+  constexpr std::string_view kOfAll = "is not read for a layer; give that of the laminate";
+  refuse_if_given(!layer.growth.empty(), path / "growth", kOfAll);
+  refuse_if_given(layer.growth_bounds.has_value(), path / "growth_bounds", kOfAll);
 }
 
 void check_laminate(const GearSet& gear, const FieldPath& path, const Material& laminate) {
@@ -56,6 +57,10 @@ void check_laminate(const GearSet& gear, const FieldPath& path, const Material& 
   refuse_if_given(laminate.is_layer(), path / "transverse_modulus", kByPlies);
   refuse_if_given(laminate.ply_strength.has_value(), path / "ply_strength", kByPlies);
   refuse_isotropic_numbers(path, laminate, "is not read for a laminate");
+  if (!laminate.growth.empty() && !laminate.reference_modulus)
+    throw InputError((path / "reference_modulus").text(),
+                     "must be given beside growth: the E by which the law's K = sqrt(G*E) was made "
+                     "from energy release rates");
   for (std::size_t i = 0; i < laminate.ply.size(); ++i) {
     const FieldPath field = (path / "ply")[i] / "material";
     (void)material_of(gear, laminate.ply[i].material, field);
@@ -225,6 +230,14 @@ bool has_layers(const GearSet& gear) {
 }  // namespace
 
 void check_laminates(const GearSet& gear) {
+  for (const auto& [name, material] : gear.material) {
+    if (material.is_laminate()) continue;
+    const FieldPath path = FieldPath("material") / name;
+    refuse_if_given(material.fracture_energy.has_value(), path / "fracture_energy",
+                    "is read only beside ply; a metal has a fracture_toughness");
+    refuse_if_given(material.reference_modulus.has_value(), path / "reference_modulus",
+                    "is read only beside ply; a metal has a youngs_modulus");
+  }
   if (!has_layers(gear)) return;
   for (const auto& [name, material] : gear.material) {
     const FieldPath path = FieldPath("material") / name;

@@ -41,6 +41,10 @@ struct Material {
   std::optional<LaminaStrength> ply_strength = {};  ///< of a layer
   std::vector<Ply> ply = {};                        ///< of a laminate
   std::optional<Stacking> stacking = {};            ///< of the plies; absent: as listed
+  /// G_c, energy release rate at which a crack cuts all plies of a laminate [J/m^2]; > 0
+  std::optional<double> fracture_energy = {};
+  /// E of the equivalent K of a laminate, sqrt(G E) [Pa]; > 0; absent: that of an opening crack
+  std::optional<double> reference_modulus = {};
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
@@ -160,6 +164,24 @@ struct Material {
                 .example = R"("symmetric")",
                 .in_template = InTemplate::commented},
           &Material::stacking);
+    field(Field{.name = "fracture_energy",
+                .unit = "J/m^2",
+                .doc = "energy release rate G_c at which a crack cuts all plies of a laminate; "
+                       "strength of a crack in the laminate needs it",
+                .range = kPositive,
+                .example = R"("30 kJ/m^2")",
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 100.0, .upper = 1e6}},
+          &Material::fracture_energy);
+    field(Field{.name = "reference_modulus",
+                .unit = "Pa",
+                .doc = "E by which a law of growth of a laminate was made from energy release "
+                       "rates, K = sqrt(G*E); growth needs it",
+                .range = kPositive,
+                .example = R"("50 GPa")",
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 1e9, .upper = 500e9}},
+          &Material::reference_modulus);
   }
 };
 
