@@ -21,6 +21,7 @@
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/drive_turn/drive_turn.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/input/turn_table.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
@@ -181,9 +182,31 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
   result.strength = std::move(strength);
 }
 
+/// Whether the flexspline is of one isotropic material.
+bool is_of_one_metal(const GearSet& gear) {
+  try {
+    (void)only_material(gear, *gear.flexspline);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// Adds the life over the duty; its notes stay with `strainwave life` and `strainwave grow`.
 void add_life(StiffnessResult& result, const GearSet& gear) {
   if (!gear.duty || (gear.duty->history && !gear.duty_record)) return;
+  if (gear.flexspline && !is_of_one_metal(gear)) {
+    result.notes.push_back(
+        {.code = "life.other_materials",
+         .text = "the life over the duty is left out, because it is derived for a flexspline of "
+                 "one isotropic material",
+         .path = "flexspline",
+         .equation = "LI-34",
+         .severity = Severity::care,
+         .next_step =
+             "Ask strainwave laminate for the plies, and strainwave grow for the cracks."});
+    return;
+  }
   const LifeReport report = life_report(gear);
   result.life = life_result(report);
   use_equations(result.equations, report.equations);

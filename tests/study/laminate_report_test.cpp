@@ -12,6 +12,7 @@
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/laminate.hpp"
+#include "strainwave/study/evaluate.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -162,6 +163,21 @@ TEST(LaminateReport, BehaviourCrackDoesNotGrow) {
     return note.code == "growth.laminate" && note.severity == Severity::cannot_tell;
   }));
   EXPECT_FALSE(growth.life);
+}
+
+// Kind: behaviour.  A duty does not keep the stiffness of a drive of laminates from its answer; the
+// life is left out, and a note says so.
+TEST(LaminateReport, BehaviourStiffnessWithADuty) {
+  const std::string duty =
+      "[[duty.block]]\nduration = \"10 s\"\ntorque = \"100 N*m\"\noutput_speed = \"20 rpm\"\n";
+  const StiffnessResult with =
+      evaluate(read_gear_set(drive(kAnglePly, duty), "drive.toml"), Method::corrected);
+  const StiffnessResult without =
+      evaluate(read_gear_set(drive(kAnglePly), "drive.toml"), Method::corrected);
+  EXPECT_EQ(with.intact.stiffness.value, without.intact.stiffness.value);
+  EXPECT_FALSE(with.life);
+  EXPECT_TRUE(std::ranges::any_of(
+      with.notes, [](const Note& note) { return note.code == "life.other_materials"; }));
 }
 
 // Kind: input.  A drive without laminates; an angle without its unit; no plies.
