@@ -352,6 +352,10 @@ TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
   const std::map<std::string, std::string> refused = {
       {"[material.steel] transverse_modulus", "must be given beside transverse_modulus (G12)"},
       {"[material.steel] stacking", "is read only beside ply"},
+      {"[material.steel] fracture_energy",
+       "is read only beside ply; a metal has a fracture_toughness"},
+      {"[material.steel] reference_modulus",
+       "is read only beside ply; a metal has a youngs_modulus"},
       {"[[wave_generator.crack]] stress", "is read only with stress_driver = \"given\""},
       {"[[flexspline.crack]] compliance_table", "is not a file beside the input"},
       {"[[flexspline.crack]] turn_table", "is not a file beside the input"},
