@@ -506,7 +506,6 @@ class Maker {
   /// Ends the range of a row at the end of its table (CG-8), or where neighbours open or press its
   /// faces (CG-7).
   void end_where_row_is_known(DriveCrack& made, WallThroughCrack crack, double radius) const {
-    if (made.laminate) return;
     constexpr const char* kText = "the end of what is known of the cracks' influence on each other";
     const double table =
         kNearlyAll * sif::largest_tabulated_share(crack.angle) * pi * radius / crack.count;

@@ -406,10 +406,6 @@ std::string row_fault(CrackLoads<double>::RowState state, const std::string& pat
           "wall; "
           "give shorter cracks or a smaller count",
           path);
-    case RowState::laminate:
-      return fmt::format(
-          "{}: the influence of cracks on each other is not derived for a laminate; give count = 1",
-          path);
     case RowState::faces:
       return fmt::format(
           "{}: the neighbours of the row open faces that the load presses together, or press faces "
@@ -500,10 +496,7 @@ void FlexsplineCracks::add_in_laminate(CrackReport report, const WallThroughCrac
   const double curvature =
       isotropic.shell_release(crack.half_length * std::min(1.0, kMaxShellParameter / lambda)) - 1;
   const double uncertainty = accuracy::combined(accuracy::kLaminateCrack, curvature);
-  const std::string in_row = row_fault(model.loads().row_state(crack), report.path);
-  if (!in_row.empty())
-    member.unusable_because = in_row;
-  else if (!loaded.in_range)
+  if (!loaded.in_range)
     member.unusable_because = fmt::format(
         "{}: the crack is too long for the solution of a flat sheet; shorten its half length to "
         "{}, where the shell parameter is {:g}",

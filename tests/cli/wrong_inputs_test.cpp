@@ -120,7 +120,7 @@ TEST_F(WrongInputs, ReferenceTable) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Row& row = rows[i];
     EXPECT_TRUE(commands.insert(row.command).second) << "twice: " << row.command;
-    if (test::kSanitized && i % 4 != 0) continue;
+    if (test::kSanitized && !renew && i % 4 != 0) continue;
     const std::string outcome = outcome_of(row);
     renewed += "\n$ " + row.command + "\n" + outcome + "\n";
     if (!renew) {

@@ -320,6 +320,12 @@ const Refused kRules[] = {
     {"StackingWithoutPlies",
      [](GearSet& g) { g.material.at("carbon").stacking = Stacking::symmetric; },
      "material.carbon.stacking: is read only beside ply"},
+    {"RowInALaminate",
+     [](GearSet& g) {
+       add_crack(g, 2 * mm, 45 * deg);
+       std::get<WallThroughCrack>(fs(g).crack[0]).count = 2;
+     },
+     "flexspline.crack[0].count: must be 1 for a crack in a laminate"},
     {"PartOfALayer", [](GearSet& g) { fs(g).barrel->material = "carbon"; },
      "flexspline.barrel.material: \"carbon\" is a single layer"},
     {"FactorOfALaminate",

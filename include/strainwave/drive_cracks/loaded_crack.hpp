@@ -384,15 +384,11 @@ class CrackLoads {
     holds,         ///< the crack is alone, or its row is known
     too_close,     ///< the gaps are too narrow
     beyond_table,  ///< the curvature between the cracks is not tabulated
-    laminate,      ///< the interaction is known in an isotropic wall only
     faces,         ///< the neighbours open or press faces that the load alone presses or opens
   };
   /// Whether the solution of a crack's row holds (CG-7), (CG-8).
   [[nodiscard]] RowState row_state(const WallThroughCrack& crack) const {
     if (crack.count == 1) return RowState::holds;
-    const Material& of =
-        material_of(gear_, material_name(*gear_.flexspline, crack.section), "flexspline.material");
-    if (of.is_laminate()) return RowState::laminate;
     const double r = value_of(wall_of(crack.section).mean_radius);
     if (row_gap_of(crack, r, crack.angle) < kLeastRowGap) return RowState::too_close;
     const double share = crack.half_length * crack.count / (std::numbers::pi * r);
@@ -570,9 +566,8 @@ class CrackLoads {
     auto isotropic = result.parameters;
     isotropic.poissons_ratio = Real(kMetalPoissonsRatio);
     result.in_range =
-        crack.count == 1 &&
         std::sqrt(value_of(isotropic.shell_parameter_squared(isotropic.half_length))) <=
-            isotropic.kMaxShellParameter;
+        isotropic.kMaxShellParameter;
     return result;
   }
   static Moduli plane_strain(const Elastic& steel) {

@@ -108,6 +108,10 @@ void check_crack(const GearSet& gear, const FieldPath& path, const FlexsplineCra
             refuse("shell_correction",
                    "must be false for a crack in a laminate, because the correction for the "
                    "curvature is derived for isotropic walls");
+          if (crack.count > 1)
+            refuse("count",
+                   "must be 1 for a crack in a laminate, because the influence of cracks on each "
+                   "other is derived for isotropic walls");
           if (crack.compliance_table)
             refuse("compliance_table", "is for isotropic walls; the crack is in a laminate");
           if (crack.turn_table)
