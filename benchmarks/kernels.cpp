@@ -17,6 +17,7 @@
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/sensitivity.hpp"
 #include "strainwave/study/varied_series.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -77,6 +78,8 @@ const std::map<std::string, Kernel>& kernels() {
       {"series_compliance",
        repeated([gear = article()] { return series_compliance<double>(gear).positive; })},
       {"series_derivatives", repeated(dual_series)},
+      {"all_elasticities",
+       repeated([gear = article()] { return sensitivity_of(gear).outputs[0].length_residual; })},
       {"draw_by_tables", draws},
       {"through_crack", repeated([] {
          const sif::ThroughCrackInTube crack{.half_length = 1e-3,
@@ -104,6 +107,16 @@ const std::map<std::string, Kernel>& kernels() {
          const std::vector<double> torques = {0, 14, 28, 48, 87};
          return torsion_curve(gear, {torques}).series_compliance;
        })},
+      {"curve_of_200_points",
+       [](int count) {
+         GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+         gear.circular_spline->support = 0.0;
+         gear.range.clear();
+         gear.rating.reset();
+         std::vector<double> torques;
+         for (int i = 1; i <= 200; ++i) torques.push_back(makers_torques(gear).T3 * i / 200);
+         for (int n = 0; n < count; ++n) sink += torsion_curve(gear, torques).points.back().twist;
+       }},
       {"read_file", repeated([] { return article().load.torque; })}};
   return all;
 }

@@ -2,6 +2,9 @@
 #include "strainwave/core/shape.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "strainwave/core/sought_number.hpp"
 
 namespace strainwave {
 namespace {
@@ -12,8 +15,48 @@ struct NoPath {
   NoPath operator[](std::size_t) const { return {}; }
 };
 
+/// What is left of a path that is sought; a walk leaves out what does not lead there.
+class SoughtPath {
+ public:
+  explicit SoughtPath(std::string_view path) : rest_(path), whole_(true), leads_there_(true) {}
+
+  SoughtPath operator/(std::string_view name) const {
+    std::string_view rest = rest_;
+    if (!whole_ && !take(rest, ".")) return {};
+    return take(rest, name) ? SoughtPath(rest, true) : SoughtPath();
+  }
+  SoughtPath operator[](std::size_t index) const {
+    std::string_view rest = rest_;
+    const bool is = take(rest, "[") && take(rest, std::to_string(index)) && take(rest, "]");
+    return is ? SoughtPath(rest, true) : SoughtPath();
+  }
+  [[nodiscard]] bool leads_there() const { return leads_there_; }
+  [[nodiscard]] bool is_there() const { return rest_.empty(); }
+
+ private:
+  SoughtPath() = default;
+  SoughtPath(std::string_view rest, bool leads_there) : rest_(rest), leads_there_(leads_there) {}
+
+  static bool take(std::string_view& text, std::string_view part) {
+    if (!text.starts_with(part)) return false;
+    text.remove_prefix(part.size());
+    return true;
+  }
+
+  std::string_view rest_;
+  bool whole_ = false;  // nothing is taken from the path yet
+  bool leads_there_ = false;
+};
+
+template <class Path>
+bool may_go_on(const Path&) {
+  return true;
+}
+bool may_go_on(const SoughtPath& path) { return path.leads_there(); }
+
 template <class Path, class F>
 void walk(const Shape& shape, void* value, const Path& path, const Field* field, const F& f) {
+  if (!may_go_on(path)) return;
   switch (shape.kind) {
     case Shape::Kind::number:
       if (field != nullptr) f(path, *field, *static_cast<double*>(value));
@@ -102,6 +145,14 @@ void walk_numbers(const Shape& shape, void* value,
                   const std::function<void(const Field&, double&)>& f) {
   walk(shape, value, NoPath(), nullptr,
        [&](NoPath, const Field& field, double& number) { f(field, number); });
+}
+
+void walk_to_number(const Shape& shape, void* value, std::string_view path,
+                    const std::function<void(const Field&, double&)>& f) {
+  walk(shape, value, SoughtPath(path), nullptr,
+       [&](const SoughtPath& sought, const Field& field, double& number) {
+         if (sought.leads_there() && sought.is_there()) f(field, number);
+       });
 }
 
 }  // namespace strainwave

@@ -193,7 +193,8 @@ std::shared_ptr<RowTable> table_of(double angle) {
 /// f(share, angle) with its derivatives, by differences of fourth order.  f is even and smooth in
 /// the share.
 template <std::size_t N, class F>
-std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& angle, const F& f) {
+std::array<CrackReal, N> with_derivatives(const CrackReal& share, const CrackReal& angle,
+                                          const F& f) {
   // Beside neighbours that touch, the step is short.
   const double step = 1e-3 * std::min(1.0, row_gap(std::max(share.value, 1e-6), angle.value));
   const auto slopes = [&](double along_share, double along_angle) {
@@ -212,7 +213,7 @@ std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& 
   const std::array<double, N> value = f(share.value, angle.value);
   const auto by_share = slopes(step, 0.0);
   const auto by_angle = slopes(0.0, step);
-  std::array<DualReal, N> result;
+  std::array<CrackReal, N> result;
   for (std::size_t i = 0; i < N; ++i)
     result[i] = chain(share, value[i], by_share[i]) + chain(angle, 0.0, by_angle[i]);
   return result;
@@ -222,7 +223,7 @@ std::array<DualReal, N> with_derivatives(const DualReal& share, const DualReal& 
 
 RowFactors row_factors(double share, double angle) { return table_of(angle)->apart(share); }
 
-BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& angle) {
+BasicRowFactors<CrackReal> row_factors(const CrackReal& share, const CrackReal& angle) {
   const auto f = with_derivatives<4>(share, angle, [](double x, double beta) {
     const RowFactors row = row_factors(x, beta);
     return std::array{row.opening_by_normal, row.sliding_by_normal, row.opening_by_shear,
@@ -233,7 +234,7 @@ BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& ang
 
 double pressed_row(double share, double angle) { return table_of(angle)->pressed(share); }
 
-DualReal pressed_row(const DualReal& share, const DualReal& angle) {
+CrackReal pressed_row(const CrackReal& share, const CrackReal& angle) {
   return with_derivatives<1>(
       share, angle, [](double x, double beta) { return std::array{pressed_row(x, beta)}; })[0];
 }

@@ -54,7 +54,7 @@ class Survey {
   std::set<std::array<long, Similar::kArguments>> boxes_;
 };
 
-using AnySurvey = OfAnySolution<Survey>;
+using AnySurvey = OfAnySolution<double, Survey>;
 
 struct Surveyor {
   AnySurvey& survey;

@@ -384,7 +384,7 @@ BasicOneSidedFactors<Real> BasicOneSidedTable<Real>::at(const Real& depth_ratio,
 }
 
 template class BasicOneSidedTable<double>;
-template class BasicOneSidedTable<DualReal>;
+template class BasicOneSidedTable<CrackReal>;
 
 OneSidedFactors one_sided_factors(double depth_ratio, double aspect, double t) {
   return BasicOneSidedTable<double>(aspect).at(depth_ratio, t);

@@ -55,6 +55,6 @@ typename BasicKassirSih<Real>::FrontMeans BasicKassirSih<Real>::root_mean_square
 }
 
 template class BasicKassirSih<double>;
-template class BasicKassirSih<DualReal>;
+template class BasicKassirSih<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -85,6 +85,6 @@ Real BasicNewmanRaju<Real>::bending_ratio(const Real& depth_ratio, double phi) c
 }
 
 template class BasicNewmanRaju<double>;
-template class BasicNewmanRaju<DualReal>;
+template class BasicNewmanRaju<CrackReal>;
 
 }  // namespace strainwave::sif

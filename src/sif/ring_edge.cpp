@@ -43,6 +43,6 @@ UnitStressIntensity<1, Real> BasicEdgeCrack<Real>::stress_intensity(const Real& 
 }
 
 template struct BasicEdgeCrack<double>;
-template struct BasicEdgeCrack<DualReal>;
+template struct BasicEdgeCrack<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -132,6 +132,14 @@ FloaterHormann<Real, kColumns + 1> tension_curve(const Real& rho) {
                            [&](std::size_t column) -> Real { return exp(kCurves[column](rho)); });
 }
 
+/// ln sec(pi alpha/2), accurate for shallow cracks too.
+template <class Real>
+Real log_sec(const Real& alpha) {
+  using std::log1p, std::sin;
+  const Real sine = sin(pi * alpha / 4);
+  return -log1p(-2 * sine * sine);
+}
+
 template <class Real>
 Real p1(AnnularPolynomials which, const Real& x) {
   return which == AnnularPolynomials::tada ? polynomial(kTada1, x) : polynomial(kImproved1, x);
@@ -194,42 +202,60 @@ Real BasicAnnularCrackHollow<Real>::swept_area(const Real& a, double) const {
 template <class Real>
 UnitStressIntensity<2, Real> BasicAnnularCrackHollow<Real>::stress_intensity(const Real& a,
                                                                              double) const {
-  using std::exp, std::log1p, std::sin, std::sqrt, std::tan;
-  const Real& ro = p_.outer_radius;
-  const Real& ri = p_.inner_radius;
-  const Real t = ro - ri;
-  const Real alpha = a / t;
+  using std::exp, std::sqrt, std::tan;
+  const Real alpha = a / wall();
   const Real front = swept_area(a, 0.0);
   UnitStressIntensity<2, Real> k;
 
-  // lambda_TT = 4t/(pi mu I_p) ln sec(pi alpha/2) C_T (FR-14); K_III = T sqrt(mu lambda_TT'/front),
-  // where mu drops out (FR-16).
-  const Real I_p = pi / 2 * (ro * ro + ri * ri) * (ro + ri) * t;
+  // K_III = T sqrt(mu lambda_TT'/front), where mu drops out (FR-16).
   const auto log_torsion = log_torsion_.value_and_slope(alpha);
   const Real C_T = shallow_torsion_factor_ * exp(log_torsion.value);
-  const Real half_angle = pi * alpha / 2;
-  const Real sine = sin(half_angle / 2);
-  const Real log_sec = -log1p(-2 * sine * sine);
-  const Real torsion_slope =
-      4 / (pi * I_p) * C_T * (pi / 2 * tan(half_angle) + log_sec * log_torsion.slope);
+  const Real torsion_slope = torsion_scale() / wall() * C_T *
+                             (pi / 2 * tan(pi * alpha / 2) + log_sec(alpha) * log_torsion.slope);
   k.III[1] = sqrt(torsion_slope / front);
 
-  // lambda_PP = 2(1-nu^2) 1.1215^2 pi^2 r_o a^2/(E A^2) C_P (FR-15);
   // K_I = P sqrt(E lambda_PP'/(2(1-nu^2) front)), where E and nu drop out (FR-16).
   if (p_.open) {
-    const Real A = pi * (ro + ri) * t;
-    const Real stress = kEdgeCrackFactor * pi / A;
     const auto tension = tension_.value_and_slope(alpha);
     const Real tension_slope =
-        stress * stress * ro * a * (2 * tension.value + alpha * tension.slope);
+        tension_scale() / 2 * p_.outer_radius * a * (2 * tension.value + alpha * tension.slope);
     k.I[0] = sqrt(tension_slope / front);
   }
   return k;
 }
 
+template <class Real>
+Real BasicAnnularCrackHollow<Real>::torsion_scale() const {
+  const Real& ro = p_.outer_radius;
+  const Real& ri = p_.inner_radius;
+  const Real I_p = pi / 2 * (ro * ro + ri * ri) * (ro + ri) * wall();
+  return 4 * wall() / (pi * I_p);
+}
+
+template <class Real>
+Real BasicAnnularCrackHollow<Real>::tension_scale() const {
+  const Real A = pi * (p_.outer_radius + p_.inner_radius) * wall();
+  const Real stress = kEdgeCrackFactor * pi / A;
+  return 2 * stress * stress;
+}
+
+template <class Real>
+SymmetricMatrix<2, Real> BasicAnnularCrackHollow<Real>::compliance(
+    const BasicCrackModuli<Real>& moduli) const {
+  const Real& a = p_.depth;
+  const Real alpha = a / wall();
+  SymmetricMatrix<2, Real> matrix;
+  matrix(1, 1) =
+      torsion_scale() * log_sec(alpha) * torsion_factor(alpha) / moduli.shear;  // (FR-14)
+  if (p_.open)
+    matrix(0, 0) = tension_scale() * p_.outer_radius * a * a * tension_factor(alpha) /
+                   moduli.opening;  // (FR-15)
+  return matrix;
+}
+
 template struct BasicAnnularCrackSolid<double>;
-template struct BasicAnnularCrackSolid<DualReal>;
+template struct BasicAnnularCrackSolid<CrackReal>;
 template class BasicAnnularCrackHollow<double>;
-template class BasicAnnularCrackHollow<DualReal>;
+template class BasicAnnularCrackHollow<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -106,7 +106,7 @@ BasicShellFactors<Real> BasicShellFactorsAtAngle<Real>::at(const Real& lambda) c
 }
 
 template class BasicShellFactorsAtAngle<double>;
-template class BasicShellFactorsAtAngle<DualReal>;
+template class BasicShellFactorsAtAngle<CrackReal>;
 
 ShellFactors shell_factors(double lambda, double angle) {
   return BasicShellFactorsAtAngle<double>(angle).at(lambda);

@@ -90,6 +90,6 @@ BasicShellFactors<Real> BasicShellRowAtAngle<Real>::at(const Real& lambda,
 }
 
 template class BasicShellRowAtAngle<double>;
-template class BasicShellRowAtAngle<DualReal>;
+template class BasicShellRowAtAngle<CrackReal>;
 
 }  // namespace strainwave::sif

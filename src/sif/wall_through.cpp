@@ -80,18 +80,18 @@ CrackPlaneStress crack_plane_stress(double mean_radius, double wall_thickness, d
   return plane_stress(mean_radius, wall_thickness, angle, nonuniformity);
 }
 
+BasicCrackPlaneStress<CrackReal> crack_plane_stress(const CrackReal& mean_radius,
+                                                    const CrackReal& wall_thickness,
+                                                    const CrackReal& angle,
+                                                    const CrackReal& nonuniformity) {
+  return plane_stress(mean_radius, wall_thickness, angle, nonuniformity);
+}
+
 BasicCrackPlaneStress<DualReal> crack_plane_stress(const DualReal& mean_radius,
                                                    const DualReal& wall_thickness,
                                                    const DualReal& angle,
                                                    const DualReal& nonuniformity) {
   return plane_stress(mean_radius, wall_thickness, angle, nonuniformity);
-}
-
-template <class Real>
-Real BasicThroughCrackInTube<Real>::shell_parameter_squared(const Real& a) const {
-  using std::sqrt;
-  const Real& nu = poissons_ratio;
-  return sqrt(12 * (1 - nu * nu)) * a * a / (mean_radius * wall_thickness);  // (FR-8)
 }
 
 template <class Real>
@@ -181,8 +181,8 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
 }
 
 template class BasicThroughCrackFamily<double>;
-template class BasicThroughCrackFamily<DualReal>;
+template class BasicThroughCrackFamily<CrackReal>;
 template struct BasicThroughCrackInTube<double>;
-template struct BasicThroughCrackInTube<DualReal>;
+template struct BasicThroughCrackInTube<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -3,19 +3,22 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "series_model.hpp"
+#include "strainwave/crack_tables/crack_derivatives.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 
 namespace strainwave {
 namespace {
 
 /// The engine of the added compliance, as the source of every crack.
-template <class Real>
 struct ByEngine {
-  const SeriesModel<Real>& model;
+  const SeriesModel<double>& model;
   const QuadratureOptions& options;
   bool converged = true;
 
@@ -30,7 +33,7 @@ struct ByEngine {
 
 /// Tables of similar cracks, and the engine for what they do not contain.
 struct ByTables {
-  ByEngine<double> engine;
+  ByEngine engine;
   CrackTables::Reader& tables;
 
   template <class Solution, class Add>
@@ -133,14 +136,76 @@ SeriesCompliance<Real> sum_of_members(const GearSet& gear, const SeriesModel<Rea
 
 }  // namespace
 
-template <class Real>
-SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& lift,
-                                         const StiffnessOptions& options) {
-  const SeriesModel<Real> model(gear, lift);
-  ByEngine<Real> engine{model, options.quadrature};
-  SeriesCompliance<Real> total = sum_of_members(gear, model, engine);
+struct SeriesDerivatives::Cracks {
+  /// Derivatives of one crack under both senses of torque.
+  template <class Solution>
+  struct BothSensesOf {
+    CrackDerivatives<Solution> positive;
+    std::optional<CrackDerivatives<Solution>> negative;  ///< absent: as under positive torque
+  };
+  std::vector<OfAnySolution<DualReal, BothSensesOf>> of;  ///< by index; filled when first read
+};
+
+namespace {
+
+/// Derivatives of the cracks with respect to their own arguments, kept for all inputs.
+struct ByDerivatives {
+  const SeriesModel<DualReal>& model;
+  const QuadratureOptions& options;
+  SeriesDerivatives::Cracks& cracks;
+  bool converged = true;
+
+  template <class Solution, class Add>
+  void operator()(std::size_t index, const CrackNumbers<Solution>& numbers, const Add& add) {
+    using Both = SeriesDerivatives::Cracks::BothSensesOf<Solution>;
+    if (index >= cracks.of.size()) cracks.of.resize(index + 1);
+    auto& any = cracks.of[index];
+    if (std::holds_alternative<std::monostate>(any)) {
+      const auto under = [&](Faces faces) {
+        return CrackDerivatives<Solution>(numbers, faces, options);
+      };
+      Both both{.positive = under(numbers.faces.positive), .negative = {}};
+      if (numbers.faces.differ()) both.negative = under(numbers.faces.negative);
+      any = std::move(both);
+    }
+    const Both& both = std::get<Both>(any);
+    converged =
+        converged && both.positive.converged() && (!both.negative || both.negative->converged());
+    using Matrix = SymmetricMatrix<Solution::kLoads, DualReal>;
+    const DualReal positive = model.at_output(Matrix(both.positive(numbers)));
+    add(positive, both.negative ? model.at_output(Matrix((*both.negative)(numbers))) : positive);
+  }
+};
+
+}  // namespace
+
+SeriesDerivatives::SeriesDerivatives(const GearSet& gear, const StiffnessOptions& options)
+    : gear_(gear), options_(options.quadrature), cracks_(std::make_unique<Cracks>()) {}
+
+SeriesDerivatives::~SeriesDerivatives() = default;
+
+SeriesCompliance<DualReal> SeriesDerivatives::of(const Lift<DualReal>& lift) {
+  const SeriesModel<DualReal> model(gear_, lift);
+  ByDerivatives source{model, options_, *cracks_};
+  SeriesCompliance<DualReal> total = sum_of_members(gear_, model, source);
+  total.usable = total.usable && source.converged;
+  return total;
+}
+
+template <>
+SeriesCompliance<double> series_compliance(const GearSet& gear, const Lift<double>& lift,
+                                           const StiffnessOptions& options) {
+  const SeriesModel<double> model(gear, lift);
+  ByEngine engine{model, options.quadrature};
+  SeriesCompliance<double> total = sum_of_members(gear, model, engine);
   total.usable = total.usable && engine.converged;
   return total;
+}
+
+template <>
+SeriesCompliance<DualReal> series_compliance(const GearSet& gear, const Lift<DualReal>& lift,
+                                             const StiffnessOptions& options) {
+  return SeriesDerivatives(gear, options).of(lift);
 }
 
 SeriesCompliance<double> series_compliance(const GearSet& gear, CrackTables::Reader& tables) {
@@ -159,10 +224,5 @@ std::vector<Note> smoothness_notes(const GearSet& gear) {
       if (std::ranges::find(notes, kink) == notes.end()) notes.push_back(kink);
   return notes;
 }
-
-template SeriesCompliance<double> series_compliance(const GearSet&, const Lift<double>&,
-                                                    const StiffnessOptions&);
-template SeriesCompliance<DualReal> series_compliance(const GearSet&, const Lift<DualReal>&,
-                                                      const StiffnessOptions&);
 
 }  // namespace strainwave

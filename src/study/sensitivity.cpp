@@ -38,9 +38,10 @@ struct Number {
 std::vector<Number> numbers_of(const GearSet& gear) {
   std::vector<Number> numbers;
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
-    if (path.text().starts_with("scatter[") || path.text().starts_with("correlation[")) return;
+    std::string text = path.text();
+    if (text.starts_with("scatter[") || text.starts_with("correlation[")) return;
     numbers.push_back(
-        {.input = {.path = path.text(), .unit = field.unit, .value = value, .influence = {}},
+        {.input = {.path = std::move(text), .unit = field.unit, .value = value, .influence = {}},
          .address = &value});
   });
   return numbers;
@@ -183,6 +184,7 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
     sensitivity.outputs.push_back(output);
 
   std::vector<Number> numbers = numbers_of(gear);
+  SeriesDerivatives derivatives(gear, options);
   bool converged = true;
   for (std::size_t first = 0; first < numbers.size(); first += kDualWidth) {
     const std::size_t n = std::min(kDualWidth, numbers.size() - first);
@@ -190,7 +192,7 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
     for (std::size_t k = 0; k < n; ++k) addresses[k] = numbers[first + k].address;
     const auto inputs = std::span(addresses).first(n);
     const Lift<DualReal> lift(inputs);
-    const auto series = series_compliance(gear, lift, options);
+    const auto series = derivatives.of(lift);
     const auto outputs = outputs_of(series);
     const std::vector<DualReal> lines = of_coupled.values(gear, lift, series);
     converged = converged && series.usable;
@@ -230,6 +232,9 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
 }
 
 Sensitivity held_to_dimensions(Sensitivity sensitivity) {
+  std::vector<LengthAndForce> of_inputs;
+  for (const SensitivityInput& input : sensitivity.inputs)
+    of_inputs.push_back(length_and_force(input.unit));
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     SensitivityOutput& output = sensitivity.outputs[y];
     const LengthAndForce of_output = length_and_force(output.value.unit);
@@ -237,10 +242,10 @@ Sensitivity held_to_dimensions(Sensitivity sensitivity) {
     output.force_residual = -of_output.force;
     output.length_residual -= 2 * output.of_pressures;  // N/m^2
     output.force_residual += output.of_pressures;
-    for (const SensitivityInput& input : sensitivity.inputs) {
-      const LengthAndForce of_input = length_and_force(input.unit);
-      output.length_residual += input.influence[y].elasticity * of_input.length;  // (SN-6)
-      output.force_residual += input.influence[y].elasticity * of_input.force;    // (SN-6)
+    for (std::size_t i = 0; i < of_inputs.size(); ++i) {
+      const double elasticity = sensitivity.inputs[i].influence[y].elasticity;
+      output.length_residual += elasticity * of_inputs[i].length;  // (SN-6)
+      output.force_residual += elasticity * of_inputs[i].force;    // (SN-6)
     }
   }
   const double residual = sensitivity.homogeneity_residual();

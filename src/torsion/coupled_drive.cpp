@@ -20,6 +20,8 @@ constexpr double kToothSpan = pi / 4;
 /// smaller residual, a residual of this many tolerances is accepted (TC-11).
 constexpr int kStalledSteps = 5;
 constexpr double kStalledTolerances = 100;
+/// Residual below which Newton's steps are taken in full (TC-11).
+constexpr double kNear = 1e-3;
 
 /// Places of all balls, and of the teeth near the lobes.
 ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
@@ -150,6 +152,12 @@ CoupledDrive::Law CoupledDrive::pressed_law(int contact, double closing) const {
   return {m * flank.force(closing), m * flank.stiffness(closing), m * flank.energy(closing)};
 }
 
+double CoupledDrive::pressed_force(int contact, double closing) const {
+  if (contact < g_.balls) return ball_force(g_, closing);
+  return multiplier_[contact] *
+         flanks_[static_cast<std::size_t>(contact - g_.balls)].force(closing);
+}
+
 void CoupledDrive::close_rigidly(Equilibrium& state) const {
   state.system.reset();
   state.closing = free_ + amplitude_ * cam_ + state.rotation * rotation_;
@@ -205,15 +213,16 @@ std::shared_ptr<const ContactSystem> CoupledDrive::system_of(const Equilibrium& 
   Eigen::MatrixXd matrix(m, m);
   system->border.resize(m);
   system->root = Eigen::Map<const Eigen::VectorXd>(stiffness.data(), m).cwiseSqrt();
-  system->opening.resize(contacts(), m);
   for (Eigen::Index q = 0; q < m; ++q) {
     const int j = system->contact[static_cast<std::size_t>(q)];
-    system->opening.col(q) = rings_->flexibility().col(j);
-    system->border[q] = system->root[q] * rotation_[j];
+    const double root = system->root[q];
+    const double* const opening = &rings_->flexibility()(0, j);
+    system->border[q] = root * rotation_[j];
+    double* const column = &matrix(0, q);  // its lower part is factored
     for (Eigen::Index p = q; p < m; ++p)
-      matrix(p, q) = system->root[p] * system->root[q] *
-                     system->opening(system->contact[static_cast<std::size_t>(p)], q);
-    matrix(q, q) += 1.0 + system->root[q] * system->root[q] * own_[j];
+      column[p] = opening[system->contact[static_cast<std::size_t>(p)]];
+    matrix.col(q).tail(m - q).array() *= root * system->root.tail(m - q).array();
+    column[q] += 1.0 + root * root * own_[j];
   }
   system->factor.compute(matrix);
   if (system->factor.info() != Eigen::Success)
@@ -248,7 +257,7 @@ CoupledDrive::TouchingForces CoupledDrive::forces_of(const ContactSystem& system
 Equilibrium CoupledDrive::newton_step(const ContactSystem& system, const Equilibrium& state,
                                       double load) const {
   const TouchingForces t = forces_of(system, [&](int i, double root) {
-    return law(i, state.closing[i]).force / root +
+    return force_at(i, state.closing[i]) / root +
            root * (free_[i] + amplitude_ * cam_[i] - state.closing[i]);
   });
   Equilibrium full;
@@ -261,9 +270,68 @@ Equilibrium CoupledDrive::newton_step(const ContactSystem& system, const Equilib
   else if (load != 0)
     full.rotation += free_travel(state.closing, load);
   full.force = t.force(full.rotation, contacts());
-  full.elastic.noalias() = -system.opening * t.touching(full.rotation);
-  close_rigidly(full);
+  close(full);
   return full;
+}
+
+std::optional<Equilibrium> CoupledDrive::solve_touching(const ContactSystem& system,
+                                                        const Equilibrium& start,
+                                                        const Eigen::VectorXd& guess,
+                                                        double load) const {
+  // A step costs a tenth of a factorisation, so slow steps are accepted.
+  constexpr int kMostSteps = 12;
+  constexpr double kSlow = 4;
+  if (!(system.resistance > 0) && load != 0) return std::nullopt;  // no flank holds the ring
+  const Eigen::Index m = system.root.size();
+  const auto contact = [&](Eigen::Index p) { return system.contact[static_cast<std::size_t>(p)]; };
+  Eigen::VectorXd closing(m);
+  Eigen::VectorXd is(m);  // forces of these closings by the laws of the contacts
+  Eigen::VectorXd rigid(m);
+  for (Eigen::Index p = 0; p < m; ++p) {
+    const int i = contact(p);
+    closing[p] = guess[i];
+    if (!(closing[p] > 0)) return std::nullopt;
+    is[p] = force_at(i, closing[p]);
+    rigid[p] = free_[i] + amplitude_ * cam_[i];
+  }
+  const auto in_full = [&](double rotation, const Eigen::VectorXd& force, int steps) {
+    Equilibrium full;
+    full.torque = start.torque;
+    full.rotation = rotation;
+    full.force = Eigen::VectorXd::Zero(contacts());
+    for (Eigen::Index p = 0; p < m; ++p) full.force[contact(p)] = force[p];
+    close(full);
+    judge(full, load);
+    full.iterations = steps;
+    return full;
+  };
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int step = 1;; ++step) {
+    TouchingForces t{
+        .system = system,
+        .base = is.cwiseQuotient(system.root) + system.root.cwiseProduct(rigid - closing)};
+    system.factor.solveInPlace(t.base);
+    const double rotation = system.resistance > 0 ? t.rotation(load) : start.rotation;
+    const Eigen::VectorXd force = t.touching(rotation);
+    // The step solves root (closing - closing before) = (force - is)/root (TC-11).
+    closing += (force - is).cwiseQuotient(system.root.cwiseAbs2());
+    double largest = 0.0;
+    double error = 0.0;
+    double carried = 0.0;
+    for (Eigen::Index p = 0; p < m; ++p) {
+      const int i = contact(p);
+      if (!(closing[p] > 0)) return std::nullopt;
+      is[p] = force_at(i, closing[p]);
+      largest = std::max(largest, is[p]);
+      error = std::max(error, std::abs(is[p] - force[p]));
+      carried += is[p] * rotation_[i];
+    }
+    error = std::max(error, std::abs(carried - load));
+    if (!(error <= kNear * largest)) return std::nullopt;
+    if (error <= tolerance_ * largest || error * kSlow > smallest || step == kMostSteps)
+      return in_full(rotation, force, step);
+    smallest = error;
+  }
 }
 
 void CoupledDrive::judge(Equilibrium& state, double load) const {
@@ -271,7 +339,7 @@ void CoupledDrive::judge(Equilibrium& state, double load) const {
   double error = 0.0;
   double carried = 0.0;
   for (int i = 0; i < contacts(); ++i) {
-    const double is = law(i, state.closing[i]).force;
+    const double is = force_at(i, state.closing[i]);
     largest = std::max(largest, is);
     error = std::max(error, std::abs(is - state.force[i]));
     carried += is * rotation_[i];
@@ -292,7 +360,7 @@ double CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, do
   const double before = energy(state, load);
   double slope = -load * d_rotation;
   for (int i = 0; i < contacts(); ++i) {
-    slope += law(i, state.closing[i]).force * d_closing[i];
+    slope += force_at(i, state.closing[i]) * d_closing[i];
     if (d_force[i] != 0)
       slope += d_force[i] * (rigid_closing(i, state.rotation) - state.closing[i]);
   }
@@ -313,13 +381,14 @@ double CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, do
   return step;
 }
 
-Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
+Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start,
+                                const Eigen::VectorXd& ahead) const {
   // (TC-11): Newton's method on the contact forces; the energy along a step decides its length,
   // except that a step is taken in full if it leaves a residual of kNear or less, the smallest so
   // far.  The factored system of a state serves the next steps too while the same contacts touch
-  // and each step divides the residual by kFast.
+  // and each step divides the residual by kFast.  Near the equilibrium the contacts that touch are
+  // solved alone, and all contacts judge the result.
   constexpr double kFast = 10;
-  constexpr double kNear = 1e-3;
   const double load = torque / g_.ring_radius;
   Equilibrium state = start;
   state.torque = torque;
@@ -327,8 +396,25 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
   std::shared_ptr<const ContactSystem> system = system_of(start);
   double smallest = std::numeric_limits<double>::infinity();
   int stalled = 0;
+  // Whether the contacts that touch alone may find the equilibrium.
+  bool near = start.system != nullptr;
   for (state.iterations = 0; state.iterations < max_iterations_; ++state.iterations) {
     if (!system) system = system_of(state);
+    if (near) {
+      near = false;
+      const Eigen::VectorXd* const guess =
+          state.iterations == 0 && ahead.size() > 0 ? &ahead : &state.closing;
+      if (std::optional<Equilibrium> found = solve_touching(*system, state, *guess, load)) {
+        found->iterations += state.iterations;
+        if (found->converged) return *std::move(found);
+        // Another contact touches, or the stiffness changes.
+        if (found->residual <= kNear && found->residual < smallest) {
+          smallest = found->residual;
+          state = *std::move(found);
+          system = system_of(state);
+        }
+      }
+    }
     Equilibrium full = newton_step(*system, state, load);
     judge(full, load);
     const bool fast = full.residual * kFast <= smallest;
@@ -345,6 +431,7 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
     if (stalled == 0 && full.residual <= kNear) {
       full.iterations = state.iterations;
       state = std::move(full);
+      near = true;
     } else {
       share = move_toward(full, state, load);
     }
@@ -358,9 +445,12 @@ CoupledDrive::Tangent CoupledDrive::linear_response(const Equilibrium& state,
                                                     const Eigen::VectorXd& moved,
                                                     double load) const {
   const std::shared_ptr<const ContactSystem> system = system_of(state);
-  const TouchingForces t = forces_of(*system, [&](int i, double root) { return root * moved[i]; });
+  return response_of(forces_of(*system, [&](int i, double root) { return root * moved[i]; }), load);
+}
+
+CoupledDrive::Tangent CoupledDrive::response_of(const TouchingForces& t, double load) const {
   Tangent result;
-  if (system->resistance > 0)
+  if (t.system.resistance > 0)
     result.rotation = t.rotation(load);
   else if (load != 0)  // no flank touches: the ring turns freely
     result.rotation = std::numeric_limits<double>::infinity();
@@ -369,7 +459,9 @@ CoupledDrive::Tangent CoupledDrive::linear_response(const Equilibrium& state,
 }
 
 CoupledDrive::Tangent CoupledDrive::tangent(const Equilibrium& state) const {
-  return linear_response(state, Eigen::VectorXd::Zero(contacts()), 1 / g_.ring_radius);  // (TC-15)
+  const std::shared_ptr<const ContactSystem> system = system_of(state);
+  return response_of({.system = *system, .base = Eigen::VectorXd::Zero(system->root.size())},
+                     1 / g_.ring_radius);  // (TC-15)
 }
 
 Equilibrium CoupledDrive::unloaded() const {
@@ -390,11 +482,15 @@ bool CoupledDrive::assemble() {
   assembled_ = unloaded();
   double missing = w0;
   for (int step = 0; step < kMostSteps; ++step) {
+    // The system of the last amplitude serves this one too.
+    const std::shared_ptr<const ContactSystem> system = std::move(assembled_.system);
     close_rigidly(assembled_);
+    assembled_.system = system;
     assembled_ = solve(0.0, assembled_);
     if (!assembled_.converged) return false;
     missing = w0 - rings_->lobe(assembled_.force);
     if (std::abs(missing) <= kExact * w0) break;
+    assembled_.system = system_of(assembled_);
     const Tangent response = linear_response(assembled_, cam_, 0.0);
     const double rise = rings_->lobe(response.force);
     // If no ball touches yet, increase the cam by the whole missing amount.

@@ -24,7 +24,6 @@ struct ContactSystem {
   Eigen::VectorXd border;    // root times the closing per unit of c_0
   Eigen::VectorXd turned;    // force over root per unit of c_0
   double resistance = 0.0;   // of all contacts against c_0
-  Eigen::MatrixXd opening;   // of all contacts under a unit force of each that touches
   Eigen::LLT<Eigen::MatrixXd> factor;
 };
 
@@ -74,7 +73,10 @@ class CoupledDrive {
   }
 
   /// Equilibrium under a torque, from another state on this cam.
-  [[nodiscard]] Equilibrium solve(double torque, const Equilibrium& start) const;
+  /// @param ahead  closings expected there, which a start with its system may use; empty: those of
+  ///               the start
+  [[nodiscard]] Equilibrium solve(double torque, const Equilibrium& start,
+                                  const Eigen::VectorXd& ahead = {}) const;
 
   /// Complementary energy W = T c_0/R - V of rings and contacts [J]; dW/dT = c_0/R (MO-27).
   [[nodiscard]] double complementary_energy(const Equilibrium& state) const {
@@ -136,6 +138,11 @@ class CoupledDrive {
     return closing <= 0 ? Law{} : pressed_law(contact, closing);
   }
   [[nodiscard]] Law pressed_law(int contact, double closing) const;
+  /// The force of `law` alone.
+  [[nodiscard]] double force_at(int contact, double closing) const {
+    return closing <= 0 ? 0.0 : pressed_force(contact, closing);
+  }
+  [[nodiscard]] double pressed_force(int contact, double closing) const;
   /// Closing of an unloaded contact on rigid rings.
   [[nodiscard]] double rigid_closing(int contact, double rotation) const {
     return free_[contact] + amplitude_ * cam_[contact] + rotation * rotation_[contact];
@@ -164,6 +171,8 @@ class CoupledDrive {
   /// @param right  (contact, root) -> right-hand side of the contact, over root
   template <class Right>
   [[nodiscard]] TouchingForces forces_of(const ContactSystem& system, const Right& right) const;
+  /// Change of the forces that touch, and of the rotation.
+  [[nodiscard]] Tangent response_of(const TouchingForces& t, double load) const;
   /// Whether the contacts of a system are those that touch at these closings.
   [[nodiscard]] bool same_contacts(const ContactSystem& system,
                                    const Eigen::VectorXd& closing) const;
@@ -173,6 +182,15 @@ class CoupledDrive {
   /// one.
   [[nodiscard]] Equilibrium newton_step(const ContactSystem& system, const Equilibrium& state,
                                         double load) const;
+  /// Newton's method on the contacts of one factored system alone: the steps of `newton_step`
+  /// without the contacts that do not touch.
+  /// @param guess  closings of all contacts from which the steps begin
+  /// @return  a state of all contacts; empty if the first step is not near the equilibrium, or if
+  ///          a contact of the system opens
+  [[nodiscard]] std::optional<Equilibrium> solve_touching(const ContactSystem& system,
+                                                          const Equilibrium& start,
+                                                          const Eigen::VectorXd& guess,
+                                                          double load) const;
   /// Sets the residual of the forces against the laws of their contacts and the load.
   void judge(Equilibrium& state, double load) const;
   /// Moves toward the full step as far as the energy falls; returns the share of the step.

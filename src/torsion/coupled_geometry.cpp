@@ -12,6 +12,7 @@
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/crack_tables/crack_derivatives.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/model/input/section_materials.hpp"
@@ -88,14 +89,18 @@ Real third_power_bending(const Real& E, const Real& width, const Real& thickness
 template <class Real>
 Real hinge_compliance(const Real& depth, const Real& thickness, const Real& width,
                       const BasicElasticConstants<Real>& steel) {
-  const sif::BasicEdgeCrack<Real> crack{.depth = depth,
-                                        .thickness = thickness,
-                                        .width = width,
-                                        .unit_stress = 6 / (width * thickness * thickness),
-                                        .loading = sif::StripLoading::bending};
-  return added_compliance(crack, BasicCrackModuli<Real>{.opening = steel.plane_strain_modulus(),
-                                                        .shear = steel.G})
-      .matrix(0, 0);  // (TC-22)
+  const CrackNumbers<sif::BasicEdgeCrack<Real>> crack{
+      .parameters = {.depth = depth,
+                     .thickness = thickness,
+                     .width = width,
+                     .unit_stress = 6 / (width * thickness * thickness),
+                     .loading = sif::StripLoading::bending},
+      .moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G},
+      .faces = {}};
+  if constexpr (is_dual<Real>)
+    return CrackDerivatives(crack, Faces::open, {})(crack);  // (TC-22)
+  else
+    return added_compliance(crack.parameters, crack.moduli).matrix(0, 0);  // (TC-22)
 }
 
 /// The drive of the series model with the lobe force set to the force of one ball.
@@ -152,10 +157,8 @@ DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
                    [&](const std::string& of, const auto& crack) {
                      if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, Crack>)
                        if (of == path) {
-                         const auto loaded = loads.loaded(crack);
-                         result = added_compliance(loaded.with_faces(loaded.faces.positive),
-                                                   loaded.moduli)
-                                      .matrix(0, 0);
+                         const auto numbers = loads.numbers(crack);
+                         result = CrackDerivatives(numbers, numbers.faces.positive, {})(numbers);
                        }
                    });
     return result;

@@ -31,6 +31,13 @@ Waves::Waves(const std::vector<double>& positions, int harmonics) {
   }
 }
 
+Waves Waves::transposed() const {
+  Waves columns = *this;
+  columns.cosine = cosine.transpose();
+  columns.sine = sine.transpose();
+  return columns;
+}
+
 std::vector<double> ContactPlaces::positions() const {
   std::vector<double> positions = balls;
   for (int flank = 0; flank < 2; ++flank)
@@ -50,7 +57,8 @@ ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
       position_(places.positions()),
       at_balls_({position_.begin(), position_.begin() + balls_}, options.harmonics),
       at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_},
-                options.harmonics) {
+                options.harmonics),
+      of_tooth_(at_teeth_.transposed()) {
   for (int i = 0; i < 2 * teeth_; ++i) {
     const FlankShares& of = shares[static_cast<std::size_t>(i)];
     shares_.col(i) << of.outward, of.along, of.higher;
@@ -70,15 +78,16 @@ BasicForceWaves<double> ElasticRings::waves_of(const Eigen::VectorXd& force) con
   sums.even[0] = at_balls_.cosine.transpose() * of_balls;
   sums.odd[0] = at_balls_.sine.transpose() * of_balls;
   for (std::size_t group = 1; group < 4; ++group) {
-    const auto share = shares_.row(static_cast<Eigen::Index>(group) - 1).transpose();
-    if (absent(share)) {
-      sums.even[group] = sums.odd[group] = Eigen::VectorXd::Zero(model_.harmonics() + 1);
-      continue;
+    sums.even[group] = sums.odd[group] = Eigen::VectorXd::Zero(model_.harmonics() + 1);
+    const auto share = shares_.row(static_cast<Eigen::Index>(group) - 1);
+    if (absent(share)) continue;
+    for (int j = 0; j < teeth_; ++j) {
+      const double of_tooth =
+          share[j] * force[balls_ + j] + share[teeth_ + j] * force[balls_ + teeth_ + j];
+      if (of_tooth == 0) continue;  // most teeth carry no force
+      sums.even[group] += of_tooth * of_tooth_.cosine.col(j);
+      sums.odd[group] += of_tooth * of_tooth_.sine.col(j);
     }
-    const Eigen::VectorXd all = share.cwiseProduct(force.tail(2 * teeth_));
-    const Eigen::VectorXd of_teeth = all.head(teeth_) + all.tail(teeth_);
-    sums.even[group] = at_teeth_.cosine.transpose() * of_teeth;
-    sums.odd[group] = at_teeth_.sine.transpose() * of_teeth;
   }
   return sums;
 }
@@ -181,9 +190,10 @@ void ElasticRings::fill_flanks(const ContactPlaces& places) {
   const auto odd = [&](const ContactDirection& of, const ContactDirection& by) -> Eigen::VectorXd {
     return waves.sine * kernel(of, by).odd;
   };
-  const Eigen::VectorXd along_higher = even(along, higher);
-  const Eigen::VectorXd higher_higher = even(higher, higher);
-  const Eigen::VectorXd outward_higher = odd(outward, higher);
+  const bool has_higher = !absent(shares_.row(2));
+  const Eigen::VectorXd along_higher = has_higher ? even(along, higher) : Eigen::VectorXd();
+  const Eigen::VectorXd higher_higher = has_higher ? even(higher, higher) : Eigen::VectorXd();
+  const Eigen::VectorXd outward_higher = has_higher ? odd(outward, higher) : Eigen::VectorXd();
   struct Table {
     Eigen::VectorXd outward;
     Eigen::VectorXd along;
@@ -209,11 +219,11 @@ void ElasticRings::fill_flanks(const ContactPlaces& places) {
         const auto a = shares_.col(of_first + i);
         const int steps = tooth_[static_cast<std::size_t>(i)] - tooth_[static_cast<std::size_t>(j)];
         const int k = steps < 0 ? steps + places.pitches : steps;
-        const double opens = a[0] * b[0] * by.outward[k] + a[1] * b[1] * by.along[k] +
-                             (a[1] * b[2] + a[2] * b[1]) * along_higher[k] +
-                             a[2] * b[2] * higher_higher[k] +
-                             (a[0] * b[1] - a[1] * b[0]) * by.mixed[k] +
-                             (a[0] * b[2] - a[2] * b[0]) * outward_higher[k];
+        double opens = a[0] * b[0] * by.outward[k] + a[1] * b[1] * by.along[k] +
+                       (a[0] * b[1] - a[1] * b[0]) * by.mixed[k];
+        if (has_higher)
+          opens += (a[1] * b[2] + a[2] * b[1]) * along_higher[k] + a[2] * b[2] * higher_higher[k] +
+                   (a[0] * b[2] - a[2] * b[0]) * outward_higher[k];
         flexibility_(balls_ + of_first + i, balls_ + by_first + j) = opens;
         flexibility_(balls_ + by_first + j, balls_ + of_first + i) = opens;  // Maxwell
       }
@@ -234,18 +244,21 @@ FlankPlace ElasticRings::flank(int contact) const {
 double ElasticRings::neighbour_energy(const Eigen::VectorXd& force) const {
   double energy = 0.0;
   if (!neighbours_) return energy;
-  std::vector<int> loaded;
+  struct Loaded {
+    FlankPlace place;
+    FlankShares force;  // of the contact, by its directions
+  };
+  std::vector<Loaded> loaded;
   for (int i = balls_; i < contacts(); ++i)
-    if (force[i] != 0) loaded.push_back(i);
-  for (std::size_t p = 0; p < loaded.size(); ++p)
-    for (std::size_t q = 0; q <= p; ++q) {
-      const int i = loaded[p];
-      const int j = loaded[q];
-      const double pair =
-          force[i] * force[j] *
-          neighbours_->between(flank(i), flank(j)).opening(shares_of(i), shares_of(j));
-      energy += p == q ? pair : 2 * pair;  // Maxwell
+    if (force[i] != 0) {
+      const FlankShares shares = shares_of(i);
+      loaded.push_back(
+          {flank(i), {.outward = force[i] * shares.outward, .along = force[i] * shares.along}});
     }
+  for (std::size_t p = 0; p < loaded.size(); ++p)
+    for (std::size_t q = 0; q < p; ++q)  // Maxwell; a flank is no neighbour of itself
+      energy += 2 * neighbours_->between(loaded[p].place, loaded[q].place)
+                        .opening(loaded[p].force, loaded[q].force);
   return energy;
 }
 

@@ -19,6 +19,8 @@ namespace strainwave {
 /// Cosines and sines of the harmonics 0 to N at given positions, one row for each position.
 struct Waves {
   Waves(const std::vector<double>& positions, int harmonics);
+  /// The same with one column for each position.
+  [[nodiscard]] Waves transposed() const;
   Eigen::MatrixXd cosine;
   Eigen::MatrixXd sine;
 };
@@ -124,6 +126,7 @@ class ElasticRings {
   std::vector<double> position_;  // positions of balls, drive flanks, coast flanks
   Waves at_balls_;
   Waves at_teeth_;
+  Waves of_tooth_;        // at_teeth_ with one column for each tooth
   Eigen::VectorXd lobe_;  // lobe displacement per unit force of each contact
   Eigen::MatrixXd flexibility_;
 };

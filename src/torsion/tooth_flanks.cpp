@@ -312,9 +312,13 @@ double BasicToothGap<Real>::find_seat() const {
   };
   constexpr int kSamples = 60;
   double best = 0.0;
+  double least = height(best);
   for (int i = 0; i <= kSamples; ++i) {
     const double t = kSeat * (2.0 * i / kSamples - 1);
-    if (height(t) < height(best)) best = t;
+    if (const double at = height(t); at < least) {
+      best = t;
+      least = at;
+    }
   }
   // golden section around the best sample
   constexpr double kGolden = 0.6180339887498949;
@@ -359,11 +363,19 @@ double BasicToothGap<Real>::find_widest() const {
   const double step = end_ / kSamples;
   // Flanks that are seated beside the lobe have a gap at the lobe, too.
   double seated = 0.0;
+  double least = height(seated);
   for (int i = 1; i * step <= kSeat; ++i)
-    if (height(i * step) < height(seated)) seated = i * step;
+    if (const double at = height(i * step); at < least) {
+      seated = i * step;
+      least = at;
+    }
   double best = seated;
+  double most = least;
   for (double t = seated; t <= end_; t += step)
-    if (height(t) > height(best)) best = t;
+    if (const double at = height(t); at > most) {
+      best = t;
+      most = at;
+    }
   double low = std::max(best - step, seated);
   double high = std::min(best + step, end_);
   while (high - low > 1e-10) {  // by the sign of the slope

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include "assembled_drive_contents.hpp"
 #include "line_torques.hpp"
@@ -71,6 +73,47 @@ CurvePoint point_of(const AssembledDrive::Contents& contents, const Equilibrium&
 
 }  // namespace
 
+namespace {
+
+/// The closings of the last states of a curve, extrapolated to the next torque.
+class Extrapolation {
+ public:
+  void add(const Equilibrium& state) {
+    // Where a contact opens or touches, the closings bend.
+    if (!last_.empty() && (!state.system || !last_.back().system ||
+                           state.system->contact != last_.back().system->contact))
+      last_.clear();
+    last_.push_back({state.torque, state.closing, state.system});
+    if (last_.size() > kStates) last_.erase(last_.begin());
+  }
+  /// Empty if too few states are known, or if the torque is far from theirs.
+  [[nodiscard]] Eigen::VectorXd to(double torque) const {
+    Eigen::VectorXd ahead;
+    if (last_.size() < kStates) return ahead;
+    const double reach = last_.back().torque - last_.front().torque;
+    if (!(std::abs(torque - last_.back().torque) <= std::abs(reach))) return ahead;
+    ahead = Eigen::VectorXd::Zero(last_.back().closing.size());
+    for (const Known& at : last_) {
+      double weight = 1.0;
+      for (const Known& other : last_)
+        if (&other != &at) weight *= (torque - other.torque) / (at.torque - other.torque);
+      ahead += weight * at.closing;
+    }
+    return ahead;
+  }
+
+ private:
+  static constexpr std::size_t kStates = 3;
+  struct Known {
+    double torque = 0.0;
+    Eigen::VectorXd closing;
+    std::shared_ptr<const ContactSystem> system;
+  };
+  std::vector<Known> last_;
+};
+
+}  // namespace
+
 std::string walk(const AssembledDrive::Contents& contents, std::span<const double> torques,
                  const Progress& progress, const std::function<void(Equilibrium&)>& see) {
   const CoupledDrive& drive = contents.drive;
@@ -79,6 +122,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
     require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   if (!contents.fails_because.empty()) return contents.fails_because;
   Equilibrium state = drive.assembled();
+  Extrapolation extrapolation;
   // After half a pitch of free travel, the flanks of the next tooth would touch instead of those of
   // this tooth.
   const double most = pi * g.pitch_radius / g.teeth;
@@ -90,7 +134,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
           "with a stiffness_loss of 1",
           torque);
     // At zero torque the ring rests in its assembled position, independently of the path.
-    state = torque == 0 ? drive.assembled() : drive.solve(torque, state);
+    state = torque == 0 ? drive.assembled() : drive.solve(torque, state, extrapolation.to(torque));
     if (!state.converged)
       return fmt::format(
           "no equilibrium at {:.6g} N*m: residual {:.2g} of the largest contact force "
@@ -103,6 +147,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
           "large",
           torque, 1e3 * state.rotation, 1e6 * g.lobe_gap);
     see(state);
+    if (state.system) extrapolation.add(state);
     progress.at(static_cast<double>(i + 1) / static_cast<double>(torques.size()));
   }
   return contents.unusable_because;

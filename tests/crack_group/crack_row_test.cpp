@@ -159,17 +159,17 @@ TEST(CrackRow, IdentityMirror) {
 // Tolerance: 1e-6, the error of these.
 TEST(CrackRow, IdentityDerivatives) {
   constexpr double kStep = 1e-5;
-  DualReal share(0.9);
-  DualReal angle(0.5);
+  CrackReal share(0.9);
+  CrackReal angle(0.5);
   share.partial[0] = 2.0;
   angle.partial[1] = -3.0;
-  const BasicRowFactors<DualReal> row = row_factors(share, angle);
-  const DualReal pressed = pressed_row(share, angle);
+  const BasicRowFactors<CrackReal> row = row_factors(share, angle);
+  const CrackReal pressed = pressed_row(share, angle);
   const auto difference = [&](auto f) {
     return std::array{2.0 * (f(0.9 + kStep, 0.5) - f(0.9 - kStep, 0.5)) / (2 * kStep),
                       -3.0 * (f(0.9, 0.5 + kStep) - f(0.9, 0.5 - kStep)) / (2 * kStep)};
   };
-  const auto expect_slopes = [&](const DualReal& of, auto f) {
+  const auto expect_slopes = [&](const CrackReal& of, auto f) {
     EXPECT_EQ(of.value, f(0.9, 0.5));
     const auto slopes = difference(f);
     EXPECT_NEAR(of.partial[0], slopes[0], 1e-6);
@@ -189,12 +189,12 @@ TEST(CrackRow, IdentityDerivatives) {
 // Kind: limit (CG-7).  Beside neighbours that touch, the derivative is that of sqrt(tan(x)/x), x =
 // pi a/p, too.  Tolerance: 1e-5, the points of the solver at a gap of 0.003.
 TEST(CrackRow, LimitDerivativeBesideTouching) {
-  DualReal share(0.9985);
+  CrackReal share(0.9985);
   share.partial[0] = 1;
   const double x = pi * share.value / 2;
   const double F = std::sqrt(std::tan(x) / x);
   const double slope = (1 / (std::cos(x) * std::cos(x) * x) - std::tan(x) / (x * x)) / (2 * F);
-  const BasicRowFactors<DualReal> row = row_factors(share, DualReal(pi / 2));
+  const BasicRowFactors<CrackReal> row = row_factors(share, CrackReal(pi / 2));
   test::expect_relative(row.opening_by_normal.partial[0], slope * pi / 2, 1e-5);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/fields.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 #include "support/article_gear.hpp"
@@ -235,6 +237,76 @@ TEST(CrackTables, BehaviourNoSampleNoTables) {
   CrackTables::Reader reader(tables);
   const GearSet gear = test::article_gear();
   EXPECT_EQ(series_compliance(gear, reader).positive, series_compliance<double>(gear).positive);
+}
+
+// Kind: cross-check (SN-10).  Source: central differences of fourth order of the engine.
+// Tolerance: 1e-6 of the compliance added by the cracks; differences with a step of 1e-3 have an
+// error of about 1e-8, and the quadrature adds 1e-10/1e-3.
+TEST(CrackDerivatives, CrosscheckDifferencesOfEveryKind) {
+  std::size_t number = 0;
+  for (const Case& of : cases()) {
+    if (test::kSanitized && ++number % 3 != 0) continue;
+    const GearSet& gear = of.gear;
+    SeriesDerivatives derivatives(gear);
+    GearSet varied = gear;
+    std::vector<double*> numbers;
+    for_each_number(varied, [&](const FieldPath&, const Field&, double& x) {
+      if (x != 0) numbers.push_back(&x);
+    });
+    std::vector<const double*> inputs;
+    std::vector<std::string> paths;
+    for_each_number(gear, [&](const FieldPath& path, const Field&, const double& x) {
+      if (x == 0) return;
+      inputs.push_back(&x);
+      paths.push_back(path.text());
+    });
+    const double scale = series_compliance<double>(gear).positive_added;
+    int act = 0;
+    for (std::size_t n = 0; n < inputs.size(); ++n) {
+      const auto dual = derivatives.of(Lift<DualReal>({&inputs[n], 1}));
+      EXPECT_TRUE(dual.usable) << of.name;
+      const double x = *inputs[n];
+      const auto at = [&](double steps) {
+        *numbers[n] = x * (1 + 1e-3 * steps);
+        const auto series = series_compliance<double>(varied);
+        *numbers[n] = x;
+        return std::array{series.positive_added, series.negative_added};
+      };
+      const auto far_ahead = at(2);
+      const auto ahead = at(1);
+      const auto behind = at(-1);
+      const auto far_behind = at(-2);
+      const auto difference = [&](std::size_t i) {
+        return (8 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) / (12 * 1e-3);
+      };
+      EXPECT_NEAR(dual.positive_added.partial[0], difference(0), 1e-6 * scale)
+          << of.name << ": " << paths[n];
+      EXPECT_NEAR(dual.negative_added.partial[0], difference(1), 1e-6 * scale)
+          << of.name << ": " << paths[n];
+      act += std::abs(difference(0)) > 1e-3 * scale;
+    }
+    EXPECT_GE(act, 3) << of.name;  // a size of the crack, one of its member, and a modulus
+    test::expect_relative(derivatives.of(Lift<DualReal>({inputs.data(), 0})).positive_added.value,
+                          scale, 1e-12);
+  }
+}
+
+// Kind: identity (SN-10).  The derivatives with respect to eight inputs are those with respect to
+// each of them, to the last bit, and a second lift gives the same numbers as the first.
+TEST(CrackDerivatives, IdentityAnyNumberOfInputs) {
+  const GearSet gear = test::article_gear();
+  const auto& wall = std::get<WallThroughCrack>(gear.flexspline->crack[0]);
+  const std::array<const double*, 3> inputs = {&wall.half_length, &wall.angle,
+                                               &*gear.flexspline->wall_thickness};
+  SeriesDerivatives derivatives(gear);
+  const auto all = derivatives.of(Lift<DualReal>(inputs));
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const auto one = derivatives.of(Lift<DualReal>({&inputs[k], 1}));
+    EXPECT_EQ(one.positive.partial[0], all.positive.partial[k]);
+    EXPECT_EQ(one.negative.partial[0], all.negative.partial[k]);
+    const auto alone = series_compliance(gear, Lift<DualReal>({&inputs[k], 1}));
+    EXPECT_EQ(alone.positive.partial[0], all.positive.partial[k]);
+  }
 }
 
 }  // namespace

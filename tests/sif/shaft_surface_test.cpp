@@ -220,18 +220,19 @@ TEST(ShaftSurface, IdentityDerivatives) {
                  unit_moduli())
           .matrix(1, 1);
     };
-    DualReal depth = c.depth;
-    DualReal half_length = c.half_length;
-    DualReal diameter = 2.0;
+    CrackReal depth = c.depth;
+    CrackReal half_length = c.half_length;
+    CrackReal diameter = 2.0;
     depth.partial[0] = c.depth;
     half_length.partial[1] = c.half_length;
     diameter.partial[2] = 2.0;
-    const auto dual = added_compliance(
-        BasicShaftSurfaceSolid<DualReal>(
-            {.depth = depth, .half_length = half_length, .diameter = diameter}),
-        BasicCrackModuli<DualReal>{.opening = unit_moduli().opening, .shear = unit_moduli().shear});
+    const auto dual =
+        added_compliance(BasicShaftSurfaceSolid<CrackReal>(
+                             {.depth = depth, .half_length = half_length, .diameter = diameter}),
+                         BasicCrackModuli<CrackReal>{.opening = unit_moduli().opening,
+                                                     .shear = unit_moduli().shear});
     EXPECT_TRUE(dual.converged);
-    const DualReal exact = dual.matrix(1, 1);
+    const CrackReal exact = dual.matrix(1, 1);
     const double h = 1e-5;
     const auto slope = [&](double i, double j, double n) {
       return (compliance(c.depth * (1 + i * h), c.half_length * (1 + j * h), 2 * (1 + n * h)) -

@@ -121,9 +121,9 @@ TEST(ShellRow, IdentityMirror) {
 TEST(ShellRow, IdentityDerivatives) {
   constexpr double kStep = 1e-5;
   const std::array<double, 3> at = {1.3, 0.6, -0.4};
-  std::array<DualReal, 3> duals = {at[0], at[1], at[2]};
+  std::array<CrackReal, 3> duals = {at[0], at[1], at[2]};
   for (std::size_t i = 0; i < 3; ++i) duals[i].partial[i] = 1;
-  const auto exact = BasicShellRowAtAngle<DualReal>(duals[2]).at(duals[0], duals[1]);
+  const auto exact = BasicShellRowAtAngle<CrackReal>(duals[2]).at(duals[0], duals[1]);
   for (std::size_t i = 0; i < 3; ++i) {
     auto ahead = at;
     auto behind = at;

@@ -28,6 +28,7 @@
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
+#include "support/sanitized.hpp"
 #include "torsion/solved_drive.hpp"
 #include "torsion/typical_drive.hpp"
 
@@ -712,6 +713,35 @@ TEST(TorsionCurve, InputFlanksThatNeverMeet) {
       << curve.unusable_because;
   EXPECT_NE(curve.unusable_because.find("10 N*m"), std::string::npos) << curve.unusable_because;
   EXPECT_TRUE(curve.points.empty());
+}
+
+// Kind: identity (TC-11).  A fine curve begins each point with closings that it extrapolates and
+// solves the contacts that touch alone; a point for itself starts from the assembled drive.  Each
+// torque has one state.  Tolerance: 1e-9 of the twist, that of the solver at small torques.
+TEST(TorsionCurve, IdentityPointsOfAFineCurve) {
+  const GearSet gear = full_drive();
+  const double T3 = std::get<2>(Ts());
+  const int count = test::kSanitized ? 40 : 120;
+  std::vector<double> torques;
+  for (int i = 1; i <= count; ++i) torques.push_back(T3 * i / count);
+  // A step back and a change of the sense, at which nothing can be extrapolated.
+  torques.insert(torques.end(), {0.5 * T3, -0.1 * T3, -0.11 * T3, -0.12 * T3, -0.13 * T3});
+  const AssembledDrive drive(gear);
+  const TorsionCurve curve = torsion_curve(drive, torques);
+  ASSERT_EQ(curve.unusable_because, "");
+  ASSERT_EQ(curve.points.size(), torques.size());
+  for (std::size_t i = 0; i < torques.size(); i += i + 8 < torques.size() ? 7 : 1) {
+    const CurvePoint& at = curve.points[i];
+    const TorsionCurve of_one = torsion_curve(drive, {&torques[i], 1});
+    const CurvePoint& alone = of_one.points.at(0);
+    test::expect_relative(at.twist, alone.twist, 1e-9);
+    test::expect_relative(at.tangent_compliance, alone.tangent_compliance, 1e-8);
+    EXPECT_EQ(at.teeth_in_contact, alone.teeth_in_contact) << torques[i];
+    ASSERT_EQ(at.drive_flanks.size(), alone.drive_flanks.size()) << torques[i];
+    EXPECT_LE(at.residual, 1e-11);
+    for (std::size_t member = 0; member < at.share.size(); ++member)
+      EXPECT_NEAR(at.share[member], alone.share[member], 1e-8);
+  }
 }
 
 TEST(TorsionCurve, IdentityNoTorqueIsTheAssembledStateWhateverThePath) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "strainwave/core/dual.hpp"
+
 namespace strainwave {
 
 /// A function and its derivative at one place.
@@ -46,7 +48,12 @@ class FloaterHormann {
   /// The interpolant r(x).  Beyond the outer nodes it extrapolates.
   template <class Argument>
   [[nodiscard]] auto operator()(const Argument& x) const {
-    return value_and_slope(x).value;
+    if constexpr (is_dual<Argument> && !is_dual<Real>) {
+      const ValueAndSlope<double> at = value_and_slope(value_of(x));
+      return chain(x, at.value, at.slope);
+    } else {
+      return value_and_slope(x).value;
+    }
   }
 
   /// The interpolant r(x) and its derivative dr/dx.

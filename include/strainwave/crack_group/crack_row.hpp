@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 
 /// @file
 /// A row of equal, parallel and evenly spaced cracks in an elastic sheet, in the scalar `Real`:
-/// double, or DualReal for the derivatives of everything.
+/// double, or CrackReal for the derivatives of everything.
 
 namespace strainwave {
 
@@ -34,7 +34,8 @@ using RowFactors = BasicRowFactors<double>;
 /// @throws InputError  if neighbours touch
 /// @{
 [[nodiscard]] RowFactors row_factors(double share, double angle);
-[[nodiscard]] BasicRowFactors<DualReal> row_factors(const DualReal& share, const DualReal& angle);
+[[nodiscard]] BasicRowFactors<CrackReal> row_factors(const CrackReal& share,
+                                                     const CrackReal& angle);
 /// @}
 
 /// K_II over tau sqrt(pi a) of a row whose faces are pressed together and slide without friction
@@ -44,7 +45,7 @@ using RowFactors = BasicRowFactors<double>;
 /// @throws InputError  if neighbours touch
 /// @{
 [[nodiscard]] double pressed_row(double share, double angle);
-[[nodiscard]] DualReal pressed_row(const DualReal& share, const DualReal& angle);
+[[nodiscard]] CrackReal pressed_row(const CrackReal& share, const CrackReal& angle);
 /// @}
 
 /// Normal stress that the neighbours of a row cause on faces that are pressed together, over the

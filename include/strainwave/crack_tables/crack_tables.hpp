@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -100,24 +99,17 @@ class SimilarCracks {
 
  private:
   bool fill(const ChebyshevCells::Place& place, ChebyshevCells::Values& values, Faces faces) const {
-    constexpr double kRigid = std::numeric_limits<double>::infinity();
     Arguments x = constant_;
     for (std::size_t i = 0; i < varies_.size(); ++i) x[varies_[i]] = place[i];
     for (std::size_t i = 0; i < kParts; ++i) {
       const CrackPart part = Similar::kParts[i];
-      const auto numbers = Similar::shape(first_, x, part);
-      const Solution open(numbers);
-      const CrackModuli moduli = part == CrackPart::tearing
-                                     ? CrackModuli{.opening = kRigid, .shear = 1.0}
-                                     : CrackModuli{.opening = 1.0, .shear = kRigid};
       // A node of a box may be a crack that touches its neighbours.
-      if constexpr (requires { Similar::known(numbers); })
-        if (!Similar::known(numbers)) return false;
-      const auto added = added_compliance(faces == Faces::pressed ? open.pressed() : open, moduli,
-                                          {.relative_tolerance = 1e-12});
-      if (!added.converged) return false;
-      constexpr std::size_t kTurning = Solution::kLoads - 1;
-      values[i] = added.matrix(kTurning, kTurning) / Similar::size_of(numbers);
+      if constexpr (requires { Similar::known(first_); })
+        if (!Similar::known(Similar::shape(first_, x, part))) return false;
+      const auto of = similar_part<Solution>(first_, x, part, faces, moduli_of<double>(part),
+                                             {.relative_tolerance = 1e-12});
+      if (!of.converged) return false;
+      values[i] = of.value;
     }
     return true;
   }
@@ -151,7 +143,7 @@ class CrackTables {
  private:
   template <class Solution>
   using Table = std::shared_ptr<SimilarCracks<Solution>>;
-  using AnyTable = OfAnySolution<Table>;
+  using AnyTable = OfAnySolution<double, Table>;
 
   std::vector<AnyTable> of_crack_;  ///< in the order of `for_each_series_crack`
 };
@@ -179,7 +171,7 @@ class CrackTables::Reader {
   template <class Solution>
   using ReaderOf = typename SimilarCracks<Solution>::Reader;
 
-  std::vector<OfAnySolution<ReaderOf>> readers_;
+  std::vector<OfAnySolution<double, ReaderOf>> readers_;
   ContactEllipses ellipses_;
 };
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
+#include <utility>
 #include <variant>
 
 #include "strainwave/drive_cracks/loaded_crack.hpp"
@@ -23,6 +25,7 @@
 ///     arguments(p)       x of a crack, from the numbers of its solution
 ///     fixed(p)           switches of the solution, which similar cracks share
 ///     weights(p, moduli, faces)  w_i
+///     In<Other>          the solution in another scalar
 ///     shape(p, x, part)  numbers of a crack with arguments x in its own unit of length, whose
 ///                        compliance f_i is; its switches are those of p
 ///     size_of(p)         the power of lengths in w_i
@@ -43,11 +46,19 @@ inline constexpr double kByLogarithm = 0.5;  ///< width of a box in the logarith
 inline constexpr double kByPoissonsRatio = 0.1;
 inline constexpr double kByAngle = 0.2;  ///< [rad]
 
+template <class Real>
+[[nodiscard]] Real fifth_power(const Real& x) {
+  const Real square = x * x;
+  return square * square * x;
+}
+
 }  // namespace similarity
 
-template <>
-struct Similarity<sif::ThroughCrackInTube> {
-  using Parameters = sif::ThroughCrackInTube;
+template <class Real>
+struct Similarity<sif::BasicThroughCrackInTube<Real>> {
+  template <class Other>
+  using In = sif::BasicThroughCrackInTube<Other>;
+  using Parameters = In<Real>;
   static constexpr std::size_t kArguments = 4;
   static constexpr std::array kParts = {CrackPart::opening_and_sliding};
   static constexpr bool kFacesChangeShape = true;
@@ -55,40 +66,49 @@ struct Similarity<sif::ThroughCrackInTube> {
       similarity::kByLogarithm, similarity::kByLogarithm, similarity::kByAngle,
       similarity::kByPoissonsRatio};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.half_length / p.wall_thickness), std::log(p.wall_thickness / p.mean_radius),
-            p.angle, p.poissons_ratio};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.half_length / p.wall_thickness), log(p.wall_thickness / p.mean_radius), p.angle,
+            p.poissons_ratio};
   }
   static bool known(const Parameters& p) {
-    return p.count == 1 || row_gap(p.row_share(p.half_length), p.row_angle()) >= kLeastRowGap;
+    return p.count == 1 ||
+           row_gap(value_of(p.row_share(p.half_length)), value_of(p.row_angle())) >= kLeastRowGap;
   }
   static auto fixed(const Parameters& p) {
     return std::tuple(p.shell_correction, p.thin_sheet, p.count, p.in_line);
   }
-  static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
+  static std::array<Real, 1> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
+                                     Faces) {
     return {p.stress_nonuniformity * p.stress_nonuniformity * size_of(p) / moduli.opening};
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart) {
-    Parameters p = of;
-    p.half_length = std::exp(x[0]);
+  template <class From>
+  static Parameters shape(const From& of, const std::array<Real, kArguments>& x, CrackPart) {
+    using std::exp;
+    Parameters p;
+    p.half_length = exp(x[0]);
     p.wall_thickness = 1.0;
-    p.mean_radius = std::exp(-x[1]);
+    p.mean_radius = exp(-x[1]);
     p.angle = x[2];
     p.poissons_ratio = x[3];
-    p.stress_nonuniformity = 1.0;
+    p.shell_correction = of.shell_correction;
+    p.thin_sheet = of.thin_sheet;
+    p.count = of.count;
+    p.in_line = of.in_line;
     return p;
   }
   /// a^2/(t r^4) [1/m^3].
-  static double size_of(const Parameters& p) {
-    const double per_radius = p.half_length / (p.mean_radius * p.mean_radius);
+  static Real size_of(const Parameters& p) {
+    const Real per_radius = p.half_length / (p.mean_radius * p.mean_radius);
     return per_radius * per_radius / p.wall_thickness;
   }
 };
 
-template <std::size_t N>
-struct Similarity<sif::SurfaceCrack<N>> {
-  using Parameters = typename sif::SurfaceCrack<N>::Parameters;
+template <std::size_t N, class Real>
+struct Similarity<sif::SurfaceCrack<N, Real>> {
+  template <class Other>
+  using In = sif::SurfaceCrack<N, Other>;
+  using Parameters = typename In<Real>::Parameters;
   static constexpr bool kSheared = N == 2;  ///< a wall; otherwise a ring under a normal stress
   static constexpr std::size_t kArguments = 4;
   static constexpr auto kParts = [] {
@@ -102,195 +122,325 @@ struct Similarity<sif::SurfaceCrack<N>> {
       similarity::kByLogarithm, similarity::kByLogarithm, similarity::kByLogarithm,
       similarity::kByPoissonsRatio};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.depth / p.thickness), std::log(p.aspect_ratio),
-            p.half_width ? std::log(*p.half_width / p.thickness) : 0.0,
-            kSheared ? p.poissons_ratio : 0.0};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.depth / p.thickness), log(p.aspect_ratio),
+            p.half_width ? Real(log(*p.half_width / p.thickness)) : Real(0.0),
+            kSheared ? p.poissons_ratio : Real(0.0)};
   }
   static auto fixed(const Parameters& p) {
     return std::tuple(p.loading, p.half_width.has_value(), p.count);
   }
-  static std::array<double, kParts.size()> weights(const Parameters& p, const CrackModuli& moduli,
-                                                   Faces faces) {
-    const double normal = p.normal_stress[N - 1] * p.normal_stress[N - 1] * size_of(p);
-    const double opening = faces == Faces::pressed ? 0.0 : normal / moduli.opening;
+  static std::array<Real, kParts.size()> weights(const Parameters& p,
+                                                 const BasicCrackModuli<Real>& moduli,
+                                                 Faces faces) {
+    const Real normal = p.normal_stress[N - 1] * p.normal_stress[N - 1] * size_of(p);
+    const Real opening = faces == Faces::pressed ? Real(0.0) : Real(normal / moduli.opening);
     if constexpr (kSheared) {
-      const double shear = p.shear_stress[N - 1] * p.shear_stress[N - 1] * size_of(p);
+      const Real shear = p.shear_stress[N - 1] * p.shear_stress[N - 1] * size_of(p);
       return {opening, shear / moduli.opening, shear / moduli.shear};
     } else {
       return {opening};
     }
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart part) {
-    Parameters p = of;
+  template <class From>
+  static Parameters shape(const From& of, const std::array<Real, kArguments>& x, CrackPart part) {
+    using std::exp;
+    Parameters p;
     p.thickness = 1.0;
-    p.depth = std::exp(x[0]);
-    p.aspect_ratio = std::exp(x[1]);
-    if (p.half_width) p.half_width = std::exp(x[2]);
+    p.depth = exp(x[0]);
+    p.aspect_ratio = exp(x[1]);
+    if (of.half_width) p.half_width = exp(x[2]);
     if (kSheared) p.poissons_ratio = x[3];
-    p.normal_stress = {};
-    p.shear_stress = {};
+    p.loading = of.loading;
+    p.count = of.count;
     (part == CrackPart::opening ? p.normal_stress : p.shear_stress)[N - 1] = 1.0;
     return p;
   }
-  static double size_of(const Parameters& p) { return p.depth * p.depth * p.depth; }
+  static Real size_of(const Parameters& p) { return p.depth * p.depth * p.depth; }
 };
 
-template <>
-struct Similarity<sif::EdgeCrack> {
-  using Parameters = sif::EdgeCrack;
+template <class Real>
+struct Similarity<sif::BasicEdgeCrack<Real>> {
+  template <class Other>
+  using In = sif::BasicEdgeCrack<Other>;
+  using Parameters = In<Real>;
   static constexpr std::size_t kArguments = 1;
   static constexpr std::array kParts = {CrackPart::opening};
   static constexpr bool kFacesChangeShape = false;
   static constexpr std::array<double, kArguments> kWidths = {similarity::kByLogarithm};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.depth / (p.thickness - p.depth))};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.depth / (p.thickness - p.depth))};
   }
   static auto fixed(const Parameters& p) { return p.loading; }
-  static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli,
-                                       Faces faces) {
+  static std::array<Real, 1> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
+                                     Faces faces) {
     if (faces == Faces::pressed) return {0.0};
     return {p.unit_stress * p.unit_stress * p.width * size_of(p) / moduli.opening};
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart) {
-    Parameters p = of;
-    p.depth = 1 / (1 + std::exp(-x[0]));
+  template <class From>
+  static Parameters shape(const From& of, const std::array<Real, kArguments>& x, CrackPart) {
+    using std::exp;
+    Parameters p;
+    p.depth = 1 / (1 + exp(-x[0]));
     p.thickness = 1.0;
     p.width = 1.0;
     p.unit_stress = 1.0;
+    p.loading = of.loading;
     return p;
   }
-  static double size_of(const Parameters& p) { return p.depth * p.depth; }
+  static Real size_of(const Parameters& p) { return p.depth * p.depth; }
 };
 
-template <>
-struct Similarity<sif::AnnularCrackSolid> {
-  using Parameters = sif::AnnularCrackSolid;
+template <class Real>
+struct Similarity<sif::BasicAnnularCrackSolid<Real>> {
+  template <class Other>
+  using In = sif::BasicAnnularCrackSolid<Other>;
+  using Parameters = In<Real>;
   static constexpr std::size_t kArguments = 1;
   static constexpr std::array kParts = {CrackPart::tearing};
   static constexpr bool kFacesChangeShape = false;
   static constexpr std::array<double, kArguments> kWidths = {similarity::kByLogarithm};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.depth / (p.diameter / 2 - p.depth))};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.depth / (p.diameter / 2 - p.depth))};
   }
   static auto fixed(const Parameters& p) { return p.polynomials; }
-  static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
+  static std::array<Real, 1> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
+                                     Faces) {
     return {size_of(p) / moduli.shear};
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart) {
-    Parameters p = of;
-    p.depth = 1 / (1 + std::exp(-x[0]));
+  template <class From>
+  static Parameters shape(const From& of, const std::array<Real, kArguments>& x, CrackPart) {
+    using std::exp;
+    Parameters p;
+    p.depth = 1 / (1 + exp(-x[0]));
     p.diameter = 2.0;
+    p.polynomials = of.polynomials;
+    p.open = false;  // the torque does not open it
     return p;
   }
   /// a^2/d^5 [1/m^3].
-  static double size_of(const Parameters& p) { return p.depth * p.depth / std::pow(p.diameter, 5); }
+  static Real size_of(const Parameters& p) {
+    return p.depth * p.depth / similarity::fifth_power(p.diameter);
+  }
 };
 
-template <>
-struct Similarity<sif::AnnularCrackHollow> {
-  using Parameters = sif::AnnularCrackHollow::Parameters;
+template <class Real>
+struct Similarity<sif::BasicAnnularCrackHollow<Real>> {
+  template <class Other>
+  using In = sif::BasicAnnularCrackHollow<Other>;
+  using Parameters = typename In<Real>::Parameters;
   static constexpr std::size_t kArguments = 2;
   static constexpr std::array kParts = {CrackPart::tearing};
   static constexpr bool kFacesChangeShape = false;
   static constexpr std::array<double, kArguments> kWidths = {similarity::kByLogarithm, 0.1};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.depth / (p.outer_radius - p.inner_radius)), p.inner_radius / p.outer_radius};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.depth / (p.outer_radius - p.inner_radius)), p.inner_radius / p.outer_radius};
   }
   static std::tuple<> fixed(const Parameters&) { return {}; }
-  static std::array<double, 1> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
+  static std::array<Real, 1> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
+                                     Faces) {
     return {size_of(p) / moduli.shear};
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart) {
-    Parameters p = of;
+  template <class From>
+  static Parameters shape(const From&, const std::array<Real, kArguments>& x, CrackPart) {
+    using std::exp;
+    Parameters p;
     p.outer_radius = 1.0;
     p.inner_radius = x[1];
-    p.depth = std::exp(x[0]) * (1 - x[1]);
+    p.depth = exp(x[0]) * (1 - x[1]);
+    p.open = false;  // the torque does not open it
     return p;
   }
   /// a^2/r_o^5 [1/m^3].
-  static double size_of(const Parameters& p) {
-    return p.depth * p.depth / std::pow(p.outer_radius, 5);
+  static Real size_of(const Parameters& p) {
+    return p.depth * p.depth / similarity::fifth_power(p.outer_radius);
   }
 };
 
-template <>
-struct Similarity<sif::ShaftSurfaceSolid> {
-  using Parameters = sif::ShaftSurfaceSolid::Parameters;
+template <class Real>
+struct Similarity<sif::BasicShaftSurfaceSolid<Real>> {
+  template <class Other>
+  using In = sif::BasicShaftSurfaceSolid<Other>;
+  using Parameters = typename In<Real>::Parameters;
   static constexpr std::size_t kArguments = 2;
   static constexpr std::array kParts = {CrackPart::sliding, CrackPart::tearing};
   static constexpr bool kFacesChangeShape = false;
   static constexpr std::array<double, kArguments> kWidths = {similarity::kByLogarithm,
                                                              similarity::kByLogarithm};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.depth / p.diameter), std::log(p.half_length / p.diameter)};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.depth / p.diameter), log(p.half_length / p.diameter)};
   }
   static std::tuple<> fixed(const Parameters&) { return {}; }
-  static std::array<double, 2> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
+  static std::array<Real, 2> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
+                                     Faces) {
     return {size_of(p) / moduli.opening, size_of(p) / moduli.shear};
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart) {
-    Parameters p = of;
+  template <class From>
+  static Parameters shape(const From&, const std::array<Real, kArguments>& x, CrackPart) {
+    using std::exp;
+    Parameters p;
     p.diameter = 1.0;
-    p.depth = std::exp(x[0]);
-    p.half_length = std::exp(x[1]);
+    p.depth = exp(x[0]);
+    p.half_length = exp(x[1]);
+    p.open = false;  // the torque does not open it
     return p;
   }
   /// a^3/d^6 [1/m^3].
-  static double size_of(const Parameters& p) {
-    const double root = p.depth / (p.diameter * p.diameter);
+  static Real size_of(const Parameters& p) {
+    const Real root = p.depth / (p.diameter * p.diameter);
     return root * root * root;
   }
 };
 
-template <>
-struct Similarity<sif::ShaftSurfaceHollow> {
-  using Parameters = sif::ShaftSurfaceHollow::Parameters;
+template <class Real>
+struct Similarity<sif::BasicShaftSurfaceHollow<Real>> {
+  template <class Other>
+  using In = sif::BasicShaftSurfaceHollow<Other>;
+  using Parameters = typename In<Real>::Parameters;
   static constexpr std::size_t kArguments = 4;
   static constexpr std::array kParts = {CrackPart::sliding, CrackPart::tearing};
   static constexpr bool kFacesChangeShape = false;
   static constexpr std::array<double, kArguments> kWidths = {
       similarity::kByLogarithm, similarity::kByLogarithm, 0.1, similarity::kByPoissonsRatio};
 
-  static std::array<double, kArguments> arguments(const Parameters& p) {
-    return {std::log(p.depth / (p.outer_radius - p.inner_radius)),
-            std::log(p.depth / p.half_length), p.inner_radius / p.outer_radius, p.poissons_ratio};
+  static std::array<Real, kArguments> arguments(const Parameters& p) {
+    using std::log;
+    return {log(p.depth / (p.outer_radius - p.inner_radius)), log(p.depth / p.half_length),
+            p.inner_radius / p.outer_radius, p.poissons_ratio};
   }
   static std::tuple<> fixed(const Parameters&) { return {}; }
-  static std::array<double, 2> weights(const Parameters& p, const CrackModuli& moduli, Faces) {
+  static std::array<Real, 2> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
+                                     Faces) {
     return {size_of(p) / moduli.opening, size_of(p) / moduli.shear};
   }
-  static Parameters shape(const Parameters& of, const std::array<double, kArguments>& x,
-                          CrackPart) {
-    Parameters p = of;
+  template <class From>
+  static Parameters shape(const From&, const std::array<Real, kArguments>& x, CrackPart) {
+    using std::exp;
+    Parameters p;
     p.outer_radius = 1.0;
     p.inner_radius = x[2];
-    p.depth = std::exp(x[0]) * (1 - x[2]);
-    p.half_length = p.depth / std::exp(x[1]);
+    p.depth = exp(x[0]) * (1 - x[2]);
+    p.half_length = p.depth / exp(x[1]);
     p.poissons_ratio = x[3];
+    p.open = false;  // the torque does not open it
     return p;
   }
   /// a^3/r_o^6 [1/m^3].
-  static double size_of(const Parameters& p) {
-    const double root = p.depth / (p.outer_radius * p.outer_radius);
+  static Real size_of(const Parameters& p) {
+    const Real root = p.depth / (p.outer_radius * p.outer_radius);
     return root * root * root;
   }
 };
 
-/// One object of any solution of the series model, or none.
-template <template <class> class Of>
-using OfAnySolution = std::variant<std::monostate, Of<sif::SurfaceCrack<1>>, Of<sif::EdgeCrack>,
-                                   Of<sif::ThroughCrackInTube>, Of<sif::SurfaceCrack<2>>,
-                                   Of<sif::AnnularCrackSolid>, Of<sif::AnnularCrackHollow>,
-                                   Of<sif::ShaftSurfaceSolid>, Of<sif::ShaftSurfaceHollow>>;
+/// One object of any solution of the series model in one scalar, or none.
+template <class Real, template <class> class Of>
+using OfAnySolution =
+    std::variant<std::monostate, Of<sif::SurfaceCrack<1, Real>>, Of<sif::BasicEdgeCrack<Real>>,
+                 Of<sif::BasicThroughCrackInTube<Real>>, Of<sif::SurfaceCrack<2, Real>>,
+                 Of<sif::BasicAnnularCrackSolid<Real>>, Of<sif::BasicAnnularCrackHollow<Real>>,
+                 Of<sif::BasicShaftSurfaceSolid<Real>>, Of<sif::BasicShaftSurfaceHollow<Real>>>;
+
+/// One part f_i of the added compliance at dimensionless arguments (ST-21).
+template <class Real>
+struct SimilarPart {
+  Real value{};           ///< f_i [-]
+  bool converged = true;  ///< its quadrature met the tolerance
+};
+
+/// A crack under the last of its loads alone: the torque, or the lobe force.
+template <class Crack>
+class UnderLastLoad {
+ public:
+  using Real = ScalarOf<Crack>;             ///< scalar of the crack
+  static constexpr std::size_t kLoads = 1;  ///< the one load
+
+  /// @param crack  under all of its loads
+  explicit UnderLastLoad(const Crack& crack) : crack_(crack) {}
+
+  /// The members of a crack, as the engine needs them.
+  /// @{
+  [[nodiscard]] Real size() const { return crack_.size(); }
+  [[nodiscard]] FrontRange front() const { return crack_.front(); }
+  [[nodiscard]] Real swept_area(const Real& a, double s) const { return crack_.swept_area(a, s); }
+  [[nodiscard]] UnitStressIntensity<1, Real> stress_intensity(const Real& a, double s) const {
+    return last(crack_.stress_intensity(a, s));
+  }
+  [[nodiscard]] Real wall_factor(const Real& a) const requires WallCrack<Crack> {
+    return crack_.wall_factor(a);
+  }
+  [[nodiscard]] auto family() const requires LinearFront<Crack> {
+    struct Family {
+      decltype(std::declval<const Crack&>().family()) of;
+      [[nodiscard]] LinearStressIntensity<1, Real> linear_stress_intensity(const Real& a) const {
+        const auto k = of.linear_stress_intensity(a);
+        return {last(k.mean), last(k.slope)};
+      }
+    };
+    return Family{crack_.family()};
+  }
+  [[nodiscard]] auto front_squares(const QuadratureOptions& options) const requires
+      FrontOfSquares<Crack> {
+    return crack_.front_squares(options);
+  }
+  template <class Squares>
+  [[nodiscard]] UnitStressIntensity<1, Real> root_mean_square(const Real& a,
+                                                              const Squares& squares) const {
+    return last(crack_.root_mean_square(a, squares));
+  }
+  [[nodiscard]] SymmetricMatrix<1, Real> compliance(
+      const BasicCrackModuli<Real>& moduli) const requires KnownCompliance<Crack> {
+    constexpr std::size_t i = Crack::kLoads - 1;
+    return SymmetricMatrix<1, Real>(crack_.compliance(moduli)(i, i));
+  }
+  /// @}
+
+ private:
+  [[nodiscard]] static UnitStressIntensity<1, Real> last(
+      const UnitStressIntensity<Crack::kLoads, Real>& k) {
+    return {.I = {k.I.back()}, .II = {k.II.back()}, .III = {k.III.back()}};
+  }
+
+  Crack crack_;
+};
+
+/// The part f_i(x) of all cracks that are similar to one, by the engine; eq. (ST-21).
+///
+/// @tparam Solution  in the scalar of x: double, or CrackReal for the derivatives by x
+/// @param like   numbers of a crack with the same switches, in any scalar
+/// @param x      dimensionless arguments
+/// @param part   index in `kParts`
+/// @param faces  state of the faces
+/// @param moduli  of the part, or those of a sheet that is not isotropic
+/// @param options  tolerance of the quadrature
+template <class Solution, class From>
+[[nodiscard]] SimilarPart<ScalarOf<Solution>> similar_part(
+    const From& like, const std::array<ScalarOf<Solution>, Similarity<Solution>::kArguments>& x,
+    CrackPart part, Faces faces, const BasicCrackModuli<ScalarOf<Solution>>& moduli,
+    const QuadratureOptions& options) {
+  using Similar = Similarity<Solution>;
+  const auto numbers = Similar::shape(like, x, part);
+  const Solution open(numbers);
+  const auto added = added_compliance(
+      UnderLastLoad<Solution>(faces == Faces::pressed ? open.pressed() : open), moduli, options);
+  return {added.matrix(0, 0) / Similar::size_of(numbers), added.converged};
+}
+
+/// Unit moduli under which only one part releases energy.
+template <class Real>
+[[nodiscard]] BasicCrackModuli<Real> moduli_of(CrackPart part) {
+  constexpr double kRigid = std::numeric_limits<double>::infinity();
+  return part == CrackPart::tearing
+             ? BasicCrackModuli<Real>{.opening = Real(kRigid), .shear = Real(1.0)}
+             : BasicCrackModuli<Real>{.opening = Real(1.0), .shear = Real(kRigid)};
+}
 
 }  // namespace strainwave

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 #include "strainwave/core/quadrature.hpp"
 
 /// @file
@@ -18,7 +18,7 @@
 /// crack is a value that provides its stress intensity factors per unit of each generalised load,
 /// and the area that its front sweeps; the engine derives everything else.
 ///
-/// The scalar `Real` is double, or DualReal for the derivatives of everything (core/dual.hpp).
+/// The scalar `Real` is double, or CrackReal for the derivatives too (core/crack_real.hpp).
 
 namespace strainwave {
 
@@ -208,6 +208,14 @@ concept WallCrack = SweptCrack<C> && requires(const C& crack, const ScalarOf<C>&
   { crack.wall_factor(a) } -> std::convertible_to<ScalarOf<C>>;
 };
 
+/// A crack whose stress intensity was derived from its added compliance, which it knows at every
+/// size without a quadrature.
+template <class C>
+concept KnownCompliance = SweptCrack<C> &&
+    requires(const C& crack, const BasicCrackModuli<ScalarOf<C>>& moduli) {
+  { crack.compliance(moduli) } -> std::same_as<SymmetricMatrix<C::kLoads, ScalarOf<C>>>;
+};
+
 /// Added compliance matrix with the error estimate of its quadrature.
 template <std::size_t N, class Real = double>
 struct CrackCompliance {
@@ -246,20 +254,14 @@ template <std::size_t N, class Real>
   return density;
 }
 
-/// Added compliance of a crack,
+/// The integral of `added_compliance` by adaptive quadrature, for any crack.
 ///
-///     Delta lambda_ij = int_A [(2/E')(k_I,i k_I,j + k_II,i k_II,j) + (1/mu) k_III,i k_III,j] dA.
-///
-/// Implements theory manual eq. (FR-2).  The material is linear elastic, and stress intensity is
-/// proportional to the loads.  The crack grows from zero to its size along the family that `crack`
-/// describes.
-///
+/// Implements theory manual eq. (FR-2).
 /// @param crack    stress intensity per unit of each generalised load, and the swept area
 /// @param moduli   E' and mu; > 0
 /// @param options  tolerance of the adaptive quadrature
-/// @return         symmetric positive semidefinite matrix, shape (N, N)
 template <SweptCrack Crack>
-[[nodiscard]] CrackCompliance<Crack::kLoads, ScalarOf<Crack>> added_compliance(
+[[nodiscard]] CrackCompliance<Crack::kLoads, ScalarOf<Crack>> integrated_compliance(
     const Crack& crack, const BasicCrackModuli<ScalarOf<Crack>>& moduli,
     const QuadratureOptions& options = {}) {
   constexpr std::size_t N = Crack::kLoads;
@@ -334,6 +336,30 @@ template <SweptCrack Crack>
   result.relative_error = size > 0 ? integral.error / size : 0.0;
   result.converged = result.converged && (integral.converged || size == 0);
   return result;
+}
+
+/// Added compliance of a crack,
+///
+///     Delta lambda_ij = int_A [(2/E')(k_I,i k_I,j + k_II,i k_II,j) + (1/mu) k_III,i k_III,j] dA.
+///
+/// Implements theory manual eq. (FR-2).  The material is linear elastic, and stress intensity is
+/// proportional to the loads.  The crack grows from zero to its size along the family that `crack`
+/// describes.
+///
+/// @param crack    stress intensity per unit of each generalised load, and the swept area
+/// @param moduli   E' and mu; > 0
+/// @param options  tolerance of the adaptive quadrature, which a crack of known compliance needs
+/// not
+/// @return         symmetric positive semidefinite matrix, shape (N, N)
+template <SweptCrack Crack>
+[[nodiscard]] CrackCompliance<Crack::kLoads, ScalarOf<Crack>> added_compliance(
+    const Crack& crack, const BasicCrackModuli<ScalarOf<Crack>>& moduli,
+    const QuadratureOptions& options = {}) {
+  if constexpr (KnownCompliance<Crack>)
+    return CrackCompliance<Crack::kLoads, ScalarOf<Crack>>{.matrix = crack.compliance(moduli),
+                                                           .converged = true};
+  else
+    return integrated_compliance(crack, moduli, options);
 }
 
 }  // namespace strainwave

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 #include "strainwave/core/quadrature.hpp"
 
 namespace strainwave::sif {
@@ -39,6 +39,6 @@ class BasicKassirSih {
 using KassirSih = BasicKassirSih<double>;
 
 extern template class BasicKassirSih<double>;
-extern template class BasicKassirSih<DualReal>;
+extern template class BasicKassirSih<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 #include "strainwave/core/quadrature.hpp"
 
 namespace strainwave::sif {
@@ -86,7 +86,7 @@ class BasicNewmanRaju {
 using NewmanRaju = BasicNewmanRaju<double>;
 
 extern template class BasicNewmanRaju<double>;
-extern template class BasicNewmanRaju<DualReal>;
+extern template class BasicNewmanRaju<CrackReal>;
 
 /// Newman and Raju's surface crack in a plate under tension and bending, shallow and deep.
 ///

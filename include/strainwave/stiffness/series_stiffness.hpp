@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "strainwave/core/dual.hpp"
@@ -40,7 +41,7 @@ struct SeriesCompliance {
 };
 
 /// The numbers of `torsional_stiffness` alone: the same values to the last bit in a third of the
-/// time, or the values with their derivatives.
+/// time, or the values with their derivatives.  `SeriesDerivatives` serves many inputs.
 ///
 /// Implements theory manual eqs. (ST-1), (ST-15); derivatives by (SN-2).
 ///
@@ -52,6 +53,29 @@ template <class Real>
 [[nodiscard]] SeriesCompliance<Real> series_compliance(const GearSet& gear,
                                                        const Lift<Real>& lift = Lift<Real>(),
                                                        const StiffnessOptions& options = {});
+
+/// The series model of one drive with its derivatives with respect to more inputs than a number
+/// carries: the engine differentiates each crack once (SN-10).
+class SeriesDerivatives {
+ public:
+  /// @param gear     has passed `check`; must outlive this object and stay as it is
+  /// @param options  tolerance of the crack integrals and of their derivatives
+  explicit SeriesDerivatives(const GearSet& gear, const StiffnessOptions& options = {});
+  ~SeriesDerivatives();
+  SeriesDerivatives(const SeriesDerivatives&) = delete;
+  SeriesDerivatives& operator=(const SeriesDerivatives&) = delete;
+
+  /// `series_compliance` with respect to the inputs of a lift.
+  /// @throws InputError  if a member refuses a number
+  [[nodiscard]] SeriesCompliance<DualReal> of(const Lift<DualReal>& lift);
+
+  struct Cracks;  ///< derivatives of each crack with respect to its own arguments
+
+ private:
+  const GearSet& gear_;
+  QuadratureOptions options_;
+  std::unique_ptr<Cracks> cracks_;
+};
 
 /// The same by tables of similar cracks (ST-21), for a drive whose numbers vary: within 1e-10 of
 /// the engine, many times faster.  The engine answers for a crack that the tables do not contain.
@@ -67,11 +91,14 @@ template <class Real>
 /// @param gear  has passed `check`
 [[nodiscard]] std::vector<Note> smoothness_notes(const GearSet& gear);
 
-/// Compiled in the library for plain numbers.
-extern template SeriesCompliance<double> series_compliance(const GearSet&, const Lift<double>&,
-                                                           const StiffnessOptions&);
-/// Compiled in the library for numbers with their derivatives.
-extern template SeriesCompliance<DualReal> series_compliance(const GearSet&, const Lift<DualReal>&,
-                                                             const StiffnessOptions&);
+/// In plain numbers, and in numbers with their derivatives.
+/// @{
+template <>
+SeriesCompliance<double> series_compliance(const GearSet&, const Lift<double>&,
+                                           const StiffnessOptions&);
+template <>
+SeriesCompliance<DualReal> series_compliance(const GearSet&, const Lift<DualReal>&,
+                                             const StiffnessOptions&);
+/// @}
 
 }  // namespace strainwave

@@ -7,10 +7,12 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
+#include "strainwave/core/sought_number.hpp"
 
 namespace strainwave {
 namespace {
@@ -19,11 +21,11 @@ namespace {
 template <class Gear, class F>
 void visit_number(Gear& gear, std::string_view path, const F& f) {
   bool found = false;
-  for_each_number(gear, [&](const FieldPath& at, const Field& field, auto& number) {
-    if (!at.is(path)) return;
+  const auto take = [&](const Field& field, double& number) {
     found = true;
-    f(field, number);
-  });
+    f(field, static_cast<std::conditional_t<std::is_const_v<Gear>, const double, double>&>(number));
+  };
+  walk_to_number(shape_of<GearSet>(), const_cast<GearSet*>(&gear), path, std::cref(take));
   if (found) return;
   std::vector<std::string> known;
   for_each_number(

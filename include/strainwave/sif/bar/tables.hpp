@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 
 /// @file
 /// Tables of factors for bars, computed by tools/reference/annular_fourier.py and bar_surface.py
@@ -61,7 +61,7 @@ class BasicOneSidedTable {
 };
 
 extern template class BasicOneSidedTable<double>;
-extern template class BasicOneSidedTable<DualReal>;
+extern template class BasicOneSidedTable<CrackReal>;
 
 /// A crack on one side of a solid bar, of elliptical or straight front, (SB-7) [-].
 /// @param depth_ratio  a/d [-]; in (0, 0.5]

@@ -59,6 +59,6 @@ struct BasicEdgeCrack {
 using EdgeCrack = BasicEdgeCrack<double>;
 
 extern template struct BasicEdgeCrack<double>;
-extern template struct BasicEdgeCrack<DualReal>;
+extern template struct BasicEdgeCrack<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -57,12 +57,13 @@ struct BasicAnnularCrackSolid {
 using AnnularCrackSolid = BasicAnnularCrackSolid<double>;
 
 extern template struct BasicAnnularCrackSolid<double>;
-extern template struct BasicAnnularCrackSolid<DualReal>;
+extern template struct BasicAnnularCrackSolid<CrackReal>;
 
 /// Annular crack in the outer surface of a hollow shaft, loads [axial force, torque].
 ///
 /// Implements theory manual eqs. (FR-14), (FR-15), (FR-16): the compliance is interpolated from a
-/// table over depth and radius ratio, a/t <= 0.8, and the stress intensity is its derivative.
+/// table over depth and radius ratio, a/t <= 0.8, and the stress intensity is its derivative.  The
+/// engine takes this compliance without integrating the stress intensity again.
 /// Torsion is within 0.04 % of an independent computation for any r_i/r_o.  Tension is within 0.3 %
 /// for r_i/r_o <= 0.95 and nu = 0.3; nu between 0.25 and 0.35 changes it by up to 0.6 %.
 template <class Real>
@@ -95,6 +96,10 @@ class BasicAnnularCrackHollow {
   /// Length 2 pi r_e of the circular front, r_e = r_o - a [m].
   [[nodiscard]] Real swept_area(const Real& a, double s) const;
 
+  /// Added compliance over [axial force, torque] at the size of the crack.
+  /// @param moduli  E' and mu [Pa]
+  [[nodiscard]] SymmetricMatrix<2, Real> compliance(const BasicCrackModuli<Real>& moduli) const;
+
   /// Factor C_T(alpha) of (FR-14) at this radius ratio [-].
   [[nodiscard]] Real torsion_factor(const Real& depth_ratio) const;
   /// Factor C_P(alpha) of (FR-15) at this radius ratio [-].
@@ -104,6 +109,12 @@ class BasicAnnularCrackHollow {
   static constexpr std::size_t kNodes = 11;  ///< an exact value at 0, then the table's columns
   using Curve = FloaterHormann<Real, kNodes>;
 
+  [[nodiscard]] Real wall() const { return p_.outer_radius - p_.inner_radius; }
+  /// lambda_TT over C_T at mu = 1 and ln sec = 1 [1/m^3]; (FR-14)
+  [[nodiscard]] Real torsion_scale() const;
+  /// lambda_PP over r_o a^2 C_P at E' = 1 [1/m^4]; (FR-15)
+  [[nodiscard]] Real tension_scale() const;
+
   Parameters p_;
   Real shallow_torsion_factor_;  ///< C_T(0), exact
   Curve log_torsion_;            ///< ln(C_T/C_T(0)) over alpha
@@ -112,6 +123,6 @@ class BasicAnnularCrackHollow {
 using AnnularCrackHollow = BasicAnnularCrackHollow<double>;
 
 extern template class BasicAnnularCrackHollow<double>;
-extern template class BasicAnnularCrackHollow<DualReal>;
+extern template class BasicAnnularCrackHollow<CrackReal>;
 
 }  // namespace strainwave::sif

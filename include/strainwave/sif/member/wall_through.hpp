@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -28,12 +30,18 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
 /// @param wall_thickness  t [m]; > 0, t/r small (Bredt: 1.5 % of tau at t/r = 0.03)
 /// @param angle           angle beta from the generator (+z) toward -theta [rad]
 /// @param nonuniformity   K_u, multiplies the stress of the torque [-]
+/// @{
 [[nodiscard]] CrackPlaneStress crack_plane_stress(double mean_radius, double wall_thickness,
                                                   double angle, double nonuniformity);
+[[nodiscard]] BasicCrackPlaneStress<CrackReal> crack_plane_stress(const CrackReal& mean_radius,
+                                                                  const CrackReal& wall_thickness,
+                                                                  const CrackReal& angle,
+                                                                  const CrackReal& nonuniformity);
 [[nodiscard]] BasicCrackPlaneStress<DualReal> crack_plane_stress(const DualReal& mean_radius,
                                                                  const DualReal& wall_thickness,
                                                                  const DualReal& angle,
                                                                  const DualReal& nonuniformity);
+/// @}
 
 template <class Real>
 class BasicThroughCrackFamily;
@@ -98,7 +106,11 @@ struct BasicThroughCrackInTube {
   [[nodiscard]] Real wall_factor(const Real& a) const;
 
   /// Shell parameter squared, lambda^2 = sqrt(12(1-nu^2)) a^2/(r t) [-]; eq. (FR-8).
-  [[nodiscard]] Real shell_parameter_squared(const Real& a) const;
+  [[nodiscard]] Real shell_parameter_squared(const Real& a) const {
+    using std::sqrt;
+    const Real& nu = poissons_ratio;
+    return sqrt(12 * (1 - nu * nu)) * a * a / (mean_radius * wall_thickness);  // (FR-8)
+  }
   /// Factor of the shell on the energy release rate of an open crack alone under torque, whether
   /// the correction is on or off [-]; eq. (FR-9).
   [[nodiscard]] Real shell_release(const Real& a) const;
@@ -134,8 +146,8 @@ UnitStressIntensity<2, Real> BasicThroughCrackInTube<Real>::stress_intensity(con
 }
 
 extern template class BasicThroughCrackFamily<double>;
-extern template class BasicThroughCrackFamily<DualReal>;
+extern template class BasicThroughCrackFamily<CrackReal>;
 extern template struct BasicThroughCrackInTube<double>;
-extern template struct BasicThroughCrackInTube<DualReal>;
+extern template struct BasicThroughCrackInTube<CrackReal>;
 
 }  // namespace strainwave::sif

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 #include "strainwave/sif/solution.hpp"
 
 /// @file
@@ -66,7 +66,7 @@ class BasicShellFactorsAtAngle {
 };
 
 extern template class BasicShellFactorsAtAngle<double>;
-extern template class BasicShellFactorsAtAngle<DualReal>;
+extern template class BasicShellFactorsAtAngle<CrackReal>;
 
 /// Shell factors at one lambda and angle, as BasicShellFactorsAtAngle.
 ///

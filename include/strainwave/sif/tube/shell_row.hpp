@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "strainwave/core/dual.hpp"
+#include "strainwave/core/crack_real.hpp"
 #include "strainwave/sif/tube/shell_factors.hpp"
 
 /// @file
@@ -42,6 +42,6 @@ class BasicShellRowAtAngle {
 };
 
 extern template class BasicShellRowAtAngle<double>;
-extern template class BasicShellRowAtAngle<DualReal>;
+extern template class BasicShellRowAtAngle<CrackReal>;
 
 }  // namespace strainwave::sif
