@@ -119,6 +119,17 @@ TEST(CoupledSensitivity, CrosscheckDifferencesOfADriveWithEveryCrack) {
   expect_differences(inside(example_drive("cracked_size25")), kStep, kTolerance);
 }
 
+TEST(CoupledSensitivity, CrosscheckDifferencesOfACompositeTube) {
+  // The steel rim on a barrel and a bottom of plies (LA-16), (LA-17), with a crack of the tube.
+  GearSet gear = example_drive("composite_size25");
+  gear.mesh->tooth.reset();
+  gear.flexspline->crack.push_back(
+      WallThroughCrack{.half_length = 2e-3, .angle = 0.7, .shell_correction = false});
+  const std::size_t inputs = sensitivity_of(gear).inputs.size();
+  EXPECT_GT(inputs, 30U);
+  expect_differences(inside(gear), kStep, kTolerance);
+}
+
 TEST(CoupledSensitivity, CrosscheckDifferencesWhereFlanksHoldTheRestingRing) {
   // The drive has an interference at the lobes, and torques by convention, which contain a pressure
   // (TC-14).
