@@ -76,6 +76,11 @@ TEST(PlyFailure, IdentityFactorsMeetTheirLimits) {
             0.0);
   EXPECT_FALSE(tsai_wu_factor(fixed, {}, kStrength));
   EXPECT_FALSE(strain_factor(fixed, {}, kPlyCarbon, kStrength));
+  // Any stress counts, however small.
+  for (const double across : {0.5, -0.5})
+    test::expect_relative(
+        strain_factor({}, {.along = 0, .across = across, .shear = 0}, kPlyCarbon, kStrength).value(),
+        (across > 0 ? 40e6 : 246e6) / 0.5, 1e-12);
 }
 
 // Kind: identity (LA-11).  The stresses of all plies, turned to the axes of the wall, add up to the

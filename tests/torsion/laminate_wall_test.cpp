@@ -70,12 +70,13 @@ GearSet ply_drive() { return ply_drive(kStacks.at("angle_ply"), kStacks.at("quas
 // all couplings of A, B and D.  Tolerances: the largest deviations of the table of (LA-16) and half
 // of its last digit.
 TEST(LaminateWall, CrosscheckShellOfRevolution) {
-  const std::map<std::string, std::array<double, 2>> percent = {{"steel", {1.0, 2.3}},
-                                                                {"angle_ply", {9, 9}},
-                                                                {"steep", {9, 9}},
-                                                                {"cross_ply", {9, 9}},
-                                                                {"quasi", {9, 9}}};
-  std::map<std::string, std::array<double, 2>> worst;
+  // of n = 2, of n = 3 and 6, of the tilt
+  const std::map<std::string, std::array<double, 3>> percent = {{"steel", {9, 9, 9}},
+                                                                {"angle_ply", {9, 9, 9}},
+                                                                {"steep", {9, 9, 9}},
+                                                                {"cross_ply", {9, 9, 9}},
+                                                                {"quasi", {9, 9, 9}}};
+  std::map<std::string, std::array<double, 3>> worst;
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("laminate_wall")) {
     const std::string name =
@@ -116,13 +117,14 @@ TEST(LaminateWall, CrosscheckShellOfRevolution) {
                              : pi * EI / std::pow(R, 3) * (n * n - 1.0) * (n * n - 1.0) +
                                    mode.barrel + mode.diaphragm;
     const double off = 100 * (ours / row.value - 1);
-    double& most = worst[name][tilt ? 1 : 0];
+    const std::size_t column = tilt ? 2 : n == 2 ? 0 : 1;
+    double& most = worst[name][column];
     if (std::abs(off) > std::abs(most)) most = off;
-    EXPECT_NEAR(off, 0, percent.at(name)[tilt ? 1 : 0] + 0.05) << row.quantity << " n = " << n;
+    EXPECT_NEAR(off, 0, percent.at(name)[column] + 0.05) << row.quantity << " n = " << n;
     ++compared;
   }
   for (const auto& [name, of] : worst)
-    std::printf("%s %.3g %.3g\n", name.c_str(), of[0], of[1]);
+    std::printf("%s %.3g %.3g %.3g\n", name.c_str(), of[0], of[1], of[2]);
   EXPECT_EQ(compared, 240);
 }
 
