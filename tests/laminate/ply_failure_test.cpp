@@ -76,6 +76,11 @@ TEST(PlyFailure, IdentityFactorsMeetTheirLimits) {
             0.0);
   EXPECT_FALSE(tsai_wu_factor(fixed, {}, kStrength));
   EXPECT_FALSE(strain_factor(fixed, {}, kPlyCarbon, kStrength));
+  // A stress at its limit fails, also under a load that would relieve it.
+  for (const double across : {40e6, -246e6})
+    EXPECT_EQ(strain_factor({.along = 0, .across = across, .shear = 0},
+                            {.along = 0, .across = -across, .shear = 0}, kPlyCarbon, kStrength),
+              0.0);
   // Any stress counts, however small.
   for (const double across : {0.5, -0.5})
     test::expect_relative(
@@ -144,6 +149,9 @@ TEST(PlyFailure, ReferenceHaighLines) {
   test::expect_relative(both.fibre, 0.25 + 0.2, 1e-13);
   test::expect_relative(both.matrix, std::hypot(0.25 + 0.25, 0.2 + 0.25), 1e-13);
   EXPECT_EQ(both.utilisation(), both.matrix);
+  EXPECT_EQ(share({150e6, 4e6, 6e6}, {-300e6, 10e6, -17e6}).matrix, both.matrix);
+  test::expect_relative(share({}, {0, 0.5, 0}).matrix, 0.5 / 40e6, 1e-13);
+  test::expect_relative(share({}, {0.5, 0, 0}).fibre, 0.5 / 1500e6, 1e-13);
   LaminaStrength uneven = kStrength;
   uneven.fibre_compression = 1200e6;
   test::expect_relative(ply_endurance({}, {-300e6, 0, 0}, uneven, kEndurance).fibre, 0.25, 1e-13);
@@ -166,6 +174,7 @@ TEST(PlyFailure, IdentityEnduranceFactor) {
   EXPECT_EQ(endurance_factor({601e6, 0, 0}, mean, kStrength, kEndurance), 0.0);
   EXPECT_EQ(endurance_factor({0, 16.1e6, 0}, mean, kStrength, kEndurance), 0.0);
   EXPECT_EQ(endurance_factor({0, 12e6, 23e6}, mean, kStrength, kEndurance), 0.0);
+  EXPECT_EQ(endurance_factor({600e6, 0, 0}, {0, 0, 1e6}, kStrength, kEndurance), 0.0);
   EXPECT_GT(endurance_factor({599e6, 0, 0}, mean, kStrength, kEndurance).value(), 0.0);
   EXPECT_FALSE(endurance_factor(amplitude, {}, kStrength, kEndurance));
 }
