@@ -62,9 +62,12 @@ const char* const kOrder =
 const char* const kNoField =
     "Assess the crack by finite elements of the part, because no field of the file can give this "
     "stress.";
-const char* const kLaminate =
-    "the ligaments beside a crack in a laminate and the bending of its plies by the assembly are "
-    "not assessed";
+const char* const kLaminate = "the ligaments beside a crack in a laminate are not assessed";
+const StrengthNote kPliesBending = {
+    "a through crack of a laminate is assessed with the strain that the assembly causes at a face, "
+    "through the whole wall; this is an upper bound of the bending of the plies; contact of the "
+    "closed half of the crack is left out",
+    "LA-20"};
 const char* const kGiveEnergy =
     "Give fracture_energy of the laminate in the file, to compare the energy release rate with.";
 const char* const kPliesByElements =
@@ -146,6 +149,11 @@ struct EnergyModes {
       k.II[load] *= sliding;
     }
     return k;
+  }
+  /// The modes of K of the assembly, which opens the faces.
+  [[nodiscard]] std::array<double, 3> of(const AssemblyStress& stress, double root) const {
+    return {opening * (stress.normal + opening_by_shear * stress.shear) * root,
+            sliding * stress.shear * root, 0.0};
   }
 };
 
@@ -392,12 +400,17 @@ class Maker {
       leave_unknown(made, kLaminate, energy ? kPliesByElements : kGiveEnergy);
       use(made, {"LA-9", "LA-15"});
     }
-    made.front = [states = BothStates(loaded.solution), bending, energy_modes](
+    made.front = [states = BothStates(loaded.solution), bending, energy_modes,
+                  in_laminate = made.laminate](
                      const CrackSize& size, Faces faces) {
       const double root = std::sqrt(pi * size.size);
       const sif::ThroughCrackInTube& solution = states.with(faces);
       auto front = along(solution, size.size, {-1.0, 0.0, 1.0});
       for (FrontIntensity& at : front) at.load = energy_modes.of(at.load, faces);
+      if (in_laminate) {
+        for (FrontIntensity& at : front) at.assembly = energy_modes.of(bending, root);  // (LA-20)
+        return front;
+      }
       // (FA-14): the full stress of the outer fibre, and in a row the neighbours under the same
       // stress (CG-7).
       RowFactors row{1.0, 0.0, 0.0, 1.0};
@@ -436,8 +449,8 @@ class Maker {
     }
     use(made, {"FA-6", "FA-8"});
     if (made.assembly) {
-      use(made, {"FA-14"});
-      made.notes.push_back(kThroughBending);
+      if (!made.laminate) use(made, {"FA-14"});
+      made.notes.push_back(made.laminate ? kPliesBending : kThroughBending);
     }
   }
 
@@ -705,11 +718,18 @@ class Maker {
   [[nodiscard]] AssemblyStress assembly_of(DriveCrack& made, WallSection section,
                                            const LongWall& wall, double angle) const {
     if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring without bending it
-    if (made.laminate) return {};
-    const ElasticConstants steel = loads_.wall_steel(section);
     made.assembly = true;
     made.turning = TurningLoad::wave;
     made.notes.push_back(kAssembly);
+    if (made.laminate) {
+      use(made, {"LA-6", "LA-20"});
+      const auto plies =
+          wall_laminate(Lift<double>(), gear_, material_of_crack(made), wall.thickness);
+      made.assembly_peak =
+          assembly_stress(gear_.drive, plies.value(), wall.mean_radius, 0.0).normal;
+      return assembly_stress(gear_.drive, plies.value(), wall.mean_radius, angle);
+    }
+    const ElasticConstants steel = loads_.wall_steel(section);
     use(made, {"ST-17", "FA-12"});
     made.assembly_peak =
         assembly_stress(gear_.drive, steel, wall.mean_radius, wall.thickness, 0.0).normal;

@@ -49,4 +49,20 @@ AssemblyStress assembly_stress(const Transmission& drive, const ElasticConstants
           .shear = -(1 - steel.nu) * hoop * s * c};  // (FA-12)
 }
 
+AssemblyStress assembly_stress(const Transmission& drive, const LaminateStiffness<double>& wall,
+                               double mean_radius, double angle) {
+  require(mean_radius > 0, "mean_radius", mean_radius, "m", "mean_radius > 0");
+  const int U = drive.wave_number;
+  const double curvature = (U * U - 1) * drive.radial_displacement / (mean_radius * mean_radius);
+  const double neutral = wall.B.m22 / wall.A.m22;
+  const double strain = curvature * (wall.thickness / 2 + std::abs(neutral));
+  const double along = wall.A.m12 / wall.thickness * strain;
+  const double round = wall.A.m22 / wall.thickness * strain;
+  const double sheared = wall.A.m26 / wall.thickness * strain;
+  const double s = std::sin(angle);
+  const double c = std::cos(angle);
+  return {.normal = s * s * along + c * c * round - 2 * s * c * sheared,
+          .shear = -((round - along) * s * c + (c * c - s * s) * sheared)};  // (LA-20)
+}
+
 }  // namespace strainwave

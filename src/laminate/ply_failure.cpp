@@ -84,6 +84,53 @@ std::optional<double> strain_factor(const LaminaStress& fixed, const LaminaStres
   return least;
 }
 
+namespace {
+
+/// Shares of amplitude and mean in the Haigh lines along, across and in shear.
+struct HaighShares {
+  std::array<double, 3> amplitude{};
+  std::array<double, 3> mean{};
+
+  HaighShares(const LaminaStress& a, const LaminaStress& m, const LaminaStrength& strength,
+              const LaminaEndurance& endurance)
+      : amplitude{std::abs(a.along) / endurance.fibre, std::abs(a.across) / endurance.transverse,
+                  std::abs(a.shear) / endurance.shear},
+        mean{m.along > 0 ? m.along / strength.fibre_tension
+                         : -m.along / strength.fibre_compression,
+             m.across > 0 ? m.across / strength.transverse_tension
+                          : -m.across / strength.transverse_compression,
+             std::abs(m.shear) / strength.shear} {}
+};
+
+}  // namespace
+
+PlyEndurance ply_endurance(const LaminaStress& amplitude, const LaminaStress& mean,
+                           const LaminaStrength& strength, const LaminaEndurance& endurance) {
+  const HaighShares share(amplitude, mean, strength, endurance);
+  return {.fibre = share.amplitude[0] + share.mean[0],
+          .matrix = std::hypot(share.amplitude[1] + share.mean[1],
+                               share.amplitude[2] + share.mean[2])};  // (LA-19)
+}
+
+std::optional<double> endurance_factor(const LaminaStress& amplitude, const LaminaStress& mean,
+                                       const LaminaStrength& strength,
+                                       const LaminaEndurance& endurance) {
+  const HaighShares share(amplitude, mean, strength, endurance);
+  const auto& [a1, a2, a6] = share.amplitude;
+  const auto& [m1, m2, m6] = share.mean;
+  const double left = 1 - a2 * a2 - a6 * a6;
+  if (a1 >= 1 || left <= 0) return 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  if (m1 > 0) least = (1 - a1) / m1;
+  const double square = m2 * m2 + m6 * m6;
+  // The stable form of the positive root of |a + f m|^2 = 1.
+  const double along = a2 * m2 + a6 * m6;
+  if (square > 0)
+    least = std::min(least, left / (along + std::sqrt(along * along + square * left)));
+  if (!std::isfinite(least)) return std::nullopt;
+  return least;
+}
+
 std::vector<PlyFace> ply_stresses(std::span<const LaminatePly<double>> plies, double thickness,
                                   const TubeLoads& loads) {
   const LaminateStiffness<double> wall = laminate_stiffness(plies, thickness);

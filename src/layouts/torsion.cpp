@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "strainwave/core/shown_text.hpp"
@@ -182,15 +183,17 @@ TitledTable points_table(const TorsionReport& report) {
 TitledTable rim_table(const TorsionReport& report) {
   const DisplayUnit unit = display_unit({}, "Pa");
   Table table{.head = {"", "least", "largest"}};
-  const auto add = [&](const char* label, double RimState::*stress) {
+  const auto add = [&](const char* label, const auto& stress) {
     const auto [least, most] = std::ranges::minmax_element(report.rim, {}, stress);
-    table.rows.push_back(cells(label, shown_number((*least).*stress / unit.in_si),
-                               shown_number((*most).*stress / unit.in_si)));
+    table.rows.push_back(cells(label, shown_number(stress(*least) / unit.in_si),
+                               shown_number(stress(*most) / unit.in_si)));
   };
-  add("rim at the tooth roots, hoop", &RimState::rim_outside_stress);
-  add("rim at its bore, hoop", &RimState::rim_inside_stress);
-  add("barrel at the rim, hoop bending", &RimState::barrel_bending_stress);
-  add("barrel, shear from the torque", &RimState::barrel_shear_stress);
+  add("rim at the tooth roots, hoop", std::mem_fn(&RimState::rim_outside_stress));
+  add("rim at its bore, hoop", std::mem_fn(&RimState::rim_inside_stress));
+  if (report.rim.front().barrel_bending_stress)
+    add("barrel at the rim, hoop bending",
+        [](const RimState& state) { return *state.barrel_bending_stress; });
+  add("barrel, shear from the torque", std::mem_fn(&RimState::barrel_shear_stress));
   return {fmt::format("Stress over a turn of the wave generator at {} [{}], without concentration "
                       "(TC-24)",
                       torque(report.torques.rated), unit.text),

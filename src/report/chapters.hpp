@@ -25,6 +25,7 @@ struct Draft {
   std::vector<std::string> equations = {};  ///< tags, each once
   std::string inputs_summary = {};          ///< number of inputs by origin; plain text
   std::string life = {};    ///< what ends the life of the parts; plain text, empty: not computed
+  std::string laminates = {};  ///< which ply fails first; plain text, empty: no laminate
   std::string growth = {};  ///< what ends the growth of the cracks; plain text, empty: not computed
 
   void add(const std::vector<Note>& more);
@@ -42,6 +43,8 @@ struct Draft {
 [[nodiscard]] ReportSection results_chapter(const Draft& draft);
 [[nodiscard]] ReportSection shares_chapter(const Draft& draft);
 [[nodiscard]] ReportSection torsion_chapter(Draft& draft);
+/// Of a flexspline with a wall of plies.
+[[nodiscard]] ReportSection laminate_chapter(Draft& draft);
 /// Of a drive with a duty.
 [[nodiscard]] ReportSection duty_chapter(Draft& draft);
 [[nodiscard]] ReportSection life_chapter(Draft& draft);

@@ -14,6 +14,7 @@
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/laminate_report.hpp"
 
 namespace strainwave {
 namespace report {
@@ -109,6 +110,7 @@ std::string verdict_html(const Draft& draft) {
   if (!verdict.next_step.empty()) html += paragraph(verdict.next_step);
   const std::string strength = strength_words(draft);
   if (!strength.empty()) html += paragraph(strength);
+  if (!draft.laminates.empty()) html += paragraph("Laminates: " + draft.laminates);
   if (!draft.life.empty()) html += paragraph("Life of the parts, without cracks: " + draft.life);
   if (!draft.growth.empty()) html += paragraph("Growth of the cracks: " + draft.growth);
   for (const CrackStrength& crack : r.strength)
@@ -233,6 +235,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   made.sections.push_back(results_chapter(draft));
   made.sections.push_back(shares_chapter(draft));
   made.sections.push_back(torsion_chapter(draft));
+  if (has_laminates(gear)) made.sections.push_back(laminate_chapter(draft));
   if (gear.duty) {
     made.sections.push_back(duty_chapter(draft));
     made.sections.push_back(life_chapter(draft));

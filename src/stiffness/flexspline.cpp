@@ -624,7 +624,8 @@ void note_ovalisation(const GearSet& gear, const CrackLoads<double>& loads, Wall
   if (material_of(gear, material, "flexspline.material").is_laminate()) {
     member.notes.push_back({.code = "flexspline.laminate_assembly",
                             .text = "assembly on the wave generator bends the plies; this bending "
-                                    "is not in the energy of the cracks",
+                                    "is not in the compliance of the cracks, while strength and "
+                                    "growth take an upper bound of it",
                             .path = "flexspline.crack",
                             .equation = "LA-6",
                             .severity = Severity::care,

@@ -15,6 +15,7 @@
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
+#include "strainwave/stiffness/section_torsion.hpp"
 
 // The numbers of the series model, each computed in one place for double and dual numbers.  The
 // source files of the three members add notes, accuracies and equations.
@@ -180,35 +181,11 @@ class SeriesModel {
     return material_of(gear_, material, "flexspline.material");
   }
 
-  /// Torsional compliance of a tube of the flexspline.
   [[nodiscard]] Real twist(const TubeSection& section, const Material& of) const {
-    if (const auto torsion = laminate_torsion(lift_, gear_, of, section))
-      return lift_(section.length) / torsion->stiffness;  // (LA-5)
-    return torsional_compliance(tube(section), elastic_constants(lift_, of).G);
+    return section_twist(lift_, gear_, section, of, Real(lift_(section.length)));
   }
-
-  /// Torsional compliance of the bottom of the flexspline.
   [[nodiscard]] Real twist(const Diaphragm& diaphragm, const Material& of) const {
-    const Real thickness = lift_(diaphragm.thickness);
-    const auto wall = wall_laminate(lift_, gear_, of, thickness);
-    if (!wall) return torsional_compliance(lift_, diaphragm, elastic_constants(lift_, of).G);
-    // The fibres do not follow the hoop direction, so the shear must be as stiff in every one.
-    if (!isotropic_in_plane(*wall_laminate(Lift<double>(), gear_, of, diaphragm.thickness),
-                            kNearlyIsotropic))
-      throw InputError(
-          "flexspline.diaphragm.material",
-          fmt::format("\"{}\" is not as stiff in every direction of its plane; a bottom of a "
-                      "laminate needs quasi-isotropic plies, such as 0, 45, -45 and 90 deg",
-                      shown(material_name(*gear_.flexspline, diaphragm))));
-    return torsional_compliance(lift_, diaphragm,
-                                Real(mean_shear_stiffness(*wall) / thickness));  // (LA-10)
-  }
-
-  [[nodiscard]] BasicTube<Real> tube(const TubeSection& section) const {
-    const Real D = lift_(section.outer_diameter);
-    return {.outer_diameter = D,
-            .inner_diameter = D - 2 * lift_(section.wall_thickness),
-            .length = lift_(section.length)};
+    return section_twist(lift_, gear_, diaphragm, of);
   }
 
   const GearSet& gear_;

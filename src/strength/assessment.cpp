@@ -290,7 +290,10 @@ void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtS
       first_size(asked.crack, "beyond the toughness even without a crack", [&](double size) {
         return AtSize(asked, size, state.sense, state.with_assembly).K_together() / *K_Ic - 1;
       });
-  if (*state.utilisation >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
+  // An upper bound of the bending does not prove that a crack of a laminate fractures (LA-20).
+  const double proven =
+      asked.crack.laminate && state.with_assembly ? state.K_load / *K_Ic : *state.utilisation;
+  if (proven >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
 }
 
 /// Records why a point inside the line does not prove that the crack holds; (FA-13).
@@ -458,10 +461,17 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
       break;
   }
   std::string text = fmt::format("cannot tell{}: {}", sense, state.unknown);
-  if (state.utilisation && laminate)
-    text += fmt::format("; the energy release rate is {:.3g} times the fracture energy",
-                        *state.utilisation * *state.utilisation);
-  else if (state.utilisation)
+  if (state.utilisation && laminate) {
+    const double times = *state.utilisation * *state.utilisation;
+    const double by_load = state.K_load / state.K * state.K_load / state.K * times;
+    text += state.with_assembly
+                ? fmt::format("; the energy release rate is at most {:.3g} times the fracture "
+                              "energy, and {:.3g} times without the bending of the plies",
+                              times, by_load)
+                : fmt::format("; the energy release rate is {:.3g} times the fracture energy",
+                              times);
+  }
+  if (state.utilisation && !laminate)
     text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
   if (state.L_r) text += fmt::format("; L_r = {:.3g}", *state.L_r);
   return text + accuracy_words(state) + size_words(crack, state);

@@ -107,7 +107,7 @@ WaveStates PlaceStresses::over_turn(const std::vector<RimState>& rim, const Curv
   const double rim_shear = rim_shear_per_torque_ * point.torque;
   if (place_ == FatiguePlace::wall) {
     for (const RimState& state : rim)
-      states.push_back({.hoop = state.barrel_bending_stress,
+      states.push_back({.hoop = state.barrel_bending_stress.value(),
                         .shear = wall_shear_factor_ * state.barrel_shear_stress});
   } else if (place_ == FatiguePlace::rim) {
     for (const RimState& state : rim)

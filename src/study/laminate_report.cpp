@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -48,6 +49,13 @@ std::vector<const Ply*> listed(const Material& laminate) {
 }
 
 LaminaStress negative(const LaminaStress& s) { return {-s.along, -s.across, -s.shear}; }
+LaminaStress sum(const LaminaStress& a, const LaminaStress& b) {
+  return {a.along + b.along, a.across + b.across, a.shear + b.shear};
+}
+
+void take_largest(std::optional<double>& largest, double other) {
+  if (!largest || other > *largest) largest = other;
+}
 
 void take_least(std::optional<double>& least, const std::optional<double>& other) {
   if (other && (!least || *other < *least)) least = other;
@@ -133,7 +141,6 @@ class Walls {
                    .material = named[i]->material,
                    .angle = named[i]->angle,
                    .thickness = named[i]->thickness / wall.thickness_of_plies * wall.thickness};
-      const std::optional<LaminaStrength> strength = strength_of(of);
       for (const std::size_t face : {2 * i, 2 * i + 1}) {
         const LaminaStress& bent = given[face].assembly;
         ply.load_along = given[face].load.along;
@@ -142,24 +149,93 @@ class Walls {
         ply.assembly_along = std::max(ply.assembly_along, std::abs(bent.along));
         ply.assembly_across = std::max(ply.assembly_across, std::abs(bent.across));
         ply.assembly_shear = std::max(ply.assembly_shear, std::abs(bent.shear));
-        if (!strength) continue;
-        for (const LaminaStress& fixed : {bent, negative(bent)})
-          for (const LaminaStress& load : {given[face].load, other[face].load}) {
-            take_least(ply.tsai_wu, tsai_wu_factor(fixed, load, *strength));
-            take_least(ply.largest_strain, strain_factor(fixed, load, plies_[i].lamina, *strength));
-          }
       }
-      if (!strength) without_strength_ = named[i]->material;
+      if (const std::optional<LaminaStrength> strength = strength_of(of)) {
+        add_failure(ply, i, given, other, *strength);
+        if (of.ply_endurance) add_endurance(ply, i, given, other, *strength, *of.ply_endurance);
+      } else {
+        without_strength_ = named[i]->material;
+      }
+      if (!ply.haigh) without_endurance_ = named[i]->material;
       std::optional<double> least = ply.tsai_wu;
       take_least(least, ply.largest_strain);
       if (least && (!wall.reserve || *least < *wall.reserve)) {
         wall.reserve = least;
         wall.first_ply = ply.number;
       }
+      take_least(wall.proportional, ply.proportional);
+      if (ply.haigh) take_largest(wall.haigh, *ply.haigh);
       wall.plies.push_back(std::move(ply));
+    }
+    note_unknown(wall);
+  }
+
+  /// First failure of a ply, over both faces, both senses of torque and a turn.  The stress of the
+  /// assembly runs from that at a lobe to its negative, and what a criterion admits is convex, so
+  /// the least factor belongs to one of these ends (LA-18).
+  void add_failure(PlyState& ply, std::size_t i, const std::vector<PlyFace>& given,
+                   const std::vector<PlyFace>& other, const LaminaStrength& strength) const {
+    const double between = std::numbers::pi / gear_.drive.wave_number;
+    std::optional<double> worst;
+    for (const std::size_t face : {2 * i, 2 * i + 1}) {
+      const LaminaStress& bent = given[face].assembly;
+      for (const bool at_lobe : {true, false})
+        for (const bool as_given : {true, false}) {
+          const LaminaStress fixed = at_lobe ? bent : negative(bent);
+          const LaminaStress& load = (as_given ? given : other)[face].load;
+          const Lamina<>& lamina = plies_[i].lamina;
+          const auto criterion = tsai_wu_factor(fixed, load, strength);
+          const auto strain = strain_factor(fixed, load, lamina, strength);
+          take_least(ply.tsai_wu, criterion);
+          take_least(ply.largest_strain, strain);
+          const LaminaStress both = sum(fixed, load);
+          take_least(ply.proportional, tsai_wu_factor({}, both, strength));  // (LA-18)
+          take_least(ply.proportional, strain_factor({}, both, lamina, strength));
+          std::optional<double> least = criterion;
+          take_least(least, strain);
+          if (!least || (worst && *least >= *worst)) continue;
+          worst = least;
+          ply.worst_face = given[face].outer ? "outer" : "inner";
+          ply.worst_angle = at_lobe ? 0.0 : between;
+          ply.worst_sense = as_given == (gear_.load.torque >= 0) ? 1 : -1;
+          ply.worst_along = both.along;
+          ply.worst_across = both.across;
+          ply.worst_shear = both.shear;
+        }
+    }
+  }
+
+  /// Endurance of a ply over a turn at constant load; (LA-19).
+  static void add_endurance(PlyState& ply, std::size_t i, const std::vector<PlyFace>& given,
+                            const std::vector<PlyFace>& other, const LaminaStrength& strength,
+                            const LaminaEndurance& endurance) {
+    for (const std::size_t face : {2 * i, 2 * i + 1})
+      for (const std::vector<PlyFace>* const sense : {&given, &other}) {
+        const LaminaStress& bent = (*sense)[face].assembly;
+        const LaminaStress& load = (*sense)[face].load;
+        take_largest(ply.haigh, ply_endurance(bent, load, strength, endurance).utilisation());
+        take_least(ply.haigh_factor, endurance_factor(bent, load, strength, endurance));
+      }
+  }
+
+  /// Notes what the plies of a wall do not state.
+  void note_unknown(LaminateWall& wall) {
+    if (!without_endurance_.empty()) {
+      wall.haigh.reset();
+      report_.notes.push_back(
+          {.code = "laminate.no_endurance",
+           .text = fmt::format("{} states no endurance, so it cannot be told whether the plies "
+                               "endure the turns of the wave generator",
+                               shown(without_endurance_)),
+           .path = wall.path,
+           .equation = "LA-19",
+           .severity = Severity::care,
+           .next_step = "Give ply_endurance of the layer, from tests of your laminate."});
+      without_endurance_.clear();
     }
     if (without_strength_.empty()) return;
     wall.reserve.reset();
+    wall.proportional.reset();
     wall.first_ply = 0;
     report_.notes.push_back(
         {.code = "laminate.no_strength",
@@ -202,6 +278,7 @@ class Walls {
   std::vector<LaminatePly<>> plies_;
   LaminateStiffness<> stiffness_;
   std::string without_strength_;
+  std::string without_endurance_;
 };
 
 /// The least reserve of all tubes; absent if that of one of them is not known.
@@ -215,7 +292,18 @@ std::optional<double> reserve_of(const LaminateReport& report) {
   return least;
 }
 
-std::string sentence_of(const LaminateReport& report) {
+/// The largest share of the Haigh line of all tubes; absent if that of one of them is not known.
+std::optional<double> haigh_of(const LaminateReport& report) {
+  std::optional<double> largest;
+  for (const LaminateWall& wall : report.walls) {
+    if (wall.plies.empty()) continue;  // a bottom
+    if (!wall.haigh) return std::nullopt;
+    take_largest(largest, *wall.haigh);
+  }
+  return largest;
+}
+
+std::string failure_sentence(const LaminateReport& report) {
   if (!report.reserve)
     return "It is not known at which load the first ply fails; the notes say what is missing.";
   const auto first = std::ranges::find(report.walls, report.reserve, &LaminateWall::reserve);
@@ -226,7 +314,24 @@ std::string sentence_of(const LaminateReport& report) {
                      first->path, *first->reserve);
 }
 
+std::string sentence_of(const LaminateReport& report) {
+  const std::string failure = failure_sentence(report);
+  if (!report.haigh) return failure;
+  return fmt::format("{} Over a turn the plies use {:.3g} of what they endure.", failure,
+                     *report.haigh);
+}
+
 }  // namespace
+
+bool has_laminates(const GearSet& gear) {
+  bool any = false;
+  if (gear.flexspline)
+    for_each_section(*gear.flexspline, [&](std::string_view, const auto& section) {
+      const std::string& material = material_name(*gear.flexspline, section);
+      any = any || material_of(gear, material, "flexspline.material").is_laminate();
+    });
+  return any;
+}
 
 LaminateReport laminate_report(const GearSet& gear) {
   LaminateReport report;
@@ -256,6 +361,7 @@ LaminateReport laminate_report(const GearSet& gear) {
        .equation = "LA-11",
        .severity = Severity::care});
   report.reserve = reserve_of(report);
+  report.haigh = haigh_of(report);
   report.sentence = sentence_of(report);
   if (report.reserve && *report.reserve < 1)
     report.notes.push_back({.code = "laminate.fails",
@@ -264,8 +370,20 @@ LaminateReport laminate_report(const GearSet& gear) {
                             .equation = "LA-14",
                             .severity = Severity::critical,
                             .next_step = "Lower the load, or change the plies."});
-  report.equations = {"LA-1", "LA-2",  "LA-3",  "LA-4",  "LA-5",
-                      "LA-6", "LA-11", "LA-12", "LA-13", "LA-14"};
+  if (report.haigh && *report.haigh > 1)
+    report.notes.push_back(
+        {.code = "laminate.fatigue",
+         .text = "a ply does not endure the turns of the wave generator under this load",
+         .path = "load.torque",
+         .equation = "LA-19",
+         .severity = Severity::critical,
+         .next_step = "Lower the load or drive.radial_displacement, or change the plies."});
+  report.equations = {"LA-1",  "LA-2",  "LA-3",  "LA-4",  "LA-5", "LA-6",
+                      "LA-11", "LA-12", "LA-13", "LA-14", "LA-18"};
+  const auto endures = [](const LaminateWall& wall) {
+    return std::ranges::any_of(wall.plies, [](const PlyState& ply) { return !!ply.haigh; });
+  };
+  if (std::ranges::any_of(report.walls, endures)) report.equations.emplace_back("LA-19");
   return report;
 }
 

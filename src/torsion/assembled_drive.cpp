@@ -87,6 +87,34 @@ void note_teeth(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>
                    : "Give lower addendum and spline_addendum, or a larger mesh.flank_angle."});
 }
 
+/// What the ring leaves out of a barrel and a bottom of plies.
+void note_laminates(const GearSet& gear, std::vector<Note>& notes) {
+  const Flexspline& fs = *gear.flexspline;
+  const auto wall_of = [&](const auto& section, double thickness) {
+    return wall_laminate(Lift<double>(), gear,
+                         material_of(gear, material_name(fs, section), "flexspline.material"),
+                         thickness);
+  };
+  if (wall_of(*fs.barrel, fs.barrel->wall_thickness))
+    notes.push_back({"torsion.laminate",
+                     "the barrel resists the oval rim with the stretching, shear and bending of its "
+                     "plies, without their coupling of bending with twist; the accuracy of the "
+                     "curve was found with drives of steel, none of which has such a barrel",
+                     "flexspline.barrel", "LA-16", Severity::care,
+                     "Compare the drive with a measured curve, and run strainwave laminate for the "
+                     "stress of the plies."});
+  const auto bottom = wall_of(*fs.diaphragm, fs.diaphragm->thickness);
+  if (!bottom) return;
+  const double softer = 1 - softest_plate(*bottom).bending / mean_plate(*bottom).bending;
+  notes.push_back({"torsion.laminate_bottom",
+                   fmt::format("the bottom resists the warping of the barrel with the mean of its "
+                               "bending stiffness over all directions, an upper bound; the lower "
+                               "bound is {:.2g} % less, and the change over a turn is left out",
+                               100 * softer),
+                   "flexspline.diaphragm", "LA-17", Severity::care,
+                   "Spread the directions of the plies over the thickness of the bottom."});
+}
+
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
   const double kappa = g.radial_displacement / g.module;
   if (!g.tooth && (kappa < kLeastKappa || kappa > kMostKappa))
@@ -114,6 +142,7 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
                      "proportions miss their stiffness by 20 to 60 %",
                      "drive.pitch_diameter", "TC-14", Severity::care,
                      "Calibrate the drive with a measured curve or a catalogue."});
+  note_laminates(gear, notes);
   if (gear.circular_spline == std::nullopt)
     notes.push_back({"torsion.rigid_spline",
                      "the file gives no circular spline, so a rigid one is assumed, which makes "
@@ -176,7 +205,7 @@ void crack(AssembledDrive::Contents& into) {
     into.fails_because = "the cracked drive does not assemble on the cam of the sound one";
 }
 
-std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
+std::vector<std::string> equations_of(const GearSet& gear, const CoupledGeometry& geometry) {
   std::vector<std::string> equations = {"TC-1", "TC-2", "TC-4", "TC-5", "TC-6"};
   // Drawn teeth have their own gap and stiffness.
   const auto of_teeth = geometry.tooth ? std::array{"TC-29", "TC-30"} : std::array{"TC-7", "TC-9"};
@@ -185,6 +214,12 @@ std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
     equations.emplace_back(tag);
   if (geometry.support > 0) equations.emplace_back("TC-10");
   if (geometry.neighbours) equations.emplace_back("TC-31");
+  const Flexspline& fs = *gear.flexspline;
+  const auto is_laminate = [&](const auto& section) {
+    return material_of(gear, material_name(fs, section), "flexspline.material").is_laminate();
+  };
+  if (is_laminate(*fs.barrel)) equations.insert(equations.end(), {"LA-5", "LA-16"});
+  if (is_laminate(*fs.diaphragm)) equations.insert(equations.end(), {"LA-10", "LA-17"});
   return equations;
 }
 
@@ -221,7 +256,7 @@ AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOption
                                     .drive = sound,
                                     .series = {},
                                     .notes = {},
-                                    .equations = equations_of(geometry),
+                                    .equations = equations_of(gear, geometry),
                                     .sound_fails_because = {},
                                     .fails_because = {},
                                     .unusable_because = {}};

@@ -11,7 +11,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/result/evidence.hpp"
-#include "strainwave/stiffness/elastic_members.hpp"
+#include "strainwave/stiffness/section_torsion.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 
 namespace strainwave {
@@ -40,18 +40,15 @@ using SeriesMembers = BasicSeriesMembers<double>;
 template <class Real>
 [[nodiscard]] BasicSeriesMembers<Real> cup_members(const GearSet& gear, const Lift<Real>& lift) {
   const Flexspline& fs = *gear.flexspline;
-  const Real G = elastic_constants(lift, only_material(gear, fs)).G;
+  const auto material = [&](const auto& section) -> const Material& {
+    return material_of(gear, material_name(fs, section), "flexspline.material");
+  };
   const auto tube = [&](const TubeSection& section, const Real& length) {
-    const Real D = lift(section.outer_diameter);
-    return torsional_compliance(
-        BasicTube<Real>{.outer_diameter = D,
-                        .inner_diameter = D - 2 * lift(section.wall_thickness),
-                        .length = length},
-        G);
+    return section_twist(lift, gear, section, material(section), length);
   };
   BasicSeriesMembers<Real> series;
   series.barrel = tube(*fs.barrel, lift(fs.barrel->length));
-  series.diaphragm = torsional_compliance(lift, *fs.diaphragm, G);  // (TC-13)
+  series.diaphragm = section_twist(lift, gear, *fs.diaphragm, material(*fs.diaphragm));  // (TC-13)
   // (TC-13): traction spread evenly over the teeth twists the rim as much as a third of its length
   // would.
   series.rim = tube(*fs.rim, lift(fs.rim->length) / 3);

@@ -11,6 +11,7 @@
 #include "flexspline_wall.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/crack_tables/crack_derivatives.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
@@ -477,9 +478,9 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   // A pair alone is softer than this, because its line contact has more than 3/E.  Up to this limit
   // the contacts stay stable with the neighbours of (TC-31).
   if (gear.mesh->pair_stiffness) {
-    const double E = only_material(gear, *gear.flexspline).youngs_modulus.value();
+    const double E = elastic_constants(rim_material(gear, *gear.flexspline)).E;
     require(*gear.mesh->pair_stiffness <= E / 3, "mesh.pair_stiffness", *gear.mesh->pair_stiffness,
-            "Pa", "at most a third of Young's modulus of the flexspline for drawn teeth (TC-31)");
+            "Pa", "at most a third of Young's modulus of the flexspline's rim for drawn teeth (TC-31)");
   }
   if (!gear.circular_spline) return;
   const double inside = gear.circular_spline->inner_diameter;
@@ -494,6 +495,33 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
           "at most drive.pitch_diameter + 2 drive.radial_displacement + "
           "thickness/tan(mesh.flank_angle), because otherwise the roots of the circular spline's "
           "teeth overlap (TC-31)");
+}
+
+/// Largest coupling of a wall's stretching with its shear or bending, relative [-], up to which the
+/// ring leaves the coupling out.  Angles of plies scatter by a degree or two.
+constexpr double kNearlyUncoupled = 0.05;
+
+/// Rules of walls of laminates (LA-16), (LA-17).
+void check_walls(const GearSet& gear) {
+  const Flexspline& fs = *gear.flexspline;
+  (void)rim_material(gear, fs);
+  const auto check_wall = [&](std::string_view name, const auto& section, double thickness) {
+    const std::string field = section.material
+                                  ? fmt::format("flexspline.{}.material", name)
+                                  : std::string("flexspline.material");
+    const std::string& material = material_name(fs, section);
+    const auto wall =
+        wall_laminate(Lift<double>(), gear, material_of(gear, material, field), thickness);
+    if (wall && !balanced_and_symmetric(*wall, kNearlyUncoupled))
+      throw InputError(
+          field,
+          fmt::format("\"{}\" couples stretching with shear or bending, which the coupled drive "
+                      "does not know; give a symmetric laminate with as many plies at +angle as at "
+                      "-angle",
+                      shown(material)));
+  };
+  check_wall("barrel", *fs.barrel, fs.barrel->wall_thickness);
+  check_wall("diaphragm", *fs.diaphragm, fs.diaphragm->thickness);
 }
 
 }  // namespace
@@ -512,6 +540,7 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   require(std::isfinite(options.cage_phase), "cage_phase", options.cage_phase, "rad",
           "a finite number");
   if (gear.tolerance) (void)deviation_limits(gear);
+  check_walls(gear);
   const Transmission& drive = gear.drive;
   const TubeSection& rim = *gear.flexspline->rim;
   const WaveGenerator& wg = *gear.wave_generator;
@@ -562,7 +591,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   const BearingRing& outer = *bearing.outer_ring;
   const double teeth = drive.wave_number * drive.ratio;
   BasicCoupledGeometry<Real> g;
-  g.rim_steel = elastic_constants(lift, only_material(gear, fs));
+  g.rim_steel = elastic_constants(lift, rim_material(gear, fs));
   g.ball_steel = elastic_constants(lift, material_of(gear, wg.material, "wave_generator.material"));
   g.pitch_radius = lift(drive.pitch_diameter) / 2;
   g.radial_displacement = lift(drive.radial_displacement);
@@ -580,9 +609,15 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   g.extension = g.rim_steel.E * g.rim_width * g.rim_thickness;
   g.barrel_length = lift(fs.barrel->length);
   g.barrel_thickness = lift(fs.barrel->wall_thickness);
-  g.tilt =
-      wall_mode(flexspline_wall(fs, lift, g.ring_radius, g.rim_steel, options.diaphragm_warping), 2)
-          .tilt;
+  if (const Material& barrel =
+          material_of(gear, material_name(fs, *fs.barrel), "flexspline.material");
+      !barrel.is_laminate())
+    g.barrel_modulus = elastic_constants(lift, barrel).plane_strain_modulus();
+  g.tilt = wall_mode(flexspline_wall(fs, lift, g.ring_radius,
+                                     wall_materials(gear, lift, g.ring_radius),
+                                     options.diaphragm_warping),
+                     2)
+               .tilt;
 
   const BasicRaceContacts<Real> races = race_contacts(lift, bearing, g.ball_steel);
   // delta = c Q^(2/3) at each race: c is the approach at 1 N.

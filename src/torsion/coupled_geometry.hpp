@@ -38,6 +38,7 @@ struct BasicCoupledGeometry {
   // barrel and diaphragm
   Real barrel_length{};
   Real barrel_thickness{};
+  std::optional<Real> barrel_modulus{};  // E/(1 - nu^2); absent for a laminate [Pa]
   Real tilt{};  // slope of the rim along the axis per radial displacement, n = 2 (TC-2) [1/m]
   // bearing
   Real ball_stiffness{};  // K_h, Q = K_h d^1.5

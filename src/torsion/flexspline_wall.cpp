@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/drive_cracks/wall_laminate.hpp"
+#include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/torsion/diaphragm_stress.hpp"
 
 namespace strainwave {
@@ -63,21 +65,49 @@ Real plate_bending(const BasicElasticConstants<Real>& steel, const Real& thickne
   return steel.plane_strain_modulus() * thickness * thickness * thickness / 12;
 }
 
+template <class Real>
+BasicBarrelWall<Real> barrel_wall(const BasicElasticConstants<Real>& steel, const Real& t,
+                                  const Real& radius) {
+  using std::pow, std::sqrt;
+  const Real D = plate_bending(steel, t);
+  // A long tube whose edge stays round, against a moment all round its edge.
+  const Real decay = pow(3 * (1 - steel.nu * steel.nu), 0.25) / sqrt(radius * t);
+  return {.stretch = steel.E * t,
+          .shear = steel.G * t,
+          .hoop = D,
+          .twist = 2 * (1 - steel.nu),
+          .corner = 2 * D * decay};  // (TC-3)
+}
+
+template <class Real>
+BasicBarrelWall<Real> barrel_wall(const LaminateStiffness<Real>& wall, const Real& radius) {
+  using std::pow, std::sqrt;
+  const InPlane<Real> a = inverse(wall.A);
+  const Real hoop = hoop_bending_stiffness(wall);
+  const Real decay = pow(1 / (4 * a.m22 * wall.D.m11), 0.25) / sqrt(radius);
+  return {.stretch = 1 / a.m11,
+          .shear = 1 / a.m66,
+          .hoop = hoop,
+          .twist = 4 * wall.D.m66 / hoop,
+          .corner = 2 * wall.D.m11 * decay};  // (LA-16)
+}
+
 }  // namespace
 
 template <class Real>
 BasicWallMode<Real> wall_mode(const BasicFlexsplineWall<Real>& wall, int n) {
   using std::numbers::pi;
   const Real& R = wall.radius;
-  const Real& t = wall.barrel_thickness;
   const double n2 = n * n;
   const Real warp = R / n2;  // axial displacement of the edge per slope
   const Real hoop = (n2 - 1) * (n2 - 1) / (R * R * R * R);
-  const Real turn = 2 * (1 - wall.steel.nu) * (n - 1.0 / n) * (n - 1.0 / n) / (R * R);
-  const Real D = plate_bending(wall.steel, t);
-  const BarrelBeam<Real> beam{.bending = wall.steel.E * t * warp * warp,
-                              .shear = wall.steel.G * t / n2,
-                              .twist = turn * D,
+  const auto turn = [&](const Real& twist) -> Real {
+    return twist * (n - 1.0 / n) * (n - 1.0 / n) / (R * R);
+  };
+  const Real& D = wall.barrel.hoop;
+  const BarrelBeam<Real> beam{.bending = wall.barrel.stretch * warp * warp,
+                              .shear = wall.barrel.shear / n2,
+                              .twist = turn(wall.barrel.twist) * D,
                               .foundation = hoop * D};
   const Real resists =
       wall.bottom ? Real(plate_edge_stiffness(*wall.bottom, n) * warp * warp) : Real(0.0);
@@ -120,9 +150,10 @@ BasicWallMode<Real> wall_mode(const BasicFlexsplineWall<Real>& wall, int n) {
   // The rim stays straight along the axis.  It tilts about the middle of the face.
   const Real& width = wall.rim_width;
   const Real half = width / 2;
-  const Real D_rim = plate_bending(wall.steel, wall.rim_thickness);
+  const Real D_rim = plate_bending(wall.rim, wall.rim_thickness);
   const Real tilts = sloped[2] - 2 * half * sloped[3] + half * half * moved[3] +
-                     D_rim * width * (turn + hoop * width * width / 12);
+                     D_rim * width *
+                         (turn(2 * (1 - wall.rim.nu)) + hoop * width * width / 12);
   const Real couples = sloped[3] - half * moved[3];
   BasicWallMode<Real> mode;
   mode.tilt = -couples / tilts;
@@ -134,36 +165,74 @@ BasicWallMode<Real> wall_mode(const BasicFlexsplineWall<Real>& wall, int n) {
 }
 
 template <class Real>
+BasicWallMaterials<Real> wall_materials(const Flexspline& fs, const Lift<Real>& lift,
+                                        const Real& radius,
+                                        const BasicElasticConstants<Real>& steel) {
+  return {.rim = steel,
+          .barrel = barrel_wall(steel, Real(lift(fs.barrel->wall_thickness)), radius),
+          .bottom_thickness = mean_thickness(lift, *fs.diaphragm),
+          .bottom_modulus = steel.E,
+          .bottom_poissons_ratio = steel.nu};
+}
+
+template <class Real>
+BasicWallMaterials<Real> wall_materials(const GearSet& gear, const Lift<Real>& lift,
+                                        const Real& radius) {
+  const Flexspline& fs = *gear.flexspline;
+  const auto material = [&](const auto& section) -> const Material& {
+    return material_of(gear, material_name(fs, section), "flexspline.material");
+  };
+  BasicWallMaterials<Real> of;
+  of.rim = elastic_constants(lift, rim_material(gear, fs));
+  const Real thickness = lift(fs.barrel->wall_thickness);
+  if (const auto wall = wall_laminate(lift, gear, material(*fs.barrel), thickness))
+    of.barrel = barrel_wall(*wall, radius);
+  else
+    of.barrel = barrel_wall(elastic_constants(lift, material(*fs.barrel)), thickness, radius);
+  of.bottom_thickness = mean_thickness(lift, *fs.diaphragm);
+  const Real& h = of.bottom_thickness;
+  if (const auto wall = wall_laminate(lift, gear, material(*fs.diaphragm), h)) {
+    const EvenPlate<Real> plate = mean_plate(*wall);
+    const Real& nu = plate.poissons_ratio;
+    of.bottom_modulus = 12 * (1 - nu * nu) * plate.bending / (h * h * h);  // (LA-17)
+    of.bottom_poissons_ratio = nu;
+  } else {
+    const BasicElasticConstants<Real> steel = elastic_constants(lift, material(*fs.diaphragm));
+    of.bottom_modulus = steel.E;
+    of.bottom_poissons_ratio = steel.nu;
+  }
+  return of;
+}
+
+template <class Real>
 BasicFlexsplineWall<Real> flexspline_wall(const Flexspline& fs, const Lift<Real>& lift,
-                                          const Real& radius,
-                                          const BasicElasticConstants<Real>& steel, bool warping) {
+                                          const Real& radius, const BasicWallMaterials<Real>& of,
+                                          bool warping) {
   BasicFlexsplineWall<Real> wall{.radius = radius,
                                  .barrel_length = lift(fs.barrel->length),
-                                 .barrel_thickness = lift(fs.barrel->wall_thickness),
                                  .rim_width = lift(fs.rim->length),
                                  .rim_thickness = lift(fs.rim->wall_thickness),
-                                 .steel = steel,
+                                 .rim = of.rim,
+                                 .barrel = of.barrel,
                                  .bottom = {}};
   if (!warping) return wall;
-  using std::pow, std::sqrt;
   const Diaphragm& diaphragm = *fs.diaphragm;
-  const Real& t = wall.barrel_thickness;
-  // A long tube whose edge stays round, against a moment all round its edge.
-  const Real decay = pow(3 * (1 - steel.nu * steel.nu), 0.25) / sqrt(radius * t);
   wall.bottom = {
       .outer_radius = lift(diaphragm.outer_diameter) / 2,
       .inner_radius = lift(diaphragm.inner_diameter) / 2,
-      .thickness = mean_thickness(lift, diaphragm),
-      .youngs_modulus = steel.E,
-      .poissons_ratio = steel.nu,
+      .thickness = of.bottom_thickness,
+      .youngs_modulus = of.bottom_modulus,
+      .poissons_ratio = of.bottom_poissons_ratio,
       .clamped = fs.shape == FlexsplineShape::hat ? ClampedEdge::outer : ClampedEdge::inner,
-      .corner = 2 * plate_bending(steel, t) * decay};  // (TC-3)
+      .corner = of.barrel.corner};
   return wall;
 }
 
 double diaphragm_wave_stress(const Flexspline& flexspline, const ElasticConstants& steel,
                              double radius, int waves, double displacement) {
-  const auto wall = flexspline_wall(flexspline, Lift<double>(), radius, steel, true);
+  const Lift<double> lift;
+  const auto wall = flexspline_wall(flexspline, lift, radius,
+                                    wall_materials(flexspline, lift, radius, steel), true);
   return steel.plane_strain_modulus() * wall.bottom->thickness / 2 *
          std::abs(clamped_edge_curvature(*wall.bottom, waves) * wall_mode(wall, waves).mouth) *
          displacement;  // (CV-2)
@@ -171,11 +240,17 @@ double diaphragm_wave_stress(const Flexspline& flexspline, const ElasticConstant
 
 template BasicWallMode<double> wall_mode(const BasicFlexsplineWall<double>&, int);
 template BasicWallMode<DualReal> wall_mode(const BasicFlexsplineWall<DualReal>&, int);
+template BasicWallMaterials<double> wall_materials(const Flexspline&, const Lift<double>&,
+                                                   const double&, const ElasticConstants&);
+template BasicWallMaterials<double> wall_materials(const GearSet&, const Lift<double>&,
+                                                   const double&);
+template BasicWallMaterials<DualReal> wall_materials(const GearSet&, const Lift<DualReal>&,
+                                                     const DualReal&);
 template BasicFlexsplineWall<double> flexspline_wall(const Flexspline&, const Lift<double>&,
-                                                     const double&, const ElasticConstants&, bool);
+                                                     const double&,
+                                                     const BasicWallMaterials<double>&, bool);
 template BasicFlexsplineWall<DualReal> flexspline_wall(const Flexspline&, const Lift<DualReal>&,
                                                        const DualReal&,
-                                                       const BasicElasticConstants<DualReal>&,
-                                                       bool);
+                                                       const BasicWallMaterials<DualReal>&, bool);
 
 }  // namespace strainwave

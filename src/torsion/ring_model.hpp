@@ -267,8 +267,8 @@ class RingModel {
                   const CoupledOptions& options) {
     using std::numbers::pi, std::pow;
     const Real R = g.ring_radius;
-    const auto wall =
-        flexspline_wall(*gear.flexspline, lift, R, g.rim_steel, options.diaphragm_warping);
+    const auto wall = flexspline_wall(*gear.flexspline, lift, R, wall_materials(gear, lift, R),
+                                      options.diaphragm_warping);
     modes_.assign(static_cast<std::size_t>(N_) + 1, {});
     modes_[0].extension = 2 * pi * g.extension / R;  // (TC-1)
     modes_[0].rim_bending = 2 * pi * g.rim_bending / (R * R * R);
@@ -281,8 +281,7 @@ class RingModel {
       mode.outer_bending = pi * g.outer_bending / (R * R * R) * bent;  // (TC-1)
       mode.extension = pi * g.extension / R;                           // (TC-1)
       if (n == 1) {
-        mode.lateral =
-            0.5 * pi * g.rim_steel.G * R * g.barrel_thickness / g.barrel_length;  // (TC-2)
+        mode.lateral = 0.5 * pi * R * wall.barrel.shear / g.barrel_length;  // (TC-2)
         continue;
       }
       const auto along = wall_mode(wall, n);

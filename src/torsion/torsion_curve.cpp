@@ -226,14 +226,17 @@ std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque,
   std::vector<RimState> states;
   for (int i = 0; i < positions; ++i) {
     const double theta = 2 * pi * i / positions;
-    const double bending = E_plate * rings.curvature(x, theta);           // (TC-24), per distance
+    const double curvature = rings.curvature(x, theta);
+    const double bending = E_plate * curvature;                           // (TC-24), per distance
     const double membrane = g.rim_steel.E * rings.hoop_strain(x, theta);  // (TC-24)
+    std::optional<double> barrel;
+    if (g.barrel_modulus) barrel = *g.barrel_modulus * curvature * g.barrel_thickness / 2;
     states.push_back({.position = theta,
                       .radial = rings.radial(x, theta),
                       .tangential = rings.tangential(x, theta) + state.rotation,
                       .rim_outside_stress = membrane + bending * g.rim_thickness / 2,
                       .rim_inside_stress = membrane - bending * g.rim_thickness / 2,
-                      .barrel_bending_stress = bending * g.barrel_thickness / 2,
+                      .barrel_bending_stress = barrel,
                       .barrel_shear_stress = shear});
   }
   return states;

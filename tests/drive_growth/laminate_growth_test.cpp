@@ -10,6 +10,7 @@
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/drive_cracks/wall_laminate.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
@@ -195,6 +196,113 @@ TEST(LaminateGrowth, CrosscheckParisOfAnAnglePly) {
   EXPECT_EQ(report.notes.end(), std::ranges::find(report.notes, "growth.laminate", &Note::code));
   EXPECT_NE(report.notes.end(),
             std::ranges::find(report.notes, "growth.unknown_stress", &Note::code));
+}
+
+GearSet with_two_lobes(GearSet gear) {
+  gear.drive.wave_number = 2;
+  check(gear);
+  return gear;
+}
+
+// Kind: identity (LA-20), (FA-12), (FA-14).  Two steels that differ in the tenth digit make a
+// laminate whose bending by the assembly is that of the steel: in K, strength and growth.
+TEST(LaminateGrowth, IdentityBendingOfAMetal) {
+  const std::string solid = plies(
+      "", {"material = \"steel\"\nangle = \"0 deg\"", "material = \"steel\"\nangle = \"0 deg\""});
+  const std::string layered =
+      plies(
+          "fracture_energy = \"1904.76190476 J/m^2\"\nreference_modulus = \"210 GPa\"\n",
+          {"material = \"steel\"\nangle = \"0 deg\"", "material = \"alike\"\nangle = \"20 deg\""}) +
+      kLaw;
+  for (const double angle : {45 * deg, -20 * deg, 80 * deg}) {
+    const GearSet metal = with_two_lobes(tube(solid, angle));
+    const GearSet laminate = with_two_lobes(tube(layered, angle));
+    const DriveCrack of_metal = drive_cracks(metal).at(0);
+    const DriveCrack of_laminate = drive_cracks(laminate).at(0);
+    ASSERT_TRUE(of_metal.assembly && of_laminate.assembly);
+    test::expect_relative(of_laminate.assembly_peak, of_metal.assembly_peak, 1e-8);
+    for (std::size_t mode = 0; mode < 2; ++mode)
+      test::expect_relative(
+          of_laminate.front(of_laminate.size, Faces::open).front().assembly[mode],
+          of_metal.front(of_metal.size, Faces::open).front().assembly[mode], 1e-8);
+    EXPECT_GT(std::abs(of_metal.front(of_metal.size, Faces::open).front().assembly[0]), 1 * MPa);
+    const CrackStrength strength = crack_strength(laminate).at(0);
+    const CrackStrength expected = crack_strength(metal).at(0);
+    ASSERT_EQ(strength.states.size(), expected.states.size());
+    for (std::size_t i = 0; i < strength.states.size(); ++i) {
+      test::expect_relative(strength.states[i].K, expected.states[i].K, 1e-8);
+      EXPECT_EQ(strength.states[i].with_assembly, expected.states[i].with_assembly);
+    }
+    GrowthOptions energy;
+    energy.rate.mixed_mode = MixedMode::energy;
+    const GrowthReport grown_metal = grow_cracks(metal, energy);
+    const GrowthReport grown = grow_cracks(laminate, energy);
+    ASSERT_EQ(grown.cracks.at(0).series.size(), grown_metal.cracks.at(0).series.size());
+    EXPECT_EQ(grown.life.has_value(), grown_metal.life.has_value());
+    if (grown.life) test::expect_relative(*grown.life, *grown_metal.life, 1e-6);
+  }
+}
+
+// Kind: crosscheck (LA-20).  The bound is the mean over the wall of the stress that the strain of
+// the outer face causes in every ply, turned to the crack by a tensor; in no ply does the stress of
+// the bending exceed it.  Tolerance: rounding.
+TEST(LaminateGrowth, CrosscheckBoundOfTheBending) {
+  const GearSet gear = with_two_lobes(tube(plies("", {at(30), at(-50), at(10)}), 0.3));
+  const auto layup = plies_of(Lift<double>(), gear, gear.material.at("tube"));
+  const auto wall = laminate_stiffness<double>(layup, kThickness);
+  const double curvature = 3 * gear.drive.radial_displacement / (kMeanRadius * kMeanRadius);
+  const double neutral = wall.B.m22 / wall.A.m22;
+  const double strain = curvature * (kThickness / 2 + std::abs(neutral));
+  for (const double angle : {-1.2, 0.0, 0.4, 1.5}) {
+    const double n[2] = {-std::sin(angle), std::cos(angle)};
+    const double t[2] = {std::cos(angle), std::sin(angle)};
+    double normal = 0.0;
+    double shear = 0.0;
+    for (std::size_t i = 0; i < layup.size(); ++i) {
+      const auto at_face =
+          turned_stiffness(reduced_stiffness(layup[i].lamina), layup[i].angle).times({0, strain, 0});
+      const double stress[2][2] = {{at_face[0], at_face[2]}, {at_face[2], at_face[1]}};
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) {
+          normal += n[a] * stress[a][b] * n[b] / 3;
+          shear += t[a] * stress[a][b] * n[b] / 3;
+        }
+      const double z0 = kThickness * (static_cast<double>(i) / 3 - 0.5);
+      for (const double z : {z0, z0 + kThickness / 3})
+        EXPECT_LE(std::abs(curvature * (z - neutral)), strain * (1 + 1e-12));
+    }
+    const AssemblyStress bound = assembly_stress(gear.drive, wall, kMeanRadius, angle);
+    test::expect_relative(bound.normal, normal, 1e-12);
+    // K_II of (FR-6) shears the faces against the sense of the laminate's axes.
+    test::expect_relative(bound.shear, -shear, 1e-11);
+  }
+}
+
+// Kind: behaviour (LA-20).  The bound of the bending proves no fracture, and the answer states the
+// energy with and without it; the energy of the load alone does prove one.
+TEST(LaminateGrowth, BehaviourBoundIsNoFracture) {
+  const auto strength = [](double energy) {
+    return crack_strength(
+               with_two_lobes(tube(plies("fracture_energy = \"" + std::to_string(energy) +
+                                             " J/m^2\"\n",
+                                         {at(45), at(-45), at(-45), at(45)}),
+                                   45 * deg)))
+        .at(0);
+  };
+  const CrackStrength tough = strength(1e6);
+  const StrengthState& worst = *tough.worst();
+  EXPECT_TRUE(worst.with_assembly);
+  EXPECT_GT(worst.K, 1.2 * worst.K_load);
+  const double of_load = worst.K_load * worst.K_load * 1e6 / std::pow(worst.K / *worst.utilisation, 2);
+  const CrackStrength between = strength(1.2 * of_load);
+  EXPECT_EQ(between.verdict, StrengthVerdict::cannot_tell);
+  EXPECT_GT(*between.worst()->utilisation, 1);
+  EXPECT_NE(between.sentence.find("the energy release rate is at most "), std::string::npos)
+      << between.sentence;
+  EXPECT_NE(between.sentence.find("and 0.833 times without the bending of the plies"),
+            std::string::npos)
+      << between.sentence;
+  EXPECT_EQ(strength(0.99 * of_load).verdict, StrengthVerdict::fractures);
 }
 
 // Kind: behaviour (LA-15).  Below the fracture energy nothing is told but the ratio; at it the

@@ -538,6 +538,15 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
                          "poissons_ratio = 0.28"};
     lines.insert(at, layer.begin(), layer.end());
   };
+  const std::function<void(Lines&)> endured_by_a_layer = [](Lines& lines) {
+    const auto at = std::ranges::find_if(lines, [](const std::string& line) {
+      return line.starts_with("[material.steel.ply_endurance]");
+    });
+    ASSERT_NE(at, lines.end());
+    *at = "[material.layer.ply_endurance]";
+    const Lines layer = {"[material.layer]", "based_on = \"T300/5208\""};
+    lines.insert(at, layer.begin(), layer.end());
+  };
   const std::function<void(Lines&)> of_a_laminate = [](Lines& lines) {
     std::ranges::replace_if(
         lines, [](const std::string& line) { return line.starts_with("[[material.steel.ply]]"); },
@@ -601,6 +610,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[flexspline.diaphragm]", "is read only where crack_free = \"sections\"", all_sections},
       {"[wave_generator.cam]", "wave_generator.cam.arc_angle: must be left out", as_ellipse},
       {"[material.steel.ply_strength]", "is read only beside transverse_modulus", of_a_layer},
+      {"[material.steel.ply_endurance]", "is read only beside transverse_modulus",
+       endured_by_a_layer},
       {"[[material.steel.ply]]", "is not read beside ply, because the plies give it",
        of_a_laminate},
       {"[[wave_generator.cam.point]]", "wave_generator.cam.profile: must be given", with_points},

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/expect.hpp"
@@ -301,6 +302,74 @@ TEST(Laminate, BehaviourIsotropicInItsPlane) {
   EXPECT_FALSE(isotropic_in_plane(wall_of(carbon({45, -45}))));
   EXPECT_FALSE(isotropic_in_plane(wall_of(carbon({0, 90}))));
   EXPECT_FALSE(isotropic_in_plane(wall_of(carbon({30}))));
+}
+
+// Kind: reference (LA-17).  Source: the means over the directions by quadrature over turned
+// stiffnesses and compliances; an isotropic wall has E h^3/(12 (1 - nu^2)) and its nu in both.  The
+// stiffer mean is the larger.  Tolerance: rounding.
+TEST(Laminate, ReferenceMeanPlate) {
+  const double nu = 0.27;
+  const Lamina<> isotropic{.E1 = 210e9, .E2 = 210e9, .G12 = 210e9 / (2 * (1 + nu)), .nu12 = nu};
+  const LaminateStiffness<> even = wall_of({{isotropic, 0.2, 1}});
+  for (const EvenPlate<>& plate : {mean_plate(even), softest_plate(even)}) {
+    test::expect_relative(plate.bending, 210e9 * std::pow(kWall, 3) / (12 * (1 - nu * nu)), 1e-12);
+    test::expect_relative(plate.poissons_ratio, nu, 1e-12);
+  }
+  const LaminateStiffness<> wall = wall_of(carbon({0, 30, -75, 80}));
+  InPlane<> stiffness;
+  InPlane<> compliance;
+  constexpr int kAngles = 16;
+  for (int i = 0; i < kAngles; ++i) {
+    const InPlane<> turned = turned_stiffness(wall.D, i * pi / kAngles);
+    stiffness.add(turned, 1.0 / kAngles);
+    compliance.add(inverse(turned), 1.0 / kAngles);
+  }
+  const EvenPlate<> upper = mean_plate(wall);
+  test::expect_relative(upper.bending, stiffness.m11, 1e-12);
+  test::expect_relative(upper.poissons_ratio, stiffness.m12 / stiffness.m11, 1e-12);
+  test::expect_relative(upper.bending * (1 - upper.poissons_ratio) / 2, stiffness.m66, 1e-12);
+  const InPlane<> soft = inverse(compliance);
+  const EvenPlate<> lower = softest_plate(wall);
+  test::expect_relative(lower.bending, soft.m11, 1e-12);
+  test::expect_relative(lower.poissons_ratio, soft.m12 / soft.m11, 1e-12);
+  EXPECT_LT(lower.bending, 0.8 * upper.bending);
+}
+
+// Kind: behaviour (LA-16).  What counts as a wall without couplings, and where the tolerance ends.
+TEST(Laminate, BehaviourBalancedAndSymmetric) {
+  const auto uncoupled = [](const std::vector<double>& degrees, double tolerance = 1e-9) {
+    return balanced_and_symmetric(wall_of(carbon(degrees)), tolerance);
+  };
+  EXPECT_TRUE(uncoupled({45, -45, -45, 45}));
+  EXPECT_TRUE(uncoupled({0, 90, 90, 0}));
+  EXPECT_FALSE(uncoupled({30}));              // A16, A26
+  EXPECT_FALSE(uncoupled({0, 90}));           // B11, B22
+  EXPECT_FALSE(uncoupled({45, -45}));         // B16, B26
+  EXPECT_FALSE(uncoupled({0, 60, -60}));      // B, although A is isotropic
+  EXPECT_FALSE(uncoupled({45, -44, -44, 45}));
+  EXPECT_TRUE(uncoupled({45, -44, -44, 45}, 0.05));
+  // Each entry alone breaks the rule just above its limit: of A against the lesser of A11 and A22,
+  // of B against this times half of the thickness.
+  LaminateStiffness<> wall = wall_of(carbon({45, -45, -45, 45}));
+  wall.A = {.m11 = 3e7, .m12 = 1e6, .m22 = 2e7, .m16 = 0, .m26 = 0, .m66 = 1e7};
+  wall.B = {};
+  wall.thickness = 2e-3;
+  const auto limit = [&](double& entry, double at) {
+    for (const double sign : {1.0, -1.0}) {
+      entry = sign * at * 0.999;
+      EXPECT_TRUE(balanced_and_symmetric(wall, 0.1));
+      entry = sign * at * 1.001;
+      EXPECT_FALSE(balanced_and_symmetric(wall, 0.1));
+    }
+    entry = 0;
+  };
+  limit(wall.A.m16, 2e6);
+  limit(wall.A.m26, 2e6);
+  for (double* const entry :
+       {&wall.B.m11, &wall.B.m12, &wall.B.m22, &wall.B.m16, &wall.B.m26, &wall.B.m66})
+    limit(*entry, 2e3);
+  std::swap(wall.A.m11, wall.A.m22);
+  limit(wall.A.m16, 2e6);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -74,6 +76,16 @@ TEST(PlyFailure, IdentityFactorsMeetTheirLimits) {
             0.0);
   EXPECT_FALSE(tsai_wu_factor(fixed, {}, kStrength));
   EXPECT_FALSE(strain_factor(fixed, {}, kPlyCarbon, kStrength));
+  // A stress at its limit fails, also under a load that would relieve it.
+  for (const double across : {40e6, -246e6})
+    EXPECT_EQ(strain_factor({.along = 0, .across = across, .shear = 0},
+                            {.along = 0, .across = -across, .shear = 0}, kPlyCarbon, kStrength),
+              0.0);
+  // Any stress counts, however small.
+  for (const double across : {0.5, -0.5})
+    test::expect_relative(
+        strain_factor({}, {.along = 0, .across = across, .shear = 0}, kPlyCarbon, kStrength).value(),
+        (across > 0 ? 40e6 : 246e6) / 0.5, 1e-12);
 }
 
 // Kind: identity (LA-11).  The stresses of all plies, turned to the axes of the wall, add up to the
@@ -114,6 +126,76 @@ TEST(PlyFailure, IdentityStressesBalanceTheLoads) {
   EXPECT_NEAR(hoop, 0, 1e-9 * moment / h);
   test::expect_relative(moment, hoop_bending_stiffness(laminate_stiffness<double>(plies, h)) * 0.3,
                         1e-11);
+}
+
+const LaminaEndurance kEndurance{.fibre = 600e6, .transverse = 16e6, .shear = 30e6};
+
+// Kind: reference (LA-19).  Source: hand calculation.  Each line ends at the endurance without mean
+// stress and at the strength of its sign without amplitude; across and shear add up as squares.
+// Tolerance: rounding.
+TEST(PlyFailure, ReferenceHaighLines) {
+  const auto share = [](const LaminaStress& a, const LaminaStress& m) {
+    return ply_endurance(a, m, kStrength, kEndurance);
+  };
+  test::expect_relative(share({600e6, 0, 0}, {}).fibre, 1, 1e-13);
+  test::expect_relative(share({-600e6, 0, 0}, {}).utilisation(), 1, 1e-13);
+  test::expect_relative(share({}, {1500e6, 0, 0}).fibre, 1, 1e-13);
+  test::expect_relative(share({}, {0, 40e6, 0}).matrix, 1, 1e-13);
+  test::expect_relative(share({}, {0, -246e6, 0}).matrix, 1, 1e-13);
+  test::expect_relative(share({}, {0, 0, -68e6}).matrix, 1, 1e-13);
+  test::expect_relative(share({0, -16e6, 0}, {}).matrix, 1, 1e-13);
+  test::expect_relative(share({0, 0, -30e6}, {}).utilisation(), 1, 1e-13);
+  const PlyEndurance both = share({150e6, 4e6, -6e6}, {-300e6, 10e6, 17e6});
+  test::expect_relative(both.fibre, 0.25 + 0.2, 1e-13);
+  test::expect_relative(both.matrix, std::hypot(0.25 + 0.25, 0.2 + 0.25), 1e-13);
+  EXPECT_EQ(both.utilisation(), both.matrix);
+  EXPECT_EQ(share({150e6, 4e6, 6e6}, {-300e6, 10e6, -17e6}).matrix, both.matrix);
+  test::expect_relative(share({}, {0, 0.5, 0}).matrix, 0.5 / 40e6, 1e-13);
+  test::expect_relative(share({}, {0.5, 0, 0}).fibre, 0.5 / 1500e6, 1e-13);
+  LaminaStrength uneven = kStrength;
+  uneven.fibre_compression = 1200e6;
+  test::expect_relative(ply_endurance({}, {-300e6, 0, 0}, uneven, kEndurance).fibre, 0.25, 1e-13);
+}
+
+// Kind: identity (LA-19).  At the factor on the mean stress the share is 1, of the fibres or of the
+// matrix; an amplitude beyond the endurance gives 0; no mean stress gives none.  Tolerance:
+// rounding.
+TEST(PlyFailure, IdentityEnduranceFactor) {
+  const LaminaStress amplitude{200e6, 5e6, -8e6};
+  for (const LaminaStress& mean :
+       {LaminaStress{300e6, 1e6, 1e6}, LaminaStress{-100e6, 9e6, -4e6}, LaminaStress{0, -20e6, 0},
+        LaminaStress{0, 0, 12e6}, LaminaStress{400e6, 0, 0}}) {
+    const double f = endurance_factor(amplitude, mean, kStrength, kEndurance).value();
+    const LaminaStress at{f * mean.along, f * mean.across, f * mean.shear};
+    test::expect_relative(ply_endurance(amplitude, at, kStrength, kEndurance).utilisation(), 1,
+                          1e-12);
+  }
+  const LaminaStress mean{300e6, 1e6, 1e6};
+  EXPECT_EQ(endurance_factor({601e6, 0, 0}, mean, kStrength, kEndurance), 0.0);
+  EXPECT_EQ(endurance_factor({0, 16.1e6, 0}, mean, kStrength, kEndurance), 0.0);
+  EXPECT_EQ(endurance_factor({0, 12e6, 23e6}, mean, kStrength, kEndurance), 0.0);
+  EXPECT_EQ(endurance_factor({600e6, 0, 0}, {0, 0, 1e6}, kStrength, kEndurance), 0.0);
+  EXPECT_GT(endurance_factor({599e6, 0, 0}, mean, kStrength, kEndurance).value(), 0.0);
+  EXPECT_FALSE(endurance_factor(amplitude, {}, kStrength, kEndurance));
+}
+
+// Kind: identity (LA-18).  The assembly's stress runs between that at a lobe and its negative.  What
+// both criteria admit is convex, so the least factor over the turn is that of one end.  Tolerance:
+// rounding.
+TEST(PlyFailure, IdentityWorstAngleIsAnEnd) {
+  const LaminaStress bent{90e6, 14e6, 11e6};
+  for (const LaminaStress& load : {LaminaStress{200e6, 5e6, 3e6}, LaminaStress{-200e6, -5e6, 3e6},
+                                   LaminaStress{50e6, -7e6, -9e6}}) {
+    const auto at = [&](double share) {
+      const LaminaStress fixed{share * bent.along, share * bent.across, share * bent.shear};
+      return std::array{tsai_wu_factor(fixed, load, kStrength).value(),
+                        strain_factor(fixed, load, kPlyCarbon, kStrength).value()};
+    };
+    for (std::size_t of = 0; of < 2; ++of) {
+      const double ends = std::min(at(1)[of], at(-1)[of]);
+      for (int i = -20; i <= 20; ++i) EXPECT_GE(at(i / 20.0)[of], ends * (1 - 1e-12));
+    }
+  }
 }
 
 }  // namespace

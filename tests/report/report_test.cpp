@@ -22,6 +22,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/backbone.hpp"
+#include "strainwave/layouts/laminate.hpp"
 #include "strainwave/layouts/modes.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/model/result/result_fields.hpp"
@@ -78,7 +79,7 @@ std::vector<Element> parsed(const std::string& html) { return test::parse_xml(ht
 TEST(Report, BehaviourEveryExampleGivesAWholePage) {
   for (const char* const name :
        {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25",
-        "critical_crack", "article_scatter", "library_material", "joint_size25"}) {
+        "critical_crack", "article_scatter", "library_material", "joint_size25", "composite_cup"}) {
     const Report report = report_on(text_of(name));
     // A drive between motor and load has three more sections, its motion and its kinematic error
     // one each.
@@ -86,6 +87,8 @@ TEST(Report, BehaviourEveryExampleGivesAWholePage) {
     if (text_of(name).find("[drivetrain]") != std::string::npos)
       for (const char* const chapter : {"modes", "frf", "backbone"})
         expected.insert(std::ranges::find(expected, "sensitivity"), chapter);
+    if (text_of(name).find(".ply]]") != std::string::npos)
+      expected.insert(std::ranges::find(expected, "torsion") + 1, "laminates");
     if (text_of(name).find("[[manoeuvre]]") != std::string::npos)
       expected.insert(std::ranges::find(expected, "sensitivity"), "motion");
     if (text_of(name).find("[[kinematic_error]]") != std::string::npos)
@@ -324,6 +327,24 @@ TEST(Report, BehaviourTheChapterOnTheBackboneIsThatOfTheCommand) {
   const double resonance = backbone.backbone.back().cracked->resonance;
   EXPECT_NE(html.find(shown_number(resonance, 5) + " Hz"), std::string::npos);
   EXPECT_NE(html.find("<svg"), std::string::npos);
+}
+
+TEST(Report, BehaviourTheChapterOnLaminatesIsThatOfTheCommand) {
+  // (LA-18): the same sentence, tables, plot, notes and equations, without a second layout.
+  const std::string text = text_of("composite_cup");
+  const Report report = report_on(text);
+  const LaminateReport laminates = laminate_report(read_gear_set(text, "drive.toml"));
+  const std::string& html = section(report, "laminates").html;
+  EXPECT_NE(html.find(laminates.sentence), std::string::npos);
+  EXPECT_EQ(count(html, "<svg"), laminate_panels(laminates).size());
+  EXPECT_EQ(count(html, "<table"), laminate_tables(laminates).size());
+  for (const TitledTable& table : laminate_tables(laminates))
+    EXPECT_NE(html.find(table.title), std::string::npos) << table.title;
+  EXPECT_NE(report.verdict.find("Laminates: "), std::string::npos);
+  const std::string page = report_html(report);
+  for (const Note& note : laminates.notes)
+    EXPECT_NE(page.find(note.code), std::string::npos) << note.code;
+  EXPECT_NE(section(report, "equations").html.find("LA-18"), std::string::npos);
 }
 
 TEST(Report, ReferenceProvenanceHasTheInputWordForWord) {

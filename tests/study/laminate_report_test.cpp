@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/laminate/ply_failure.hpp"
 #include "strainwave/layouts/laminate.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "support/expect.hpp"
@@ -91,6 +94,122 @@ TEST(LaminateReport, IdentityReserveScalesTheLoad) {
   loaded = gear;
   loaded.load.torque *= -1;
   test::expect_relative(laminate_report(loaded).reserve.value(), reserve, 1e-12);
+}
+
+// Kind: identity (LA-18).  The place that fails first carries load and assembly; the factor on the
+// load makes it fail, and the proportional factor makes both together fail.  A drive without
+// deflection has one factor.  Tolerance: rounding.
+TEST(LaminateReport, IdentityPlyUnderLoadAndAssembly) {
+  GearSet gear = read_gear_set(drive(kAnglePly), "drive.toml");
+  const LaminaStrength strength = gear.material.at("T300/5208").ply_strength.value();
+  const LaminateReport report = laminate_report(gear);
+  for (const PlyState& ply : report.walls.front().plies) {
+    ASSERT_NE(ply.worst_sense, 0);
+    EXPECT_TRUE(ply.worst_face == "inner" || ply.worst_face == "outer");
+    // The load of the sense that governs, and the assembly there.
+    const double sense = ply.worst_sense;
+    const LaminaStress load{sense * ply.load_along, sense * ply.load_across,
+                            sense * ply.load_shear};
+    const LaminaStress bent{ply.worst_along - load.along, ply.worst_across - load.across,
+                            ply.worst_shear - load.shear};
+    test::expect_relative(std::abs(bent.along), ply.assembly_along, 1e-9);
+    test::expect_relative(std::abs(bent.across), ply.assembly_across, 1e-9);
+    test::expect_relative(tsai_wu_factor(bent, load, strength).value(), *ply.tsai_wu, 1e-9);
+    const LaminaStress both{ply.worst_along, ply.worst_across, ply.worst_shear};
+    EXPECT_LE(*ply.proportional, tsai_wu_factor({}, both, strength).value() * (1 + 1e-12));
+    EXPECT_TRUE(ply.worst_angle == 0 ||
+                std::abs(ply.worst_angle - std::numbers::pi / 2) < 1e-12);
+  }
+  EXPECT_LT(*report.walls.front().proportional, *report.walls.front().reserve);
+  EXPECT_GT(*report.walls.front().proportional, 1);
+  GearSet flat = gear;
+  flat.drive.radial_displacement = 1e-15;
+  const LaminateReport round = laminate_report(flat);
+  test::expect_relative(*round.walls.front().proportional, *round.walls.front().reserve, 1e-9);
+  // Load and deflection grow together to the proportional factor.
+  GearSet grown = gear;
+  grown.load.torque *= *report.walls.front().proportional;
+  grown.drive.radial_displacement *= *report.walls.front().proportional;
+  test::expect_relative(laminate_report(grown).walls.front().reserve.value(), 1, 1e-9);
+}
+
+const std::string kEnduring =
+    "[material.layer]\nbased_on = \"T300/5208\"\n[material.layer.ply_endurance]\n"
+    "fibre = \"600 MPa\"\ntransverse = \"16 MPa\"\nshear = \"30 MPa\"\n";
+
+// Kind: identity (LA-19).  The share over a turn is that of the largest amplitude of the assembly
+// and of the worse sense of the load; at the factor on the load it is 1.  Tolerance: rounding.
+TEST(LaminateReport, IdentityEnduranceOverATurn) {
+  GearSet gear = read_gear_set(drive("stacking = \"symmetric\"\n" + ply("layer", "45 deg", "0.3 mm") +
+                                         ply("layer", "-45 deg", "0.3 mm") + kEnduring),
+                               "drive.toml");
+  gear.drive.radial_displacement *= 0.5;
+  gear.load.torque *= 0.3;
+  const LaminateReport report = laminate_report(gear);
+  const Material& layer = gear.material.at("layer");
+  double most = 0.0;
+  double least = 1e9;
+  for (const PlyState& of : report.walls.front().plies) {
+    double share = 0.0;
+    for (const double sense : {1.0, -1.0})
+      share = std::max(share,
+                       ply_endurance({of.assembly_along, of.assembly_across, of.assembly_shear},
+                                     {sense * of.load_along, sense * of.load_across,
+                                      sense * of.load_shear},
+                                     *layer.ply_strength, *layer.ply_endurance)
+                           .utilisation());
+    test::expect_relative(*of.haigh, share, 1e-9);
+    most = std::max(most, share);
+    least = std::min(least, *of.haigh_factor);
+  }
+  test::expect_relative(*report.haigh, most, 1e-12);
+  EXPECT_LT(most, 1);
+  EXPECT_FALSE(has(report, "laminate.no_endurance"));
+  EXPECT_FALSE(has(report, "laminate.fatigue"));
+  EXPECT_NE(report.sentence.find("Over a turn the plies use 0."), std::string::npos)
+      << report.sentence;
+  gear.load.torque *= least;
+  test::expect_relative(*laminate_report(gear).haigh, 1, 1e-9);
+  gear.load.torque *= 1.01;
+  EXPECT_TRUE(has(laminate_report(gear), "laminate.fatigue"));
+  const LaminateReport silent = report_of(drive(kAnglePly));
+  EXPECT_FALSE(silent.haigh);
+  EXPECT_TRUE(has(silent, "laminate.no_endurance"));
+  EXPECT_FALSE(silent.walls.front().plies.front().haigh_factor);
+}
+
+// Kind: input.  An endurance belongs to a layer with strengths, which exceed it.
+TEST(LaminateReport, InputEndurance) {
+  const auto refused = [](const std::string& more) {
+    return test::broken_rule([&] { (void)report_of(drive(kAnglePly, more)); });
+  };
+  const std::string values = "fibre = \"600 MPa\"\ntransverse = \"16 MPa\"\nshear = \"30 MPa\"\n";
+  EXPECT_NE(refused("[material.other]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\n"
+                    "[material.other.ply_endurance]\n" +
+                    values)
+                .find("ply_endurance: is read only beside transverse_modulus"),
+            std::string::npos);
+  EXPECT_NE(refused("[material.other]\nyoungs_modulus = \"45 GPa\"\ntransverse_modulus = \"16 "
+                    "GPa\"\nshear_modulus = \"6 GPa\"\npoissons_ratio = 0.28\n"
+                    "[material.other.ply_endurance]\n" +
+                    values)
+                .find("ply_endurance: needs ply_strength"),
+            std::string::npos);
+  const std::string base = "[material.other]\nbased_on = \"T300/5208\"\n"
+                           "[material.other.ply_endurance]\n";
+  EXPECT_EQ(refused(base + values), "");
+  for (const auto& [from, to] : {std::pair{"600", "1500"}, {"16", "40"}, {"30", "68"}}) {
+    std::string beyond = values;
+    beyond.replace(beyond.find(from), std::string(from).size(), to);
+    EXPECT_NE(refused(base + beyond).find("the smaller strength of ply_strength"),
+              std::string::npos)
+        << to;
+  }
+  std::string on_laminate = kAnglePly;
+  on_laminate.insert(on_laminate.size(), "[material.tube.ply_endurance]\n" + values);
+  EXPECT_NE(test::broken_rule([&] { (void)report_of(drive(on_laminate)); })
+                .find("ply_endurance: is not read beside ply"),
+            std::string::npos);
 }
 
 // Kind: limit (LA-12).  A ply of steel fails where von Mises' stress reaches the yield strength;
@@ -202,6 +321,16 @@ TEST(LaminateReport, BehaviourDocuments) {
   EXPECT_NE(text.find("Plies of flexspline.barrel, from the inner face"), std::string::npos);
   const std::string csv = laminate_csv(report);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
+  EXPECT_NE(csv.find(",proportional [1],worst_face,worst_angle [rad],worst_sense,"),
+            std::string::npos);
+  EXPECT_NE(text.find("Plies of flexspline.barrel under load and assembly (LA-18), (LA-19)"),
+            std::string::npos);
+  EXPECT_TRUE(has_laminates(gear));
+  GearSet metal = gear;
+  metal.flexspline->barrel->material.reset();
+  EXPECT_FALSE(has_laminates(metal));
+  metal.flexspline.reset();
+  EXPECT_FALSE(has_laminates(metal));
   EXPECT_NE(laminate_plot(report, gear).find("<svg"), std::string::npos);
 }
 

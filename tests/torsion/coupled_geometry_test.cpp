@@ -160,7 +160,7 @@ TEST(ContactCracks, LimitShallowRimCrackIsAHinge) {
     double mean = 0.0;
     for (int i = at - half; i <= at + half; ++i)
       mean += (i == at - half || i == at + half ? 0.5 : 1.0) / (2 * half) *
-              rim[static_cast<std::size_t>(i)].barrel_bending_stress;
+              rim[static_cast<std::size_t>(i)].barrel_bending_stress.value();
     return EI * (mean * 0.91 / E / (in.at("barrel_thickness") / 2) + breathing / (R * R));
   };
   const double h = 0.01 * T;

@@ -4,6 +4,7 @@
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/dual.hpp"
 #include "strainwave/core/lift.hpp"
+#include "strainwave/laminate/laminate.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
@@ -100,6 +101,20 @@ struct AssemblyStress {
   double normal = 0.0;  ///< normal stress on the crack plane, where the hoop stress is tensile
   double shear = 0.0;   ///< shear along the crack from the same moment; sign as in CrackPlaneStress
 };
+
+/// Bound of the stress of the assembly on the plane of a through crack of a laminate.
+///
+/// Implements theory manual eq. (LA-20): the strain of the face that is farther from the line
+/// without hoop force acts through the whole wall.  In an isotropic wall this is (FA-12).
+///
+/// @param drive        gives U and w_0
+/// @param wall         stiffness of the cracked wall
+/// @param mean_radius  r of the cracked wall [m]; > 0
+/// @param angle        beta of the crack [rad]
+/// @throws InputError  if the radius is not positive
+[[nodiscard]] AssemblyStress assembly_stress(const Transmission& drive,
+                                             const LaminateStiffness<double>& wall,
+                                             double mean_radius, double angle);
 
 /// Stress of the assembly on the plane of a crack.
 ///

@@ -39,4 +39,32 @@ struct LaminaStrength {
   }
 };
 
+/// Amplitudes of stress that a layer endures at zero mean stress, each under a stress of one kind,
+/// for the cycles that the part shall reach; all > 0 [Pa].
+struct LaminaEndurance {
+  double fibre = 0.0;       ///< along the fibres
+  double transverse = 0.0;  ///< across the fibres
+  double shear = 0.0;       ///< in shear along the fibres
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto amplitude = [&](std::string_view name, std::string_view doc,
+                               std::string_view example, auto member) {
+      field(Field{.name = name,
+                  .unit = "Pa",
+                  .doc = doc,
+                  .range = kPositive,
+                  .example = example,
+                  .usual = {.lower = 1e5, .upper = 5e9}},
+            member);
+    };
+    amplitude("fibre", "amplitude along the fibres that the layer endures at zero mean stress",
+              R"("400 MPa")", &LaminaEndurance::fibre);
+    amplitude("transverse", "the same across the fibres", R"("12 MPa")",
+              &LaminaEndurance::transverse);
+    amplitude("shear", "the same in shear along the fibres", R"("20 MPa")",
+              &LaminaEndurance::shear);
+  }
+};
+
 }  // namespace strainwave

@@ -310,6 +310,34 @@ inline constexpr double kNearlyIsotropic = 0.05;
 
 /// Stiffness of the wall against a change of its hoop curvature, where it does not bend along the
 /// tube and carries no hoop force [N*m]; theory manual eq. (LA-6), D22 - B22^2/A22.
-[[nodiscard]] double hoop_bending_stiffness(const LaminateStiffness<double>& of);
+template <class Real>
+[[nodiscard]] Real hoop_bending_stiffness(const LaminateStiffness<Real>& of) {
+  return of.D.m22 - of.B.m22 * of.B.m22 / of.A.m22;  // (LA-6)
+}
+
+/// Whether forces in the plane of the wall neither shear nor bend it, to a relative tolerance: A16,
+/// A26 and B vanish against A and A h/2.
+[[nodiscard]] bool balanced_and_symmetric(const LaminateStiffness<double>& of, double tolerance);
+
+/// A plate that bends equally in all directions.
+template <class Real = double>
+struct EvenPlate {
+  Real bending{};         ///< D [N*m]
+  Real poissons_ratio{};  ///< of its bending [-]
+};
+
+/// The mean over all directions of the bending stiffness of a flat wall; theory manual eq. (LA-17).
+/// An upper bound of the mean resistance.
+template <class Real>
+[[nodiscard]] EvenPlate<Real> mean_plate(const LaminateStiffness<Real>& of) {
+  const InPlane<Real>& D = of.D;
+  const Real bends = (3 * (D.m11 + D.m22) + 2 * D.m12 + 4 * D.m66) / 8;
+  const Real twists = (D.m11 + D.m22 - 2 * D.m12 + 4 * D.m66) / 8;
+  return {.bending = bends, .poissons_ratio = 1 - 2 * twists / bends};  // (LA-17)
+}
+
+/// The plate whose compliance is the mean over all directions; theory manual eq. (LA-17).  A lower
+/// bound of the mean resistance.
+[[nodiscard]] EvenPlate<double> softest_plate(const LaminateStiffness<double>& of);
 
 }  // namespace strainwave

@@ -37,6 +37,30 @@ struct LaminaStress {
                                                   const Lamina<>& lamina,
                                                   const LaminaStrength& strength);
 
+/// How a layer endures a constant stress beside one that changes its sign over a turn.
+struct PlyEndurance {
+  double fibre = 0.0;   ///< share of the Haigh line along the fibres, 1 at its end [-]
+  double matrix = 0.0;  ///< the same across the fibres and in shear together [-]
+  /// The larger of both [-].
+  [[nodiscard]] double utilisation() const { return fibre > matrix ? fibre : matrix; }
+};
+
+/// Shares of the Haigh lines of a layer; theory manual eq. (LA-19).
+/// @param amplitude  of the stress that changes its sign [Pa]; signs do not matter
+/// @param mean       constant stress [Pa]
+/// @param strength   ends of the lines on the axis of the mean stress [Pa]
+/// @param endurance  ends of the lines on the axis of the amplitude [Pa]
+[[nodiscard]] PlyEndurance ply_endurance(const LaminaStress& amplitude, const LaminaStress& mean,
+                                         const LaminaStrength& strength,
+                                         const LaminaEndurance& endurance);
+
+/// Least factor f >= 0 on the mean stress at which a share of (LA-19) is 1, at this amplitude.
+/// @return  0 if the amplitude alone reaches a line; empty if no factor does
+[[nodiscard]] std::optional<double> endurance_factor(const LaminaStress& amplitude,
+                                                     const LaminaStress& mean,
+                                                     const LaminaStrength& strength,
+                                                     const LaminaEndurance& endurance);
+
 /// Loads of a thin tube.
 struct TubeLoads {
   double radius = 0.0;       ///< mean radius r [m]; > 0

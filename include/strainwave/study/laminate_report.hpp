@@ -36,6 +36,20 @@ struct PlyState {
   /// Least factors on torque and axial force at which the ply fails, both senses of torque [-]
   std::optional<double> tsai_wu = {};
   std::optional<double> largest_strain = {};
+  /// Least factor on torque, axial force and assembly together, by either criterion [-]
+  std::optional<double> proportional = {};
+  /// Where the ply fails first: its face, the angle from a lobe [rad], the sense of torque
+  std::string worst_face = {};
+  double worst_angle = 0.0;
+  int worst_sense = 0;  ///< +1 or -1; 0: not known
+  /// Stress there by load and assembly together, at the magnitude of the load [Pa]
+  double worst_along = 0.0;
+  double worst_across = 0.0;  ///< across the fibres [Pa]
+  double worst_shear = 0.0;   ///< in shear along the fibres [Pa]
+  /// Share of the Haigh line over a turn; absent: no endurance is given [-]
+  std::optional<double> haigh = {};
+  /// Factor on torque and axial force at which the share is 1 [-]
+  std::optional<double> haigh_factor = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -63,6 +77,20 @@ struct PlyState {
     field({"largest_strain", "1",
            "least factor on the loads at which the ply fails by the largest strain"},
           &P::largest_strain);
+    field({"proportional", "1",
+           "least factor on the loads and the assembly together at which the ply fails"},
+          &P::proportional);
+    field({"worst_face", "", "face of the ply that fails first"}, &P::worst_face);
+    field({"worst_angle", "rad", "its angle from a lobe"}, &P::worst_angle);
+    field({"worst_sense", "", "sense of torque under which it fails first; 0: not known"},
+          &P::worst_sense);
+    stress("worst_along", "stress there along the fibres by load and assembly", &P::worst_along);
+    stress("worst_across", "stress there across the fibres by load and assembly",
+           &P::worst_across);
+    stress("worst_shear", "stress there in shear by load and assembly", &P::worst_shear);
+    field({"haigh", "1", "share of the Haigh line over a turn; absent: no endurance is given"},
+          &P::haigh);
+    field({"haigh_factor", "1", "factor on the loads at which the share is 1"}, &P::haigh_factor);
   }
 };
 
@@ -90,6 +118,10 @@ struct LaminateWall {
   /// Least factor on torque and axial force at which a ply fails, by either criterion [-]
   std::optional<double> reserve = {};
   int first_ply = 0;  ///< number of the ply that fails first; 0: not known
+  /// Least factor on torque, axial force and assembly together [-]
+  std::optional<double> proportional = {};
+  /// Largest share of the Haigh line of the plies; absent: not known [-]
+  std::optional<double> haigh = {};
   std::vector<PlyState> plies = {};
 
   template <class Visitor>
@@ -118,6 +150,11 @@ struct LaminateWall {
     field({"reserve", "1", "least factor on the loads at which a ply fails; absent: not known"},
           &W::reserve);
     field({"first_ply", "", "number of the ply that fails first; 0: not known"}, &W::first_ply);
+    field({"proportional", "1",
+           "least factor on the loads and the assembly together; absent: not known"},
+          &W::proportional);
+    field({"haigh", "1", "largest share of the Haigh line of the plies; absent: not known"},
+          &W::haigh);
     field({"plies", "", "each ply"}, &W::plies);
   }
 };
@@ -126,6 +163,7 @@ struct LaminateWall {
 struct LaminateReport {
   std::string sentence;  ///< the answer in words
   std::optional<double> reserve = {};
+  std::optional<double> haigh = {};
   std::vector<LaminateWall> walls;
   std::vector<Note> notes;             ///< remarks on the validity of the values
   std::vector<std::string> equations;  ///< tags of the theory manual
@@ -140,13 +178,23 @@ struct LaminateReport {
            .doc = "least factor on the loads at which a ply fails; absent: not known",
            .headline = true},
           &R::reserve);
+    field({.name = "haigh",
+           .unit = "1",
+           .doc = "largest share of the Haigh line of the plies; absent: not known",
+           .headline = true},
+          &R::haigh);
     field({"walls", "", "each section of a laminate"}, &R::walls);
   }
 };
 
+/// Whether a section of the flexspline is of a laminate.
+/// @param gear  has passed `check`
+[[nodiscard]] bool has_laminates(const GearSet& gear);
+
 /// Stiffness, torsion, stress and first failure of the laminates of a flexspline.
 ///
-/// Implements theory manual eqs. (LA-1) to (LA-6) and (LA-10) to (LA-14).
+/// Implements theory manual eqs. (LA-1) to (LA-6), (LA-10) to (LA-14), (LA-18) and
+/// (LA-19).
 /// @param gear         has passed `check`
 /// @throws InputError  if no section of the flexspline is of a laminate
 [[nodiscard]] LaminateReport laminate_report(const GearSet& gear);

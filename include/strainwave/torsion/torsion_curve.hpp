@@ -207,9 +207,10 @@ struct RimState {
   double tangential = 0.0;          ///< v, toward +theta [m]
   double rim_outside_stress = 0.0;  ///< hoop stress at the tooth roots [Pa]
   double rim_inside_stress = 0.0;   ///< hoop stress at the bore [Pa]
-  /// hoop stress at the outer surface of the barrel's end [Pa]
-  double barrel_bending_stress = 0.0;
-  double barrel_shear_stress = 0.0;  ///< shear stress from the torque [Pa]
+  /// hoop stress at the outer surface of the barrel's end [Pa]; absent: the plies of a laminate have
+  /// stresses of their own
+  std::optional<double> barrel_bending_stress = {};
+  double barrel_shear_stress = 0.0;  ///< from the torque, mean over the wall [Pa]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -220,7 +221,8 @@ struct RimState {
     field({"rim_outside_stress", "Pa", "hoop stress at the tooth roots"},
           &RimState::rim_outside_stress);
     field({"rim_inside_stress", "Pa", "hoop stress at the bore"}, &RimState::rim_inside_stress);
-    field({"barrel_bending_stress", "Pa", "hoop stress at the outer surface of the barrel's end"},
+    field({"barrel_bending_stress", "Pa",
+           "hoop stress at the outer surface of the barrel's end; absent for a laminate"},
           &RimState::barrel_bending_stress);
     field({"barrel_shear_stress", "Pa", "shear stress from the torque in the barrel"},
           &RimState::barrel_shear_stress);

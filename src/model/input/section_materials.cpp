@@ -26,6 +26,24 @@ void refuse_isotropic_numbers(const FieldPath& path, const Material& material,
   refuse_if_given(material.fatigue.has_value(), path / "fatigue", why);
 }
 
+/// A layer that endures an amplitude also carries its peaks once.
+void check_endurance(const FieldPath& path, const Material& layer) {
+  if (!layer.ply_strength)
+    throw InputError(path.text(), "needs ply_strength, because mean stresses count against it");
+  const LaminaStrength& once = *layer.ply_strength;
+  const LaminaEndurance& often = *layer.ply_endurance;
+  const auto below = [&](std::string_view name, double amplitude, double strength) {
+    require(amplitude < strength, path / name, amplitude, "Pa", [&] {
+      return fmt::format("below {}, the smaller strength of ply_strength in this direction",
+                         shown_quantity(strength, "Pa", 4));
+    });
+  };
+  below("fibre", often.fibre, std::min(once.fibre_tension, once.fibre_compression));
+  below("transverse", often.transverse,
+        std::min(once.transverse_tension, once.transverse_compression));
+  below("shear", often.shear, once.shear);
+}
+
 void check_layer(const FieldPath& path, const Material& layer) {
   if (!layer.shear_modulus)
     throw InputError((path / "shear_modulus").text(),
@@ -43,6 +61,7 @@ void check_layer(const FieldPath& path, const Material& layer) {
   refuse_isotropic_numbers(path, layer,
                            "is not read for a layer of a laminate; give its strengths as "
                            "ply_strength");
+  if (layer.ply_endurance) check_endurance(path / "ply_endurance", layer);
   constexpr std::string_view kOfAll = "is not read for a layer; give that of the laminate";
   refuse_if_given(!layer.growth.empty(), path / "growth", kOfAll);
   refuse_if_given(layer.growth_bounds.has_value(), path / "growth_bounds", kOfAll);
@@ -56,6 +75,7 @@ void check_laminate(const GearSet& gear, const FieldPath& path, const Material& 
   refuse_if_given(laminate.poissons_ratio.has_value(), path / "poissons_ratio", kByPlies);
   refuse_if_given(laminate.is_layer(), path / "transverse_modulus", kByPlies);
   refuse_if_given(laminate.ply_strength.has_value(), path / "ply_strength", kByPlies);
+  refuse_if_given(laminate.ply_endurance.has_value(), path / "ply_endurance", kByPlies);
   refuse_isotropic_numbers(path, laminate, "is not read for a laminate");
   if (!laminate.growth.empty() && !laminate.reference_modulus)
     throw InputError((path / "reference_modulus").text(),
@@ -177,6 +197,20 @@ const Material& only_material(const GearSet& gear, const Flexspline& flexspline)
   return material;
 }
 
+const Material& rim_material(const GearSet& gear, const Flexspline& flexspline) {
+  const bool own = flexspline.rim && flexspline.rim->material;
+  const std::string field = own ? "flexspline.rim.material" : "flexspline.material";
+  const std::string& name = own ? *flexspline.rim->material : flexspline.material;
+  const Material& material = material_of(gear, name, field);
+  if (material.is_laminate())
+    throw InputError(field,
+                     fmt::format("\"{}\" is a laminate; the coupled drive is derived for an "
+                                 "isotropic rim under the teeth, while barrel and diaphragm may be "
+                                 "of laminates",
+                                 shown(name)));
+  return material;
+}
+
 double thickness_of_plies(const Material& laminate) {
   double sum = 0.0;
   for (const Ply& ply : laminate.ply) sum += ply.thickness;
@@ -220,7 +254,8 @@ namespace {
 bool has_layers(const GearSet& gear) {
   const auto special = [](const auto& named) {
     const Material& material = named.second;
-    return !material.is_isotropic() || material.ply_strength || material.stacking;
+    return !material.is_isotropic() || material.ply_strength || material.ply_endurance ||
+           material.stacking;
   };
   if (std::ranges::any_of(gear.material, special)) return true;
   if (!gear.flexspline) return false;
@@ -249,9 +284,11 @@ void check_laminates(const GearSet& gear) {
       check_laminate(gear, path, material);
     else if (material.is_layer())
       check_layer(path, material);
-    else
-      refuse_if_given(material.ply_strength.has_value(), path / "ply_strength",
-                      "is read only beside transverse_modulus");
+    else {
+      constexpr std::string_view kOfLayer = "is read only beside transverse_modulus";
+      refuse_if_given(material.ply_strength.has_value(), path / "ply_strength", kOfLayer);
+      refuse_if_given(material.ply_endurance.has_value(), path / "ply_endurance", kOfLayer);
+    }
     if (!material.is_laminate())
       refuse_if_given(material.stacking.has_value(), path / "stacking", "is read only beside ply");
   }

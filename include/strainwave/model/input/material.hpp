@@ -39,6 +39,7 @@ struct Material {
   std::optional<GrowthBounds> growth_bounds = {};
   std::optional<double> transverse_modulus = {};    ///< E2 of a layer [Pa]; > 0
   std::optional<LaminaStrength> ply_strength = {};  ///< of a layer
+  std::optional<LaminaEndurance> ply_endurance = {};  ///< of a layer
   std::vector<Ply> ply = {};                        ///< of a laminate
   std::optional<Stacking> stacking = {};            ///< of the plies; absent: as listed
   /// G_c, energy release rate at which a crack cuts all plies of a laminate [J/m^2]; > 0
@@ -152,6 +153,12 @@ struct Material {
                 .doc = "strengths of a layer",
                 .in_template = InTemplate::commented},
           &Material::ply_strength);
+    field(Field{.name = "ply_endurance",
+                .unit = "",
+                .doc = "amplitudes of stress that a layer endures at zero mean stress, for the "
+                       "cycles that the part shall reach",
+                .in_template = InTemplate::commented},
+          &Material::ply_endurance);
     field(Field{.name = "ply",
                 .unit = "",
                 .doc = "plies of a laminate, from the inner face of the wall to the outer one",

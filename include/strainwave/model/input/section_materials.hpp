@@ -43,6 +43,11 @@ template <class Section>
 /// @throws InputError  if the flexspline is of a laminate, or of several materials
 [[nodiscard]] const Material& only_material(const GearSet& gear, const Flexspline& flexspline);
 
+/// The isotropic material of the rim of a flexspline, for the theory of rings.  Barrel and bottom
+/// may be of other materials, also of laminates.
+/// @throws InputError  if the rim is of a laminate
+[[nodiscard]] const Material& rim_material(const GearSet& gear, const Flexspline& flexspline);
+
 /// Sum of the thicknesses of all plies of a laminate, as the file gives them [m].
 [[nodiscard]] double thickness_of_plies(const Material& laminate);
 
