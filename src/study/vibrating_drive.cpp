@@ -52,9 +52,22 @@ double sum_of(const std::vector<SeriesCrack>& cracks) {
   return sum;
 }
 
+constexpr double kSenseOnly = 1e-9;  // torque that opens cracks and does nothing else [N*m]
+
+/// The drive with another torque beside the axial force of its load, because both together decide
+/// which cracks are open.  Without an axial force the sense of the torque decides alone.
+/// @param torque  of the flexspline [N*m]
+GearSet loaded_by(const GearSet& gear, double torque) {
+  GearSet loaded = gear;
+  if (gear.load.axial_force != 0) loaded.load.torque = torque != 0 ? torque : kSenseOnly;
+  return loaded;
+}
+
 /// The members by the sum.
 /// @param torque  of the flexspline; @param output_torque  of the output shaft [N*m]
 VibratingParts summed_members(const GearSet& gear, double torque, double output_torque) {
+  // The wave generator stays as at the load of the file, because the file may state displacements.
+  const GearSet loaded = loaded_by(gear, torque);
   VibratingParts made;
   const auto add = [&](std::string_view name, SpringPlace spring, double torque_of,
                        const MemberCompliance& of) {
@@ -65,9 +78,9 @@ VibratingParts summed_members(const GearSet& gear, double torque, double output_
   };
   if (gear.wave_generator)
     add("wave generator", SpringPlace::mesh, torque, wave_generator_compliance(gear));
-  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(gear));
+  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(loaded));
   if (gear.output_shaft)
-    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(gear));
+    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(loaded));
   return made;
 }
 
@@ -152,7 +165,6 @@ void note_inertias(const GearSet& gear, std::vector<Note>& notes) {
     missing("output shaft", gear.output_shaft->material, "output_shaft.material");
 }
 
-constexpr double kSenseOnly = 1e-9;   // torque that opens cracks and does nothing else [N*m]
 constexpr double kSameCracks = 1e-9;  // of their compliance and of a frequency [-]
 
 /// Cracks that open under one sense only have two linear drives about torque 0.
@@ -241,15 +253,22 @@ std::vector<std::optional<VibratingDrive>> vibrating_drives(const GearSet& gear,
       drives.emplace_back(drive_with(summed_members(gear, step * torque, torque)));
     return drives;
   }
-  std::vector<double> of_flexspline;
-  for (const double torque : torques) of_flexspline.push_back(step * torque);
-  const TorsionCurve curve = torsion_curve(AssembledDrive(gear), of_flexspline);
-  if (!curve.usable()) throw SolverError(curve.unusable_because);
-  for (std::size_t n = 0; n < torques.size(); ++n) {
-    drives.emplace_back();
-    if (std::isfinite(curve.points[n].tangent_compliance))
-      drives.back() = drive_with(coupled_members(gear, curve.points[n], torques[n]));
-  }
+  const auto add_coupled = [&](const GearSet& loaded, std::span<const double> some) {
+    std::vector<double> of_flexspline;
+    for (const double torque : some) of_flexspline.push_back(step * torque);
+    const TorsionCurve curve = torsion_curve(AssembledDrive(loaded), of_flexspline);
+    if (!curve.usable()) throw SolverError(curve.unusable_because);
+    for (std::size_t n = 0; n < some.size(); ++n) {
+      drives.emplace_back();
+      if (std::isfinite(curve.points[n].tangent_compliance))
+        drives.back() = drive_with(coupled_members(loaded, curve.points[n], some[n]));
+    }
+  };
+  if (gear.load.axial_force == 0)
+    add_coupled(gear, torques);
+  else
+    for (const double torque : torques)
+      add_coupled(loaded_by(gear, step * torque), std::span(&torque, 1));
   return drives;
 }
 
@@ -295,8 +314,12 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
   }
   if (torque == 0 && states.with_cracks) note_both_senses(gear, states.notes);
   note_inertias(gear, states.notes);
+  // The notes say which cracks are open at the torque of the springs.
+  const double of_flexspline =
+      torque * flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
+  const GearSet noted = torque != 0 ? loaded_by(gear, of_flexspline) : gear;
   const std::vector<Note> of_springs =
-      coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
+      coupled ? AssembledDrive(noted).notes() : torsional_stiffness(noted).notes;
   states.notes.insert(states.notes.end(), of_springs.begin(), of_springs.end());
   return states;
 }
