@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -54,20 +55,38 @@ double sum_of(const std::vector<SeriesCrack>& cracks) {
 
 constexpr double kSenseOnly = 1e-9;  // torque that opens cracks and does nothing else [N*m]
 
-/// The drive with another torque beside the axial force of its load, because both together decide
-/// which cracks are open.  Without an axial force the sense of the torque decides alone.
-/// @param torque  of the flexspline [N*m]
+/// The drive with another torque as its load.  Torque and axial force together decide which cracks
+/// are open, and the contacts of the bearing are stiffer under a larger torque.
+/// @param torque  of the output [N*m]; 0 counts as a torque that opens cracks and does nothing else
 GearSet loaded_by(const GearSet& gear, double torque) {
   GearSet loaded = gear;
-  if (gear.load.axial_force != 0) loaded.load.torque = torque != 0 ? torque : kSenseOnly;
+  loaded.load.torque = torque != 0 ? torque : kSenseOnly;
   return loaded;
+}
+
+/// Whether the file states numbers of the wave generator that belong to the torque of its load.
+bool of_one_torque(const WaveGenerator& of) {
+  const auto given = [](const auto& crack) {
+    if constexpr (requires { crack.stress_driver; })
+      return crack.stress_driver == StressDriver::given;
+    else
+      return false;
+  };
+  return of.displacements ||
+         std::ranges::any_of(of.crack, [&](const auto& crack) { return std::visit(given, crack); });
+}
+
+/// The drive whose wave generator has the stiffness of a torque.  A bearing without force has none,
+/// so its stiffness is then that at the load of the file.
+GearSet bearing_under(const GearSet& gear, double torque) {
+  if (std::abs(torque) <= kSenseOnly || of_one_torque(*gear.wave_generator)) return gear;
+  return loaded_by(gear, torque);
 }
 
 /// The members by the sum.
 /// @param torque  of the flexspline; @param output_torque  of the output shaft [N*m]
 VibratingParts summed_members(const GearSet& gear, double torque, double output_torque) {
-  // The wave generator stays as at the load of the file, because the file may state displacements.
-  const GearSet loaded = loaded_by(gear, torque);
+  const GearSet loaded = loaded_by(gear, output_torque);
   VibratingParts made;
   const auto add = [&](std::string_view name, SpringPlace spring, double torque_of,
                        const MemberCompliance& of) {
@@ -77,7 +96,8 @@ VibratingParts summed_members(const GearSet& gear, double torque, double output_
     made.cracks.insert(made.cracks.end(), open.begin(), open.end());
   };
   if (gear.wave_generator)
-    add("wave generator", SpringPlace::mesh, torque, wave_generator_compliance(gear));
+    add("wave generator", SpringPlace::mesh, torque,
+        wave_generator_compliance(bearing_under(gear, output_torque)));
   if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(loaded));
   if (gear.output_shaft)
     add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(loaded));
@@ -268,7 +288,7 @@ std::vector<std::optional<VibratingDrive>> vibrating_drives(const GearSet& gear,
     add_coupled(gear, torques);
   else
     for (const double torque : torques)
-      add_coupled(loaded_by(gear, step * torque), std::span(&torque, 1));
+      add_coupled(loaded_by(gear, torque), std::span(&torque, 1));
   return drives;
 }
 
@@ -314,10 +334,9 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
   }
   if (torque == 0 && states.with_cracks) note_both_senses(gear, states.notes);
   note_inertias(gear, states.notes);
-  // The notes say which cracks are open at the torque of the springs.
-  const double of_flexspline =
-      torque * flexspline_torque(arrangement_of(gear.drivetrain->fixed), gear.drive.ratio);
-  const GearSet noted = torque != 0 ? loaded_by(gear, of_flexspline) : gear;
+  // With an axial force, the notes say which cracks are open at the torque of the springs.
+  const GearSet noted =
+      torque != 0 && gear.load.axial_force != 0 ? loaded_by(gear, torque) : gear;
   const std::vector<Note> of_springs =
       coupled ? AssembledDrive(noted).notes() : torsional_stiffness(noted).notes;
   states.notes.insert(states.notes.end(), of_springs.begin(), of_springs.end());

@@ -386,6 +386,23 @@ TEST(ModesReport, IdentityTorqueAndAxialForceOpenCracksTogether) {
   }
 }
 
+TEST(ModesReport, IdentityTheBearingIsThatOfTheTorque) {
+  // (DY-10), (CO-4): without the coupled drive, the contacts of the bearing are as stiff as in a
+  // file with the asked torque.  Stated displacements belong to the torque of the file.
+  GearSet gear = robot_joint();
+  gear.mesh.reset();
+  gear.flexspline->crack.clear();
+  const auto frequency_at = [&](double of_file, double asked) {
+    gear.load.torque = of_file;
+    return first(modes_report(gear, asked), MotorGives::speed).intact.frequency;
+  };
+  EXPECT_LT(frequency_at(48, 10), 0.99 * frequency_at(48, 48));
+  test::expect_relative(frequency_at(48, 10), frequency_at(10, 10), 1e-12);
+  gear.wave_generator->bearing.reset();
+  gear.wave_generator->displacements = LobeDisplacements{.bearing = 5e-6};
+  test::expect_relative(frequency_at(48, 10), frequency_at(48, 48), 1e-12);
+}
+
 TEST(ModesReport, BehaviourTheBallsNeedTheirCount) {
   GearSet gear = robot_joint();
   gear.mesh.reset();

@@ -249,10 +249,8 @@ TEST(Correlation, ReferenceOfAShaft) {
       EXPECT_NEAR(input.deviations, (modulus ? -beta : beta) * (own - r * other) / sigma, 1e-4);
       test::expect_relative(input.at_design / input.value, std::exp(own * input.deviations), 1e-9);
     }
-    std::vector<std::string> codes = {"reliability.scatter_alone"};
-    if (answer.trusted == ReliabilityRoad::importance_sampling)
-      codes.insert(codes.begin(), "reliability.elsewhere");
-    EXPECT_EQ(test::note_codes(report.notes), codes);
+    EXPECT_EQ(test::note_codes(report.notes),
+              std::vector<std::string>{"reliability.scatter_alone"});
     EXPECT_NE(report.notes[0].text.find("with the rank correlations"), std::string::npos);
   }
 }
@@ -379,8 +377,10 @@ TEST(Reliability, ReferenceOfALognormalStiffness) {
     test::expect_relative(input.at_design, 80e9 * std::exp(-beta * sigma), 1e-6);
     EXPECT_NEAR(input.deviations, -beta, 1e-6);
     EXPECT_NEAR(input.importance, 1, 1e-9);
-    EXPECT_EQ(test::note_codes(report.notes),
-              std::vector<std::string>{"reliability.scatter_alone"});
+    std::vector<std::string> codes = {"reliability.scatter_alone"};
+    if (answer.trusted == ReliabilityRoad::importance_sampling)
+      codes.insert(codes.begin(), "reliability.elsewhere");
+    EXPECT_EQ(test::note_codes(report.notes), codes);
   }
 }
 
