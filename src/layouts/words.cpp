@@ -49,16 +49,15 @@ std::string output_words(std::string_view output) {
   std::string_view rest = output.substr(0, output.size() - last.size());
   const bool of_curve = rest.starts_with("curve.");
   if (of_curve) rest.remove_prefix(std::string_view("curve.").size());
-  const std::string_view what = of_curve                  ? (line ? last : "")
+  const std::string_view what = of_curve                   ? (line ? last : "")
                                 : last == "stiffness"      ? "stiffness"
                                 : last == "stiffness_loss" ? "loss of stiffness"
                                                            : "";
-  const std::string_view of = rest == "intact." ? "sound"
-                              : rest == "positive." || rest == "cracked.positive."
-                                  ? words_of(TorqueSense::positive)
-                              : rest == "negative." || rest == "cracked.negative."
-                                  ? words_of(TorqueSense::negative)
-                                  : "";
+  const std::string_view of =
+      rest == "intact."                                    ? "sound"
+      : rest == "positive." || rest == "cracked.positive." ? words_of(TorqueSense::positive)
+      : rest == "negative." || rest == "cracked.negative." ? words_of(TorqueSense::negative)
+                                                           : "";
   if (what.empty() || of.empty()) return std::string(output);
   return fmt::format("{}, {}", what, of);
 }

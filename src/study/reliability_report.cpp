@@ -154,7 +154,7 @@ void add_notes(std::vector<Note>& notes, const RequirementReliability& answer) {
   if (answer.trusted == ReliabilityRoad::importance_sampling)
     notes.push_back(
         {.code = "reliability.elsewhere",
-         .text = fmt::format("{}: the interval is that of failures about the design point.  "
+         .text = fmt::format("{}: the interval is that of failures about the design point. "
                              "Failures by another cause may be missing: the {} plain draws, of "
                              "which {} fail, exclude with 97.5 % confidence only a probability "
                              "above {:.2g}",

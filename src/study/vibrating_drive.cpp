@@ -287,8 +287,7 @@ std::vector<std::optional<VibratingDrive>> vibrating_drives(const GearSet& gear,
   if (gear.load.axial_force == 0)
     add_coupled(gear, torques);
   else
-    for (const double torque : torques)
-      add_coupled(loaded_by(gear, torque), std::span(&torque, 1));
+    for (const double torque : torques) add_coupled(loaded_by(gear, torque), std::span(&torque, 1));
   return drives;
 }
 
@@ -335,8 +334,7 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
   if (torque == 0 && states.with_cracks) note_both_senses(gear, states.notes);
   note_inertias(gear, states.notes);
   // With an axial force, the notes say which cracks are open at the torque of the springs.
-  const GearSet noted =
-      torque != 0 && gear.load.axial_force != 0 ? loaded_by(gear, torque) : gear;
+  const GearSet noted = torque != 0 && gear.load.axial_force != 0 ? loaded_by(gear, torque) : gear;
   const std::vector<Note> of_springs =
       coupled ? AssembledDrive(noted).notes() : torsional_stiffness(noted).notes;
   states.notes.insert(states.notes.end(), of_springs.begin(), of_springs.end());
