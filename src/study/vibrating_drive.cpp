@@ -55,12 +55,12 @@ double sum_of(const std::vector<SeriesCrack>& cracks) {
 
 constexpr double kSenseOnly = 1e-9;  // torque that opens cracks and does nothing else [N*m]
 
-/// The drive with another torque as its load.  Torque and axial force together decide which cracks
-/// are open, and the contacts of the bearing are stiffer under a larger torque.
+/// The drive under another torque beside the axial force of its load, because both together decide
+/// which cracks are open.  Without an axial force the sense of the torque decides alone.
 /// @param torque  of the output [N*m]; 0 counts as a torque that opens cracks and does nothing else
-GearSet loaded_by(const GearSet& gear, double torque) {
+GearSet opened_by(const GearSet& gear, double torque) {
   GearSet loaded = gear;
-  loaded.load.torque = torque != 0 ? torque : kSenseOnly;
+  if (gear.load.axial_force != 0) loaded.load.torque = torque != 0 ? torque : kSenseOnly;
   return loaded;
 }
 
@@ -76,17 +76,10 @@ bool of_one_torque(const WaveGenerator& of) {
          std::ranges::any_of(of.crack, [&](const auto& crack) { return std::visit(given, crack); });
 }
 
-/// The drive whose wave generator has the stiffness of a torque.  A bearing without force has none,
-/// so its stiffness is then that at the load of the file.
-GearSet bearing_under(const GearSet& gear, double torque) {
-  if (std::abs(torque) <= kSenseOnly || of_one_torque(*gear.wave_generator)) return gear;
-  return loaded_by(gear, torque);
-}
-
 /// The members by the sum.
 /// @param torque  of the flexspline; @param output_torque  of the output shaft [N*m]
 VibratingParts summed_members(const GearSet& gear, double torque, double output_torque) {
-  const GearSet loaded = loaded_by(gear, output_torque);
+  const GearSet opened = opened_by(gear, output_torque);
   VibratingParts made;
   const auto add = [&](std::string_view name, SpringPlace spring, double torque_of,
                        const MemberCompliance& of) {
@@ -96,11 +89,10 @@ VibratingParts summed_members(const GearSet& gear, double torque, double output_
     made.cracks.insert(made.cracks.end(), open.begin(), open.end());
   };
   if (gear.wave_generator)
-    add("wave generator", SpringPlace::mesh, torque,
-        wave_generator_compliance(bearing_under(gear, output_torque)));
-  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(loaded));
+    add("wave generator", SpringPlace::mesh, torque, wave_generator_compliance(gear));
+  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(opened));
   if (gear.output_shaft)
-    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(loaded));
+    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(opened));
   return made;
 }
 
@@ -287,7 +279,7 @@ std::vector<std::optional<VibratingDrive>> vibrating_drives(const GearSet& gear,
   if (gear.load.axial_force == 0)
     add_coupled(gear, torques);
   else
-    for (const double torque : torques) add_coupled(loaded_by(gear, torque), std::span(&torque, 1));
+    for (const double torque : torques) add_coupled(opened_by(gear, torque), std::span(&torque, 1));
   return drives;
 }
 
@@ -302,16 +294,23 @@ VibratingDrive vibrating_drive(const GearSet& gear, double torque) {
   return std::move(*drive);
 }
 
-VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& options,
+GearSet with_load_torque(GearSet gear, double torque) {
+  if (torque != 0 && !(gear.wave_generator && of_one_torque(*gear.wave_generator)))
+    gear.load.torque = torque;
+  return gear;
+}
+
+VibratingStates vibrating_states(const GearSet& of_file, const VibratingOptions& options,
                                  std::string_view purpose, const Progress& progress) {
-  check(gear);
-  if (!gear.drivetrain)
+  check(of_file);
+  if (!of_file.drivetrain)
     throw InputError("drivetrain",
                      fmt::format("must be given for {}; give [drivetrain] with motor_inertia and "
                                  "load_inertia",
                                  purpose));
-  const double torque = options.torque.value_or(gear.load.torque);
+  const double torque = options.torque.value_or(of_file.load.torque);
   require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
+  const GearSet gear = with_load_torque(of_file, torque);
   const bool coupled = missing_for_torsion_curve(gear).empty();
   std::vector<std::string> paths;
   for_each_crack(gear, [&](const std::string& path, const auto&) { paths.push_back(path); });
@@ -333,10 +332,8 @@ VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& op
   }
   if (torque == 0 && states.with_cracks) note_both_senses(gear, states.notes);
   note_inertias(gear, states.notes);
-  // With an axial force, the notes say which cracks are open at the torque of the springs.
-  const GearSet noted = torque != 0 && gear.load.axial_force != 0 ? loaded_by(gear, torque) : gear;
   const std::vector<Note> of_springs =
-      coupled ? AssembledDrive(noted).notes() : torsional_stiffness(noted).notes;
+      coupled ? AssembledDrive(gear).notes() : torsional_stiffness(gear).notes;
   states.notes.insert(states.notes.end(), of_springs.begin(), of_springs.end());
   return states;
 }
