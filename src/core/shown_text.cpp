@@ -114,7 +114,8 @@ std::string shown_quantity(double value, std::string_view si, int digits, std::s
   constexpr double kStiff = 10 * units::GPa;  // moduli are larger, stresses smaller
   const bool stiff = si == "Pa" && std::abs(value) >= kStiff && !asked_units().of(name, si);
   const DisplayUnit unit = stiff ? DisplayUnit{"GPa", units::GPa} : display_unit(name, si);
-  const std::string number = fmt::format("{:.{}g}", value / unit.in_si, digits);
+  // Adding 0 prevents "-0".
+  const std::string number = fmt::format("{:.{}g}", value / unit.in_si + 0.0, digits);
   return unit.text == "1" ? number : fmt::format("{} {}", number, unit.text);
 }
 

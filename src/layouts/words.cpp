@@ -44,15 +44,22 @@ std::optional<std::string> at_work_sentence(const CrackReport& crack) {
 }
 
 std::string output_words(std::string_view output) {
-  const bool sound = output.starts_with("intact") || output.starts_with("curve.intact");
-  return fmt::format("{}, {}",
-                     output.starts_with("curve.") ? output.substr(output.rfind('.') + 1)
-                     : output.ends_with("_loss")  ? "loss of stiffness"
-                                                  : "stiffness",
-                     sound ? "sound"
-                     : output.find("negative") == std::string_view::npos
-                         ? words_of(TorqueSense::positive)
-                         : words_of(TorqueSense::negative));
+  const std::string_view last = output.substr(output.rfind('.') + 1);
+  const bool line = last == "K1" || last == "K2" || last == "K3";
+  std::string_view rest = output.substr(0, output.size() - last.size());
+  const bool of_curve = rest.starts_with("curve.");
+  if (of_curve) rest.remove_prefix(std::string_view("curve.").size());
+  const std::string_view what = of_curve                   ? (line ? last : "")
+                                : last == "stiffness"      ? "stiffness"
+                                : last == "stiffness_loss" ? "loss of stiffness"
+                                                           : "";
+  const std::string_view of =
+      rest == "intact."                                    ? "sound"
+      : rest == "positive." || rest == "cracked.positive." ? words_of(TorqueSense::positive)
+      : rest == "negative." || rest == "cracked.negative." ? words_of(TorqueSense::negative)
+                                                           : "";
+  if (what.empty() || of.empty()) return std::string(output);
+  return fmt::format("{}, {}", what, of);
 }
 
 std::string_view place_of_intensity(std::string_view kind) {

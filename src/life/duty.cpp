@@ -56,12 +56,14 @@ DutyAverage duty_average(std::span<const DutyStep> steps, double ratio, FixedMem
           .input_speed = std::abs(signed_ratio(arrangement_of(fixed), ratio)) * speed};
 }
 
-double allowed_momentary_peaks(double input_speed, double duration) {
+double allowed_momentary_peaks(double input_speed, double duration, int wave_number) {
   require(input_speed > 0 && std::isfinite(input_speed), "input_speed", input_speed, "rad/s",
           "> 0");
   require(duration > 0 && std::isfinite(duration), "duration", duration, "s", "> 0");
+  require(wave_number >= 1, "wave_number", wave_number, "1", ">= 1");
   constexpr double kReversals = 1e4;
-  return kReversals / (input_speed / std::numbers::pi * duration);  // (LI-2)
+  const double turns = input_speed / (2 * std::numbers::pi) * duration;
+  return kReversals / (wave_number * turns);  // (LI-2)
 }
 
 }  // namespace strainwave

@@ -197,7 +197,8 @@ void add_inspection_notes(InspectionReport& report, const InspectionCase& of) {
                  : fmt::format("Plan for a smaller --risk, whose upper limit is below the wanted "
                                "one, with --importance-sampling or more than {} draws; the plan at "
                                "times of least risk needs twice as many.",
-                               static_cast<std::int64_t>(std::ceil(3.69 / wanted)))});
+                               std::max(static_cast<std::int64_t>(std::ceil(3.69 / wanted)),
+                                        static_cast<std::int64_t>(of.options.draws)))});
   if (weighted)
     report.notes.push_back(
         {.code = "inspection.importance",

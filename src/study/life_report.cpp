@@ -195,7 +195,7 @@ std::optional<double> end_of_peaks(const LifeCase& of) {
     const double speed = std::abs(peak.step.output_speed) * of.input_turns;
     if (speed > 0)
       used += peak.per_repetition / of.history.duration /
-              allowed_momentary_peaks(speed, peak.step.duration);
+              allowed_momentary_peaks(speed, peak.step.duration, of.gear.drive.wave_number);
   }
   if (!(used > 0)) return std::nullopt;
   return 1 / used;

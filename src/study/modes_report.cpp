@@ -296,7 +296,8 @@ void add_modes_over_growth(ModesReport& report, const GearSet& gear, int points,
   ModesOverGrowth over{.sentence = growth.sentence, .life = growth.life};
   std::array<std::vector<ChainMode>, 2> before;
   for (std::size_t n = 0; n < growth.drives.size(); ++n) {
-    const VibratingDrive drive = vibrating_drive(growth.drives[n], report.torque);
+    const VibratingDrive drive =
+        vibrating_drive(with_load_torque(growth.drives[n], report.torque), report.torque);
     ModeOverGrowth row{.time = growth.stiffness[n].time};
     for (const MotorGives motor : {MotorGives::torque, MotorGives::speed}) {
       const bool is_free = motor == MotorGives::torque;

@@ -32,6 +32,8 @@ class Margin {
                       requirement.comparison == Comparison::more_than
                   ? 1.0
                   : -1.0),
+        strict_(requirement.comparison == Comparison::more_than ||
+                requirement.comparison == Comparison::less_than),
         bound_(requirement.bound),
         scale_(std::max({std::abs(requirement.bound), std::abs(outputs.at_file()[0].value),
                          std::numeric_limits<double>::min()})) {}
@@ -40,12 +42,15 @@ class Margin {
     double output = 0.0;
     if ((*evaluate_)(u, {&output, 1}) != Fate::evaluated || !std::isfinite(output))
       return std::nullopt;
+    // A strict requirement is broken on its bound, such as a change of 0 against "< 0".
+    if (strict_ && output == bound_) return -std::numeric_limits<double>::min();
     return sign_ * (output - bound_) / scale_;
   }
 
  private:
   std::shared_ptr<DrawnOutputs::Evaluator> evaluate_;
   double sign_;
+  bool strict_;
   double bound_;
   double scale_;
 };
@@ -146,6 +151,18 @@ void add_notes(std::vector<Note>& notes, const RequirementReliability& answer) {
            .equation = "UQ-4",
            .severity = Severity::information});
   }
+  if (answer.trusted == ReliabilityRoad::importance_sampling)
+    notes.push_back(
+        {.code = "reliability.elsewhere",
+         .text = fmt::format("{}: the interval is that of failures about the design point. "
+                             "Failures by another cause may be missing: the {} plain draws, of "
+                             "which {} fail, exclude with 97.5 % confidence only a probability "
+                             "above {:.2g}",
+                             name, plain.draws, plain.failures, plain.high),
+         .path = "scatter",
+         .equation = "UQ-7",
+         .severity = Severity::care,
+         .next_step = "Take more draws with --draws if failures may have several causes."});
   if (plain.without_value > 0)
     notes.push_back(
         {.code = "reliability.no_value",

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -52,9 +53,33 @@ double sum_of(const std::vector<SeriesCrack>& cracks) {
   return sum;
 }
 
+constexpr double kSenseOnly = 1e-9;  // torque that opens cracks and does nothing else [N*m]
+
+/// The drive under another torque beside the axial force of its load, because both together decide
+/// which cracks are open.  Without an axial force the sense of the torque decides alone.
+/// @param torque  of the output [N*m]; 0 counts as a torque that opens cracks and does nothing else
+GearSet opened_by(const GearSet& gear, double torque) {
+  GearSet loaded = gear;
+  if (gear.load.axial_force != 0) loaded.load.torque = torque != 0 ? torque : kSenseOnly;
+  return loaded;
+}
+
+/// Whether the file states numbers of the wave generator that belong to the torque of its load.
+bool of_one_torque(const WaveGenerator& of) {
+  const auto given = [](const auto& crack) {
+    if constexpr (requires { crack.stress_driver; })
+      return crack.stress_driver == StressDriver::given;
+    else
+      return false;
+  };
+  return of.displacements ||
+         std::ranges::any_of(of.crack, [&](const auto& crack) { return std::visit(given, crack); });
+}
+
 /// The members by the sum.
 /// @param torque  of the flexspline; @param output_torque  of the output shaft [N*m]
 VibratingParts summed_members(const GearSet& gear, double torque, double output_torque) {
+  const GearSet opened = opened_by(gear, output_torque);
   VibratingParts made;
   const auto add = [&](std::string_view name, SpringPlace spring, double torque_of,
                        const MemberCompliance& of) {
@@ -65,9 +90,9 @@ VibratingParts summed_members(const GearSet& gear, double torque, double output_
   };
   if (gear.wave_generator)
     add("wave generator", SpringPlace::mesh, torque, wave_generator_compliance(gear));
-  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(gear));
+  if (gear.flexspline) add("flexspline", SpringPlace::body, torque, flexspline_compliance(opened));
   if (gear.output_shaft)
-    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(gear));
+    add("output shaft", SpringPlace::shaft, output_torque, output_shaft_compliance(opened));
   return made;
 }
 
@@ -152,7 +177,6 @@ void note_inertias(const GearSet& gear, std::vector<Note>& notes) {
     missing("output shaft", gear.output_shaft->material, "output_shaft.material");
 }
 
-constexpr double kSenseOnly = 1e-9;   // torque that opens cracks and does nothing else [N*m]
 constexpr double kSameCracks = 1e-9;  // of their compliance and of a frequency [-]
 
 /// Cracks that open under one sense only have two linear drives about torque 0.
@@ -241,15 +265,21 @@ std::vector<std::optional<VibratingDrive>> vibrating_drives(const GearSet& gear,
       drives.emplace_back(drive_with(summed_members(gear, step * torque, torque)));
     return drives;
   }
-  std::vector<double> of_flexspline;
-  for (const double torque : torques) of_flexspline.push_back(step * torque);
-  const TorsionCurve curve = torsion_curve(AssembledDrive(gear), of_flexspline);
-  if (!curve.usable()) throw SolverError(curve.unusable_because);
-  for (std::size_t n = 0; n < torques.size(); ++n) {
-    drives.emplace_back();
-    if (std::isfinite(curve.points[n].tangent_compliance))
-      drives.back() = drive_with(coupled_members(gear, curve.points[n], torques[n]));
-  }
+  const auto add_coupled = [&](const GearSet& loaded, std::span<const double> some) {
+    std::vector<double> of_flexspline;
+    for (const double torque : some) of_flexspline.push_back(step * torque);
+    const TorsionCurve curve = torsion_curve(AssembledDrive(loaded), of_flexspline);
+    if (!curve.usable()) throw SolverError(curve.unusable_because);
+    for (std::size_t n = 0; n < some.size(); ++n) {
+      drives.emplace_back();
+      if (std::isfinite(curve.points[n].tangent_compliance))
+        drives.back() = drive_with(coupled_members(loaded, curve.points[n], some[n]));
+    }
+  };
+  if (gear.load.axial_force == 0)
+    add_coupled(gear, torques);
+  else
+    for (const double torque : torques) add_coupled(opened_by(gear, torque), std::span(&torque, 1));
   return drives;
 }
 
@@ -264,16 +294,23 @@ VibratingDrive vibrating_drive(const GearSet& gear, double torque) {
   return std::move(*drive);
 }
 
-VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& options,
+GearSet with_load_torque(GearSet gear, double torque) {
+  if (torque != 0 && !(gear.wave_generator && of_one_torque(*gear.wave_generator)))
+    gear.load.torque = torque;
+  return gear;
+}
+
+VibratingStates vibrating_states(const GearSet& of_file, const VibratingOptions& options,
                                  std::string_view purpose, const Progress& progress) {
-  check(gear);
-  if (!gear.drivetrain)
+  check(of_file);
+  if (!of_file.drivetrain)
     throw InputError("drivetrain",
                      fmt::format("must be given for {}; give [drivetrain] with motor_inertia and "
                                  "load_inertia",
                                  purpose));
-  const double torque = options.torque.value_or(gear.load.torque);
+  const double torque = options.torque.value_or(of_file.load.torque);
   require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
+  const GearSet gear = with_load_torque(of_file, torque);
   const bool coupled = missing_for_torsion_curve(gear).empty();
   std::vector<std::string> paths;
   for_each_crack(gear, [&](const std::string& path, const auto&) { paths.push_back(path); });

@@ -71,7 +71,8 @@ struct VibratingStates {
 /// @param purpose  what needs the drivetrain, for the message: "the modes"
 /// @throws InputError   if the drive has no drivetrain, or no compliance
 /// @throws SolverError  if the coupled drive has no equilibrium at the torque
-[[nodiscard]] VibratingStates vibrating_states(const GearSet& gear, const VibratingOptions& options,
+[[nodiscard]] VibratingStates vibrating_states(const GearSet& of_file,
+                                               const VibratingOptions& options,
                                                std::string_view purpose, const Progress& progress);
 
 /// The drive with the cracks that it has, about a torque; it must have a drivetrain and be checked.
@@ -85,6 +86,12 @@ struct VibratingStates {
 /// @throws SolverError  if the coupled drive cannot be assembled
 [[nodiscard]] std::vector<std::optional<VibratingDrive>> vibrating_drives(
     const GearSet& gear, std::span<const double> torques);
+
+/// The drive of a file with another torque of its load, under which the contacts of the bearing
+/// have another stiffness.  The torque of the file stays if the wave generator has numbers of this
+/// torque, and if the other one is 0, under which a bearing has no stiffness.
+/// @param torque  T at the output [N*m]
+[[nodiscard]] GearSet with_load_torque(GearSet gear, double torque);
 
 /// The drive without one of its cracks.
 [[nodiscard]] GearSet without_crack(GearSet gear, const std::string& path);

@@ -7,6 +7,7 @@ namespace strainwave {
 namespace {
 
 TEST(ShownQuantity, BehaviourUnitsOfPeople) {
+  EXPECT_EQ(shown_quantity(-0.0, "N*m", 4), "0 N*m");
   EXPECT_EQ(shown_quantity(196e9, "Pa", 4), "196 GPa");
   EXPECT_EQ(shown_quantity(1e10, "Pa"), "10 GPa");
   EXPECT_EQ(shown_quantity(2241e6, "Pa"), "2241 MPa");

@@ -63,6 +63,13 @@ TEST(Duty, ReferenceMakersExamples) {  // LI-1, LI-2, LI-3
   EXPECT_NEAR(allowed_momentary_peaks(100 * 20 * kRpm, 0.15), 1000, 1e-9);
 }
 
+TEST(Duty, ReferencePeaksOfThreeWaves) {
+  // (LI-2): 10 000 waves pass in 10000/3 turns of three waves, here 1000 rpm for 0.06 s, or one
+  // turn, in each peak.  Tolerance: rounding.
+  EXPECT_NEAR(allowed_momentary_peaks(1000 * kRpm, 0.06, 3), 1e4 / 3, 1e-9);
+  EXPECT_NEAR(allowed_momentary_peaks(1000 * kRpm, 0.06, 2), 5000, 1e-9);
+}
+
 TEST(Duty, IdentitySignsOrderAndPieces) {
   // Directions do not matter, nor does the order or a block that is cut in two.
   const DutyAverage whole = duty_average(kExample120, 120);
@@ -181,6 +188,7 @@ TEST(Life, InputEachRuleBrokenOnce) {
   EXPECT_EQ(average({}, 100), "duty");
   EXPECT_EQ(refused_field([] { return allowed_momentary_peaks(0, 1); }), "input_speed");
   EXPECT_EQ(refused_field([] { return allowed_momentary_peaks(1, 0); }), "duration");
+  EXPECT_EQ(refused_field([] { return allowed_momentary_peaks(1, 1, 0); }), "wave_number");
   const DutyAverage duty{.torque = 1, .output_speed = 1, .input_speed = 1};
   EXPECT_EQ(refused_field([&] { return bearing_life(0, 1, duty); }), "rated_life");
   EXPECT_EQ(refused_field([&] { return bearing_life(1, 0, duty); }), "rated_torque");

@@ -197,6 +197,14 @@ TEST(InspectionReport, BehaviourNotes) {
   const InspectionReport planned = inspection_report(gear, options);
   ASSERT_EQ(planned.plans.size(), 2U);
   EXPECT_TRUE(has(planned, "inspection.draws"));
+  // The advice asks for more draws than the study had, also where 3.69 over the risk is fewer.
+  options = options_of(40, 450 * kHour);
+  options.method = Inspection{.a50 = 1e-3, .a90 = 2e-3};
+  options.times.risk = 0.2;
+  const InspectionReport larger = inspection_report(gear, options);
+  const auto advice = std::ranges::find(larger.notes, "inspection.draws", &Note::code);
+  ASSERT_NE(advice, larger.notes.end());
+  EXPECT_NE(advice->next_step.find("more than 40 draws"), std::string::npos) << advice->next_step;
   EXPECT_FALSE(planned.inspections.empty());
   GearSet wild = scattering_shaft();
   wild.scatter.resize(2);

@@ -21,6 +21,7 @@
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/modes.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/study/drive_orders.hpp"
 #include "strainwave/study/frf_report.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
@@ -327,6 +328,79 @@ TEST(ModesReport, ReferenceCriticalSpeeds) {
   test::expect_relative(locked.critical_speeds[1].intact / units::rpm, 30 * locked.intact.frequency,
                         1e-12);
   test::expect_relative(*report.largest_speed / units::rpm, 5600.0, 1e-12);
+}
+
+TEST(ModesReport, ReferenceOrdersOfOtherWaves) {
+  // (DY-2): the lobes make the orders U and 2U of the kinematic error, and an eccentric cam makes
+  // the order 1; with the circular spline fixed, cracks have U(1 + 1/i) and U.
+  GearSet gear = robot_joint();
+  gear.mesh.reset();
+  gear.circular_spline.reset();
+  gear.wave_generator->bearing->ball_count.reset();
+  gear.wave_generator->bearing->outer_ring.reset();
+  const auto orders = [&](int waves) {
+    gear.drive.wave_number = waves;
+    std::vector<std::pair<std::string, double>> all;
+    for (const DriveOrder& of : drive_orders(gear)) all.emplace_back(of.words, of.order);
+    return all;
+  };
+  const std::string error = "kinematic error, ";
+  const std::string turn = " in a turn of the input";
+  const std::vector<std::pair<std::string, double>> three = orders(3);
+  ASSERT_EQ(three.size(), 7U);
+  EXPECT_EQ(three[0], std::pair(error + "once" + turn, 1.0));
+  EXPECT_EQ(three[1], std::pair(error + "three times" + turn, 3.0));
+  EXPECT_EQ(three[2], std::pair(error + "6 times" + turn, 6.0));
+  test::expect_relative(three[3].second, 3.03, 1e-12);
+  test::expect_relative(three[4].second, 3.0, 1e-12);
+  const std::vector<std::pair<std::string, double>> one = orders(1);
+  ASSERT_EQ(one.size(), 6U);
+  EXPECT_EQ(one[0], std::pair(error + "once" + turn, 1.0));
+  EXPECT_EQ(one[1], std::pair(error + "twice" + turn, 2.0));
+}
+
+TEST(ModesReport, IdentityTorqueAndAxialForceOpenCracksTogether) {
+  // 1324 N make 15 MPa along the barrel, and half of it acts across a crack at 45 deg.  The shear
+  // of -48 N*m, 17.5 MPa, closes this crack, and that of -10 N*m, 3.7 MPa, does not.  The answer is
+  // that of a file with this torque, for both models.  Without the force the sense decides alone.
+  for (const bool coupled : {true, false}) {
+    GearSet gear = robot_joint();
+    if (!coupled) gear.mesh.reset();
+    const auto share_at = [&](double of_file, double asked) {
+      gear.load.torque = of_file;
+      const ModesReport report = modes_report(gear, asked);
+      return std::pair(first(report, MotorGives::speed).cracks[0].share.has_value(),
+                       first(report, MotorGives::speed).cracked->frequency);
+    };
+    gear.load.axial_force = 1324;
+    for (const double asked : {-10.0, -48.0}) {
+      const auto [open, frequency] = share_at(48, asked);
+      EXPECT_EQ(open, asked == -10.0) << coupled;
+      const auto [same, of_file] = share_at(asked, asked);
+      EXPECT_EQ(open, same) << coupled;
+      test::expect_relative(frequency, of_file, 1e-12);
+    }
+    EXPECT_TRUE(share_at(48, 10).first) << coupled;
+    gear.load.axial_force = 0;
+    EXPECT_FALSE(share_at(48, -10).first) << coupled;
+  }
+}
+
+TEST(ModesReport, IdentityTheBearingIsThatOfTheTorque) {
+  // (DY-10), (CO-4): without the coupled drive, the contacts of the bearing are as stiff as in a
+  // file with the asked torque.  Stated displacements belong to the torque of the file.
+  GearSet gear = robot_joint();
+  gear.mesh.reset();
+  gear.flexspline->crack.clear();
+  const auto frequency_at = [&](double of_file, double asked) {
+    gear.load.torque = of_file;
+    return first(modes_report(gear, asked), MotorGives::speed).intact.frequency;
+  };
+  EXPECT_LT(frequency_at(48, 10), 0.99 * frequency_at(48, 48));
+  test::expect_relative(frequency_at(48, 10), frequency_at(10, 10), 1e-12);
+  gear.wave_generator->bearing.reset();
+  gear.wave_generator->displacements = LobeDisplacements{.bearing = 5e-6};
+  test::expect_relative(frequency_at(48, 10), frequency_at(48, 48), 1e-12);
 }
 
 TEST(ModesReport, BehaviourTheBallsNeedTheirCount) {

@@ -27,7 +27,7 @@ namespace strainwave {
 /// K_I over a turn of the wave generator as a sentence; absent if it is not known.
 [[nodiscard]] std::optional<std::string> at_work_sentence(const CrackReport& crack);
 /// The name of an output in words, such as "stiffness, T > 0" for "cracked.positive.stiffness" or
-/// "K1, sound" for "curve.intact.K1".
+/// "K1, sound" for "curve.intact.K1"; any other output keeps its name.
 [[nodiscard]] std::string output_words(std::string_view output);
 
 /// The place of the first stress intensity of a crack: "deepest point", or "tip" for a crack that

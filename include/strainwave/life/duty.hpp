@@ -45,6 +45,9 @@ struct DutyAverage {
 /// Number of momentary peak torques that the maker allows, N_k (LI-2) [-].
 /// @param input_speed  at the peak [rad/s]; > 0
 /// @param duration     of one peak [s]; > 0
-[[nodiscard]] double allowed_momentary_peaks(double input_speed, double duration);
+/// @param wave_number  U, waves that pass in a turn of the input [-]; >= 1; makers' drives have 2
+/// @throws InputError  if a rule is broken
+[[nodiscard]] double allowed_momentary_peaks(double input_speed, double duration,
+                                             int wave_number = 2);
 
 }  // namespace strainwave
