@@ -34,38 +34,37 @@ double bessel_y(int order, double x) { return boost::math::cyl_neumann(order, x,
 class ShaftModes {
  public:
   /// @param inner  inner radius [-]
-  /// @param last   all modes up to this wave number [-], and the next one
-  ShaftModes(double inner, double last) : inner_(inner) {
+  /// @param count  of modes
+  ShaftModes(double inner, std::size_t count) : inner_(inner) {
     const double step = pi / (1 - inner);
     // The modes are a step apart; the first is at 1.63 steps in a solid shaft and at 1 in a thin tube.
     double begin = 0.8 * step;
     double end = 1.8 * step;
-    do {
+    while (wave_numbers_.size() < count) {
       wave_numbers_.push_back(root(begin, end));
       begin = wave_numbers_.back() + 0.5 * step;
       end = wave_numbers_.back() + 1.5 * step;
-    } while (wave_numbers_.back() <= last);
+    }
     for (const double k : wave_numbers_) {
       second_.push_back(inner > 0 ? bessel_j(2, k * inner) / bessel_y(2, k * inner) : 0.0);
       const std::size_t n = second_.size() - 1;
       const double outside = at(n, 1);
       const double inside = inner > 0 ? inner * at(n, inner) : 0.0;
-      norms_.push_back((outside * outside - inside * inside) / 2);  // (CG-9)
+      norms_.push_back((outside * outside - inside * inside) / 2);  // (CG-13)
     }
   }
 
-  [[nodiscard]] std::size_t size() const { return wave_numbers_.size(); }
   [[nodiscard]] double wave_number(std::size_t n) const { return wave_numbers_[n]; }
   /// Integral of r phi^2 over the wall [-].
   [[nodiscard]] double norm(std::size_t n) const { return norms_[n]; }
   /// phi of mode n at a radius [-].
   [[nodiscard]] double at(std::size_t n, double r) const {
     const double x = wave_numbers_[n] * r;
-    return bessel_j(1, x) - (second_[n] == 0 ? 0.0 : second_[n] * bessel_y(1, x));  // (CG-9)
+    return bessel_j(1, x) - (second_[n] == 0 ? 0.0 : second_[n] * bessel_y(1, x));  // (CG-13)
   }
 
  private:
-  /// Zero where the surfaces carry no stress (CG-9).
+  /// Zero where the surfaces carry no stress (CG-13).
   [[nodiscard]] double root(double begin, double end) const {
     const auto stress = [&](double k) {
       if (inner_ == 0) return bessel_j(2, k);
@@ -124,20 +123,19 @@ std::vector<std::pair<double, double>> points_for(double phase) {
   return points;
 }
 
-Jump jump_of(const PlacedAnnularCrack& crack, const ShaftRadii& radii, const ShaftModes& modes) {
+Jump jump_of(const PlacedAnnularCrack& crack, const ShaftRadii& radii, const ShaftModes& modes,
+             std::size_t count) {
   Jump jump;
   jump.place = crack.place / radii.outer;
   jump.depth = crack.depth / radii.outer;
   const double tip = 1 - jump.depth;
-  std::size_t count = 0;
-  while (count + 1 < modes.size() && modes.wave_number(count) * jump.depth <= kLastPhase) ++count;
   jump.modes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), kFunctions);
   jump.of_torque = Eigen::VectorXd::Zero(kFunctions);
   jump.at_tip = polynomials(1);
   // s is the root of the distance from the tip over the depth.
   for (const auto& [s, weight] : points_for(2 * kLastPhase)) {
     const double r = tip + jump.depth * s * s;
-    const Eigen::VectorXd psi = r * s * polynomials(1 - 2 * s * s);  // (CG-10)
+    const Eigen::VectorXd psi = r * s * polynomials(1 - 2 * s * s);  // (CG-14)
     const double area = weight * 2 * s * jump.depth * r;
     jump.of_torque += area * r * psi;
     for (std::size_t n = 0; n < count; ++n)
@@ -157,14 +155,14 @@ Eigen::MatrixXd stress_between(const Jump& one, const Jump& other, bool same,
     weights[n] = 0.5 * k * std::exp(-k * std::abs(one.place - other.place)) / modes.norm(mode);
   }
   Eigen::MatrixXd stress = one.modes.topRows(count).transpose() * weights.asDiagonal() *
-                           other.modes.topRows(count);  // (CG-10)
+                           other.modes.topRows(count);  // (CG-14)
   if (same) {
     // The modes that follow see the root at the tip alone; their sum is an integral.
     const double tip = 1 - one.depth;
     const auto last = static_cast<std::size_t>(count);
     const double end = (modes.wave_number(last - 1) + modes.wave_number(last)) / 2;
     stress += one.at_tip * one.at_tip.transpose() *
-              (tip * tip * tip / (8 * one.depth * end));  // (CG-11)
+              (tip * tip * tip / (8 * one.depth * end));  // (CG-15)
   }
   return stress;
 }
@@ -200,10 +198,10 @@ AnnularGroup group_of(const std::vector<Jump>& jumps,
     const Eigen::VectorXd alone = solved({jump}, {{stress[j][j]}}, functions);
     // K_III is in proportion to the jump at the tip; the constant cancels.
     const auto at_tip = [&](const Eigen::VectorXd& weights) {
-      return jump.at_tip.head(functions).dot(weights);  // (CG-11)
+      return jump.at_tip.head(functions).dot(weights);  // (CG-15)
     };
     const auto rotation = [&](const Eigen::VectorXd& weights) {
-      return 2 * pi * jump.of_torque.head(functions).dot(weights) / (section * section);  // (CG-11)
+      return 2 * pi * jump.of_torque.head(functions).dot(weights) / (section * section);  // (CG-15)
     };
     group.cracks.push_back({.rotation = rotation(among) / std::pow(radii.outer, 3),
                             .factor = at_tip(among) / at_tip(alone),
@@ -246,13 +244,25 @@ std::optional<std::pair<std::size_t, std::size_t>> touching_annular_cracks(
   return std::nullopt;
 }
 
-AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks, const ShaftRadii& radii) {
+std::vector<std::size_t> annular_modes(std::span<const PlacedAnnularCrack> cracks,
+                                       const ShaftRadii& radii) {
+  std::vector<std::size_t> modes;
+  for (const PlacedAnnularCrack& crack : cracks)
+    modes.push_back(static_cast<std::size_t>(
+        std::ceil(kLastPhase * (radii.outer - radii.inner) / (pi * crack.depth))));
+  return modes;
+}
+
+AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks, const ShaftRadii& radii,
+                           const std::vector<std::size_t>& modes_of_cracks) {
   if (cracks.empty()) throw InputError("cracks", "is empty; give at least one crack");
   require_in_range(cracks, radii);
-  const double shallowest = std::ranges::min(cracks, {}, &PlacedAnnularCrack::depth).depth;
-  const ShaftModes modes(radii.inner / radii.outer, kLastPhase * radii.outer / shallowest);
+  const std::vector<std::size_t> counts =
+      modes_of_cracks.empty() ? annular_modes(cracks, radii) : modes_of_cracks;
+  const ShaftModes modes(radii.inner / radii.outer, std::ranges::max(counts) + 1);
   std::vector<Jump> jumps;
-  for (const PlacedAnnularCrack& crack : cracks) jumps.push_back(jump_of(crack, radii, modes));
+  for (std::size_t j = 0; j < cracks.size(); ++j)
+    jumps.push_back(jump_of(cracks[j], radii, modes, counts[j]));
   std::vector<std::vector<Eigen::MatrixXd>> stress(jumps.size());
   for (std::size_t i = 0; i < jumps.size(); ++i)
     for (std::size_t j = 0; j < jumps.size(); ++j)

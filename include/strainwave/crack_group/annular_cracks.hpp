@@ -51,9 +51,14 @@ inline constexpr double kLeastAnnularDepth = 0.01;
 inline constexpr double kLargestAnnularDepth = 0.85;
 /// @}
 
+/// Number of modes of the shaft for each crack with which annular_group has its accuracy.
+/// @param cracks  each of a depth > 0
+[[nodiscard]] std::vector<std::size_t> annular_modes(std::span<const PlacedAnnularCrack> cracks,
+                                                     const ShaftRadii& radii);
+
 /// Annular cracks of a shaft in torsion that influence each other.
 ///
-/// Implements theory manual eqs. (CG-9) to (CG-11): the jump of each crack is a sum of functions, and
+/// Implements theory manual eqs. (CG-13) to (CG-15): the jump of each crack is a sum of functions, and
 /// its stress at the other cracks a sum over the modes of the shaft.  Cracks beside each other always
 /// shield each other.  The shaft continues far beyond the cracks.
 ///
@@ -62,10 +67,13 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 ///
 /// @param cracks  at least one, in any order
 /// @param radii   of the shaft
+/// @param modes   for each crack; empty: annular_modes of the cracks.  Equal numbers make differences
+///                of groups smooth.
 /// @throws InputError  naming the crack by its index, if a depth is out of range or two cracks are
 ///                     nearer than kLeastAnnularDistance
 [[nodiscard]] AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks,
-                                         const ShaftRadii& radii);
+                                         const ShaftRadii& radii,
+                                         const std::vector<std::size_t>& modes = {});
 
 /// Two annular cracks that are too near each other for annular_group, by their indices, the smaller
 /// first.  Absent if all are apart.
