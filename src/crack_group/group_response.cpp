@@ -68,14 +68,13 @@ int points_on(std::span<const StraightCrack> cracks, std::size_t of,
 /// The system of a group with given faces.
 class System {
  public:
-  System(std::span<const FacedCrack> cracks, const std::optional<double>& period)
+  System(std::span<const FacedCrack> cracks, std::span<const int> points,
+         const std::optional<double>& period)
       : cracks_(cracks), period_(period) {
-    std::vector<StraightCrack> places;
-    for (const FacedCrack& of : cracks) places.push_back(of.crack);
     Eigen::Index first = 0;
     for (std::size_t j = 0; j < cracks.size(); ++j) {
-      points_.emplace_back(points_on(places, j, period));
-      turn_.push_back(std::exp(kI * places[j].angle));
+      points_.emplace_back(points[j]);
+      turn_.push_back(std::exp(kI * cracks[j].crack.angle));
       first_.push_back(first);
       first += (cracks[j].closed ? 1 : 2) * n(j);
     }
@@ -221,19 +220,32 @@ NearestCrack nearest_crack(std::span<const StraightCrack> cracks, std::size_t of
   return nearest;
 }
 
+std::vector<int> response_points(std::span<const StraightCrack> cracks,
+                                 const std::optional<double>& period) {
+  std::vector<int> points;
+  for (std::size_t j = 0; j < cracks.size(); ++j) points.push_back(points_on(cracks, j, period));
+  return points;
+}
+
 std::vector<std::vector<CrackResponse>> group_response(std::span<const FacedCrack> cracks,
                                                        std::span<const SheetStress> stresses,
-                                                       const std::optional<double>& period) {
+                                                       const ResponseOptions& options) {
   if (cracks.size() > kMostGroupedCracks)
     throw InputError("cracks", fmt::format("must be at most {}", kMostGroupedCracks));
+  if (cracks.empty()) return std::vector<std::vector<CrackResponse>>(stresses.size());
   std::vector<StraightCrack> places;
   for (const FacedCrack& of : cracks) places.push_back(of.crack);
-  if (const auto touching = touching_cracks(places, period)) {
+  if (const auto touching = touching_cracks(places, options.period)) {
     const auto [j, i] = *touching;
     throw InputError("cracks", i == j ? fmt::format("crack {} touches the next one of its row", i)
                                       : fmt::format("cracks {} and {} cross or touch", j, i));
   }
-  const System system(cracks, period);
+  constexpr int kLeast = 4;
+  const std::vector<int> points =
+      options.points.empty() ? response_points(places, options.period) : options.points;
+  if (points.size() != cracks.size() || std::ranges::min(points) < kLeast)
+    throw InputError("points", fmt::format("must be a number of at least {} of each crack", kLeast));
+  const System system(cracks, points, options.period);
   std::vector<std::vector<CrackResponse>> result;
   for (const SheetStress& stress : stresses) result.push_back(system.response(stress));
   return result;

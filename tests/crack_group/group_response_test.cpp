@@ -66,7 +66,7 @@ TEST(GroupResponse, CrosscheckOfUnlikeCracks) {
     std::vector<StraightCrack> shifted = cracks;
     shifted[1].centre += 16.0;
     for (const auto& places : {cracks, shifted}) {
-      const auto of = group_response(open(places), one, 8.0);
+      const auto of = group_response(open(places), one, {.period = 8.0});
       double work = 0.0;
       for (std::size_t j = 0; j < cracks.size(); ++j) {
         const double scale = 100 * root(1.0);
@@ -93,7 +93,7 @@ TEST(GroupResponse, CrosscheckOfARowOfPlacedCracks) {
     const double share = 2 / 2.5;
     const RowFactors F = row_factors(share, beta);
     const std::vector<SheetStress> stresses = {{.yy = 1}, {.xy = 1}};
-    const auto of = group_response(open(cracks), stresses, 2.5 * kCount);
+    const auto of = group_response(open(cracks), stresses, {.period = 2.5 * kCount});
     const double c = std::cos(beta);
     const double s = std::sin(beta);
     const double normal[] = {s * s, 2 * s * c};     // (FR-6)
@@ -192,12 +192,15 @@ TEST(GroupResponse, ReferenceNearestCrack) {
 
 TEST(GroupResponse, InputGroupsThatCannotBe) {
   const auto rule = [](std::vector<FacedCrack> cracks) {
-    return test::broken_rule([&] { (void)group_response(cracks, {}, 10.0); });
+    return test::broken_rule([&] { (void)group_response(cracks, {}, {.period = 10.0}); });
   };
   EXPECT_EQ(rule({{{{0, 0}, 1.0, 0.0}}, {{{0.5, 0}, 1.0, 1.0}}}),
             "cracks: cracks 0 and 1 cross or touch");
   EXPECT_EQ(rule({{{{0, 0}, 5.0, 0.0}}}), "cracks: crack 0 touches the next one of its row");
   EXPECT_EQ(rule(std::vector<FacedCrack>(11)), "cracks: must be at most 10");
+  const std::vector<FacedCrack> one = {{{{0, 0}, 1.0, 0.0}}};
+  EXPECT_EQ(test::broken_rule([&] { (void)group_response(one, {}, {.points = {3}}); }),
+            "points: must be a number of at least 4 of each crack");
 }
 
 }  // namespace

@@ -33,22 +33,35 @@ struct CrackResponse {
   std::vector<double> slid;
 };
 
+/// Number of points on each crack with which `group_response` has its accuracy.
+/// @param cracks  each longer than 0
+/// @param period  of the row along x [m]; > 0; absent: no row
+[[nodiscard]] std::vector<int> response_points(std::span<const StraightCrack> cracks,
+                                               const std::optional<double>& period = {});
+
+/// Choices of group_response.
+struct ResponseOptions {
+  std::optional<double> period{};  ///< of a row along x [m]; absent: no row
+  /// Number of points on each crack, at least 4; empty: `response_points` of the cracks.  Equal
+  /// numbers make differences of responses smooth.
+  std::vector<int> points{};
+};
+
 /// Responses of all cracks of a group, in the order of the cracks, to each of some stresses.
 ///
 /// Implements theory manual eqs. (CG-1) to (CG-3), (CG-5), (CG-6) in the plane of the sheet.  The
 /// responses to several stresses may be added, because the faces are given.
 ///
-/// Accuracy: 1e-9 of the largest response for gaps of at least kLeastGroupGap, by a number of
-/// points on each crack that follows from its gaps.
+/// Accuracy: 1e-9 of the largest response for gaps of at least kLeastGroupGap.
 ///
 /// @param cracks    at most kMostGroupedCracks, which neither cross nor touch each other
 /// @param stresses  of the sheet without cracks; `xz` and `yz` are ignored
-/// @param period    of the row along x [m]; absent: no row
+/// @param options   period and points; {}: no row, and points that follow from the gaps
 /// @return          [stress][crack]
 /// @throws InputError  if a crack has no length, two cracks touch, or they are too many
 [[nodiscard]] std::vector<std::vector<CrackResponse>> group_response(
     std::span<const FacedCrack> cracks, std::span<const SheetStress> stresses,
-    const std::optional<double>& period = {});
+    const ResponseOptions& options = {});
 
 /// Smallest gap between a crack and the others, with their neighbours of the row and its own, over
 /// the larger of the two half lengths.
