@@ -50,7 +50,7 @@ class ShaftModes {
       const std::size_t n = second_.size() - 1;
       const double outside = at(n, 1);
       const double inside = inner > 0 ? inner * at(n, inner) : 0.0;
-      norms_.push_back((outside * outside - inside * inside) / 2);  // (CG-13)
+      norms_.push_back((outside * outside - inside * inside) / 2);  // (CG-10)
     }
   }
 
@@ -60,11 +60,11 @@ class ShaftModes {
   /// phi of mode n at a radius [-].
   [[nodiscard]] double at(std::size_t n, double r) const {
     const double x = wave_numbers_[n] * r;
-    return bessel_j(1, x) - (second_[n] == 0 ? 0.0 : second_[n] * bessel_y(1, x));  // (CG-13)
+    return bessel_j(1, x) - (second_[n] == 0 ? 0.0 : second_[n] * bessel_y(1, x));  // (CG-10)
   }
 
  private:
-  /// Zero where the surfaces carry no stress (CG-13).
+  /// Zero where the surfaces carry no stress (CG-10).
   [[nodiscard]] double root(double begin, double end) const {
     const auto stress = [&](double k) {
       if (inner_ == 0) return bessel_j(2, k);
@@ -135,7 +135,7 @@ Jump jump_of(const PlacedAnnularCrack& crack, const ShaftRadii& radii, const Sha
   // s is the root of the distance from the tip over the depth.
   for (const auto& [s, weight] : points_for(2 * kLastPhase)) {
     const double r = tip + jump.depth * s * s;
-    const Eigen::VectorXd psi = r * s * polynomials(1 - 2 * s * s);  // (CG-14)
+    const Eigen::VectorXd psi = r * s * polynomials(1 - 2 * s * s);  // (CG-11)
     const double area = weight * 2 * s * jump.depth * r;
     jump.of_torque += area * r * psi;
     for (std::size_t n = 0; n < count; ++n)
@@ -155,14 +155,14 @@ Eigen::MatrixXd stress_between(const Jump& one, const Jump& other, bool same,
     weights[n] = 0.5 * k * std::exp(-k * std::abs(one.place - other.place)) / modes.norm(mode);
   }
   Eigen::MatrixXd stress = one.modes.topRows(count).transpose() * weights.asDiagonal() *
-                           other.modes.topRows(count);  // (CG-14)
+                           other.modes.topRows(count);  // (CG-11)
   if (same) {
     // The modes that follow see the root at the tip alone; their sum is an integral.
     const double tip = 1 - one.depth;
     const auto last = static_cast<std::size_t>(count);
     const double end = (modes.wave_number(last - 1) + modes.wave_number(last)) / 2;
     stress += one.at_tip * one.at_tip.transpose() *
-              (tip * tip * tip / (8 * one.depth * end));  // (CG-15)
+              (tip * tip * tip / (8 * one.depth * end));  // (CG-12)
   }
   return stress;
 }
@@ -198,10 +198,10 @@ AnnularGroup group_of(const std::vector<Jump>& jumps,
     const Eigen::VectorXd alone = solved({jump}, {{stress[j][j]}}, functions);
     // K_III is in proportion to the jump at the tip; the constant cancels.
     const auto at_tip = [&](const Eigen::VectorXd& weights) {
-      return jump.at_tip.head(functions).dot(weights);  // (CG-15)
+      return jump.at_tip.head(functions).dot(weights);  // (CG-12)
     };
     const auto rotation = [&](const Eigen::VectorXd& weights) {
-      return 2 * pi * jump.of_torque.head(functions).dot(weights) / (section * section);  // (CG-15)
+      return 2 * pi * jump.of_torque.head(functions).dot(weights) / (section * section);  // (CG-12)
     };
     group.cracks.push_back({.rotation = rotation(among) / std::pow(radii.outer, 3),
                             .factor = at_tip(among) / at_tip(alone),

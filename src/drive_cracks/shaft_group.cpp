@@ -66,7 +66,7 @@ std::vector<double> shaft_ratios(const GearSet& gear, const Lift<double>&) {
   std::vector<double> ratios(gear.output_shaft->crack.size(), 1.0);
   const AnnularGroup solved = group.solved();
   for (std::size_t j = 0; j < group.index.size(); ++j)
-    ratios[group.index[j]] = solved.cracks[j].compliance;  // (CG-15)
+    ratios[group.index[j]] = solved.cracks[j].compliance;  // (CG-12)
   return ratios;
 }
 

@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using Cracks = std::vector<PlacedAnnularCrack>;
 
-// Kind: reference (CG-13), (CG-15).  One crack of a solid shaft against (FR-12), which is fitted to finite
+// Kind: reference (CG-10), (CG-12).  One crack of a solid shaft against (FR-12), which is fitted to finite
 // elements, and of a hollow one against the table of (FR-14), which is a dual series.  Tolerance: 0.1 %
 // of the rotation, which is the accuracy of those fits and of the jump.
 TEST(AnnularCracks, ReferenceOneCrack) {
@@ -51,7 +51,7 @@ TEST(AnnularCracks, ReferenceOneCrack) {
     }
 }
 
-// Kind: crosscheck (CG-14).  Pairs and a triple by finite elements, solid and hollow, deep and shallow,
+// Kind: crosscheck (CG-11).  Pairs and a triple by finite elements, solid and hollow, deep and shallow,
 // equal and unequal.  Tolerance: 0.15 %, the error of these elements.
 TEST(AnnularCracks, CrosscheckFiniteElements) {
   for (const test::CsvRow& row : test::read_reference_csv("annular_cracks")) {
@@ -65,7 +65,7 @@ TEST(AnnularCracks, CrosscheckFiniteElements) {
   }
 }
 
-// Kind: limit (CG-14).  Shallow cracks of a large shaft are cracks out of the plane of a sheet, twice as
+// Kind: limit (CG-11).  Shallow cracks of a large shaft are cracks out of the plane of a sheet, twice as
 // long, since the surface is a mirror.  Tolerance: depth over radius, and the error of the jump.
 TEST(AnnularCracks, LimitShallowCracksAreThoseOfASheet) {
   const Cracks cracks{{0, 0.01}, {0.006, 0.01}, {0.02, 0.013}};
@@ -79,7 +79,7 @@ TEST(AnnularCracks, LimitShallowCracksAreThoseOfASheet) {
                 std::abs(flat.cracks[j].ahead.mode_3) / std::sqrt(pi * cracks[j].depth), 5e-3);
 }
 
-// Kind: limit (CG-13).  Far apart, what two cracks do to each other falls like the first mode of the shaft,
+// Kind: limit (CG-10).  Far apart, what two cracks do to each other falls like the first mode of the shaft,
 // whose wave number is 5.1356/R in a solid one (second Bessel function).  Tolerance: the next mode.
 TEST(AnnularCracks, LimitFarApart) {
   const auto influence = [](double distance) {
@@ -89,7 +89,7 @@ TEST(AnnularCracks, LimitFarApart) {
   EXPECT_LT(influence(2), 3e-5);
 }
 
-// Kind: identity (CG-15).  Energy: the rotation grows with the depth of a crack by 2 pi c K_III^2/G, also
+// Kind: identity (CG-12).  Energy: the rotation grows with the depth of a crack by 2 pi c K_III^2/G, also
 // beside another crack.  K of the crack alone is that of (FR-12).  Tolerance: 0.5 %, the errors of the
 // factor and of (FR-12).
 TEST(AnnularCracks, IdentityEnergy) {
@@ -119,7 +119,7 @@ TEST(AnnularCracks, ScalingUnitsAndOrder) {
   }
 }
 
-// Kind: convergence (CG-14).  The stated error contains the change by more functions.  With this solver
+// Kind: convergence (CG-11).  The stated error contains the change by more functions.  With this solver
 // cracks at a tenth of their depth are within 1 %, and far ones within rounding.
 TEST(AnnularCracks, ConvergenceStatedError) {
   EXPECT_LT(annular_group(Cracks{{0, 0.3}, {0.03, 0.3}}, {1, 0}).error, 0.01);

@@ -58,7 +58,7 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 
 /// Annular cracks of a shaft in torsion that influence each other.
 ///
-/// Implements theory manual eqs. (CG-13) to (CG-15): the jump of each crack is a sum of functions, and
+/// Implements theory manual eqs. (CG-10) to (CG-12): the jump of each crack is a sum of functions, and
 /// its stress at the other cracks a sum over the modes of the shaft.  Cracks beside each other always
 /// shield each other.  The shaft continues far beyond the cracks.
 ///

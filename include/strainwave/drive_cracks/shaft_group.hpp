@@ -17,7 +17,7 @@ namespace strainwave {
 
 /// The annular cracks of an output shaft that have a `distance`: at least two, or none.
 ///
-/// Implements theory manual eq. (CG-15) for a drive.  Cracks one behind the other shield each other
+/// Implements theory manual eq. (CG-12) for a drive.  Cracks one behind the other shield each other
 /// in torsion, so an answer without their influence is too soft, and its K too large.
 struct ShaftGroup {
   std::vector<std::size_t> index;          ///< of each crack in `output_shaft.crack`
