@@ -14,6 +14,7 @@
 #include "strainwave/core/lift.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
+#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
@@ -177,6 +178,13 @@ class SeriesModel {
       for (std::size_t j = 0; j < ratios.size(); ++j)
         result.ratio[group.members()[j].index] = ratios[j];  // (CG-9)
     }
+    return result;
+  }
+
+  /// Of each crack of the output shaft over its compliance alone [-]; empty: there is no group.
+  [[nodiscard]] std::vector<UnderBothSenses<Real>> shaft_neighbours() const {
+    std::vector<UnderBothSenses<Real>> result;
+    for (const Real& ratio : shaft_ratios(gear_, lift_)) result.push_back({ratio, ratio});
     return result;
   }
 

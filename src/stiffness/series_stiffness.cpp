@@ -151,7 +151,7 @@ SeriesCompliance<Real> sum_of_members(const GearSet& gear, const SeriesModel<Rea
   }
   if (gear.output_shaft) {
     total.output_shaft = model.sound_shaft();
-    add_in_line(total.output_shaft, gear.output_shaft->crack);
+    add_in_line(total.output_shaft, gear.output_shaft->crack, model.shaft_neighbours());
   }
   return total;
 }
