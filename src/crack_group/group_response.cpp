@@ -244,7 +244,8 @@ std::vector<std::vector<CrackResponse>> group_response(std::span<const FacedCrac
   const std::vector<int> points =
       options.points.empty() ? response_points(places, options.period) : options.points;
   if (points.size() != cracks.size() || std::ranges::min(points) < kLeast)
-    throw InputError("points", fmt::format("must be a number of at least {} of each crack", kLeast));
+    throw InputError("points",
+                     fmt::format("must be a number of at least {} of each crack", kLeast));
   const System system(cracks, points, options.period);
   std::vector<std::vector<CrackResponse>> result;
   for (const SheetStress& stress : stresses) result.push_back(system.response(stress));

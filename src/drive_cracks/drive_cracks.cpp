@@ -204,10 +204,10 @@ class Maker {
                 take_turn_table(made, std::move(table));
             }
           if (made.group && made.turn_table)
-            made.notes.push_back({fmt::format("the table {} leaves out the other cracks of the {}",
-                                              shown(made.turn_table->file),
-                                              made.group->wall().name),
-                                  "CG-9"});
+            made.notes.push_back(
+                {fmt::format("the table {} leaves out the other cracks of the {}",
+                             shown(made.turn_table->file), made.group->wall().name),
+                 "CG-9"});
           result.push_back(std::move(made));
         });
       });
@@ -464,8 +464,8 @@ class Maker {
         }
     if (!made.group) return;
     use(made, {"CG-6", "CG-9"});
-    const auto at_tips = [solution, peak = made.assembly_peak, bending](
-                             const GroupEffect& effect, const CrackSize& size) {
+    const auto at_tips = [solution, peak = made.assembly_peak, bending](const GroupEffect& effect,
+                                                                        const CrackSize& size) {
       const double root = std::sqrt(pi * size.size);
       std::vector<FrontIntensity> front;
       for (std::size_t end = 0; end < 2; ++end) {
@@ -529,8 +529,7 @@ class Maker {
                         2 * other.half_length * std::abs(std::cos(other.angle)) / wall.length);
     }
     constexpr double kMostTaken = 0.5;
-    made.reference_stress = [alone = made.reference_stress,
-                             left = std::max(1 - taken, kMostTaken)](
+    made.reference_stress = [alone = made.reference_stress, left = std::max(1 - taken, kMostTaken)](
                                 const CrackSize& size, double P, double T) {
       return alone(size, P, T) / left;  // (CG-9)
     };

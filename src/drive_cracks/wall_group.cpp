@@ -187,8 +187,8 @@ std::vector<bool> WallGroup::closed_under(TorqueSense sense) const {
   const auto response = solved(cracks, wall_.round, stresses_of(wall_));
   const std::array<double, 2> by = load(sense);
   for (std::size_t j = 0; j < members_.size(); ++j) {
-    const Faces state = sense == TorqueSense::positive ? members_[j].faces.positive
-                                                       : members_[j].faces.negative;
+    const Faces state =
+        sense == TorqueSense::positive ? members_[j].faces.positive : members_[j].faces.negative;
     if (state != Faces::touching) continue;
     double least = 0.0;
     double most = 0.0;
@@ -244,7 +244,7 @@ std::vector<GroupEffect> WallGroup::effects(const std::vector<bool>& closed,
     for (const std::size_t a : {kAxial, kTorsion})
       for (const std::size_t b : {kAxial, kTorsion})
         if (a <= b) of.in_group(a, b) = (work(a, b) + work(b, a)) / 2;  // (CG-9)
-    std::array<OnPlane, 2> at_load{};  // of each tip
+    std::array<OnPlane, 2> at_load{};                                   // of each tip
     OnPlane sound{};
     for (std::size_t load = 0; load < 3; ++load) {
       const std::array<const TipFactors*, 2> tips = {&response[load][j].behind,
@@ -323,8 +323,8 @@ std::vector<UnderBothSenses<DualReal>> WallGroup::ratios(const Places<DualReal>&
                                              closed_under(TorqueSense::negative)};
   double room = wall_.round;  // the smallest gap or half length
   for (std::size_t j = 0; j < here.size(); ++j)
-    room = std::min({room, here[j].half_length,
-                     nearest_crack(here, j, wall_.round).gap * here[j].half_length});
+    room = std::min(
+        {room, here[j].half_length, nearest_crack(here, j, wall_.round).gap * here[j].half_length});
   for (std::size_t k = 0; k < kDualWidth; ++k) {
     double longest = std::abs(places.round.partial[k]);  // way of any place in a step of 1
     for (const auto& crack : places.cracks)
@@ -338,16 +338,16 @@ std::vector<UnderBothSenses<DualReal>> WallGroup::ratios(const Places<DualReal>&
       std::vector<FacedCrack> cracks;
       for (std::size_t j = 0; j < here.size(); ++j) {
         const auto& to = places.cracks[j];
-        cracks.push_back({{.centre = here[j].centre + by * std::complex<double>(
-                                                               to.round.partial[k],
-                                                               to.along.partial[k]),
-                           .half_length = here[j].half_length + by * to.half_length.partial[k],
-                           .angle = here[j].angle + by * to.angle.partial[k]},
-                          closed[sense][j]});
+        cracks.push_back(
+            {{.centre = here[j].centre +
+                        by * std::complex<double>(to.round.partial[k], to.along.partial[k]),
+              .half_length = here[j].half_length + by * to.half_length.partial[k],
+              .angle = here[j].angle + by * to.angle.partial[k]},
+             closed[sense][j]});
       }
-      const auto response = group_response(
-          cracks, std::span(&torsion, 1),
-          {.period = wall_.round + by * places.round.partial[k], .points = points});
+      const auto response =
+          group_response(cracks, std::span(&torsion, 1),
+                         {.period = wall_.round + by * places.round.partial[k], .points = points});
       std::vector<double> ratio;
       for (std::size_t j = 0; j < cracks.size(); ++j)
         ratio.push_back(ratio_of(response[0][j], cracks[j], torsion));
@@ -388,18 +388,17 @@ std::vector<WallGroup> wall_groups(const GearSet& gear, const CrackLoads<double>
     const double round = 2 * pi * wall.mean_radius;
     const double area = round * wall.thickness;
     const double nu = loads.wall_steel(section).nu;
-    WallGroup::Wall of{
-        .name = rim        ? "rim"
-                : sections ? "barrel"
-                           : "wall",
-        .round = round,
-        .axial = 1 / area,
-        .shear = fs.stress_nonuniformity / (area * wall.mean_radius),
-        .poissons_ratio = nu,
-        .shell_parameter =
-            std::sqrt(std::sqrt(12 * (1 - nu * nu)) / (wall.mean_radius * wall.thickness)),
-        .axial_force = gear.load.axial_force,
-        .torque = std::abs(gear.load.torque)};
+    WallGroup::Wall of{.name = rim        ? "rim"
+                               : sections ? "barrel"
+                                          : "wall",
+                       .round = round,
+                       .axial = 1 / area,
+                       .shear = fs.stress_nonuniformity / (area * wall.mean_radius),
+                       .poissons_ratio = nu,
+                       .shell_parameter = std::sqrt(std::sqrt(12 * (1 - nu * nu)) /
+                                                    (wall.mean_radius * wall.thickness)),
+                       .axial_force = gear.load.axial_force,
+                       .torque = std::abs(gear.load.torque)};
     std::vector<WallGroup::Member> members;
     for (const std::size_t i : placed) {
       const auto& crack = std::get<WallThroughCrack>(fs.crack[i]);

@@ -18,7 +18,7 @@ struct AnsweredGroup {
   explicit AnsweredGroup(WallGroup of);
 
   WallGroup group;
-  std::string fault;  ///< why the group has no usable answer; empty: it has one
+  std::string fault;                  ///< why the group has no usable answer; empty: it has one
   std::vector<GroupEffect> positive;  ///< under T > 0; empty with a fault
   std::vector<GroupEffect> negative;  ///< under T < 0; empty with a fault
   /// Sums over the cracks under T > 0 and T < 0: as added, and alone [rad/(N*m)].

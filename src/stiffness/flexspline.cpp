@@ -239,8 +239,8 @@ class FlexsplineCracks : public CrackAdder {
 std::optional<InGroup> FlexsplineCracks::group_of(const WallThroughCrack& crack) const {
   for (AnsweredGroup& answered : *groups_)
     for (std::size_t j = 0; answered.fault.empty() && j < answered.group.members().size(); ++j)
-      if (&crack == std::get_if<WallThroughCrack>(
-                        &gear.flexspline->crack[answered.group.members()[j].index]))
+      if (&crack ==
+          std::get_if<WallThroughCrack>(&gear.flexspline->crack[answered.group.members()[j].index]))
         return InGroup{answered, j};
   return std::nullopt;
 }
@@ -544,8 +544,8 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
   if (group) {
     double curvature = 0.0;
     for (const TorqueSense sense : {TorqueSense::positive, TorqueSense::negative})
-      curvature = std::max(curvature,
-                           by_curvature(group->group.group, group->under(sense)).compliance);
+      curvature =
+          std::max(curvature, by_curvature(group->group.group, group->under(sense)).compliance);
     accuracy.compliance_rests_on.push_back({curvature, accuracy::kRowInFlatSheet.source});
   }
   for (const ModelAccuracy& basis : accuracy.compliance_rests_on)

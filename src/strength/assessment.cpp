@@ -40,14 +40,14 @@ Modes sum(const FrontModes& modes, double load, double assembly) {
 /// K under the given load along the front of the crack scaled to a size, under T or -T.
 std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& size, double P,
                                    double T, TorqueSense sense) {
-  const Faces faces =
-      sense == TorqueSense::positive ? crack.faces.positive : crack.faces.negative;
+  const Faces faces = sense == TorqueSense::positive ? crack.faces.positive : crack.faces.negative;
   const auto modes = [&](const UnitStressIntensity<2>& k) -> Modes {
     return {k.I[kAxial] * P + k.I[kTorsion] * T, k.II[kAxial] * P + k.II[kTorsion] * T,
             k.III[kAxial] * P + k.III[kTorsion] * T};
   };
   std::vector<FrontModes> front;
-  if (crack.group && faces != Faces::pressed) {  // the faces of the other cracks depend on the sense
+  if (crack.group &&
+      faces != Faces::pressed) {  // the faces of the other cracks depend on the sense
     for (const FrontIntensity& at : crack.front_in_group(size, sense))
       front.push_back({modes(at.load), at.assembly});
     return front;

@@ -21,8 +21,8 @@
 namespace strainwave {
 namespace {
 
-using units::mm;
 using std::numbers::pi;
+using units::mm;
 
 constexpr double kWallRadius = (160 * mm - 2.24 * mm) / 2;
 
@@ -71,17 +71,17 @@ CrackReport alone(GearSet gear, std::size_t i) {
 TEST(UnlikeCracks, ReferenceTwoCracksInOneLine) {
   const double a = 2 * mm;
   const double gap = 1 * mm;
-  GearSet gear = with_cracks({placed(a, pi / 2, -a - gap / 2, 80 * mm),
-                              placed(a, pi / 2, a + gap / 2, 80 * mm)});
+  GearSet gear = with_cracks(
+      {placed(a, pi / 2, -a - gap / 2, 80 * mm), placed(a, pi / 2, a + gap / 2, 80 * mm)});
   const MemberCompliance member = flexspline_compliance(gear);
   ASSERT_EQ(member.unusable_because, "");
   // c/d = 0.8 of the design's table: inner tips 1.228935, outer ones 1.081067; compliance 1.126008.
   for (std::size_t i = 0; i < 2; ++i) {
     test::expect_relative(whole_K(member.cracks[i]) / whole_K(alone(gear, i)), 1.228935, 1e-4);
     for (const auto sense : {&CrackReport::positive, &CrackReport::negative})
-      test::expect_relative((member.cracks[i].*sense).at_output.value /
-                                (alone(gear, i).*sense).at_output.value,
-                            1.126008, 1e-4);
+      test::expect_relative(
+          (member.cracks[i].*sense).at_output.value / (alone(gear, i).*sense).at_output.value,
+          1.126008, 1e-4);
   }
 }
 
@@ -159,8 +159,8 @@ TEST(UnlikeCracks, LimitFarApart) {
 // small crack in the shadow of a large one hardly counts.
 TEST(UnlikeCracks, BehaviourOfAShadow) {
   const double step = 1.4 * mm;  // side by side, across the cracks
-  GearSet gear = with_cracks({placed(5 * mm, pi / 4, 0, 80 * mm),
-                              placed(1 * mm, pi / 4, step, 80 * mm + step)});
+  GearSet gear = with_cracks(
+      {placed(5 * mm, pi / 4, 0, 80 * mm), placed(1 * mm, pi / 4, step, 80 * mm + step)});
   const MemberCompliance member = flexspline_compliance(gear);
   ASSERT_EQ(member.unusable_because, "");
   EXPECT_LT(whole_K(member.cracks[1]), 0.6 * whole_K(alone(gear, 1)));
@@ -177,12 +177,12 @@ TEST(UnlikeCracks, IdentityOfTheTwoComputations) {
     ASSERT_EQ(whole.unusable_because, "");
     const auto series = series_compliance(gear);
     EXPECT_TRUE(series.usable);
-    EXPECT_EQ(series.positive_added,
-              whole.cracks[0].positive.at_output.value + whole.cracks[1].positive.at_output.value +
-                  whole.cracks[2].positive.at_output.value);
-    EXPECT_EQ(series.negative_added,
-              whole.cracks[0].negative.at_output.value + whole.cracks[1].negative.at_output.value +
-                  whole.cracks[2].negative.at_output.value);
+    EXPECT_EQ(series.positive_added, whole.cracks[0].positive.at_output.value +
+                                         whole.cracks[1].positive.at_output.value +
+                                         whole.cracks[2].positive.at_output.value);
+    EXPECT_EQ(series.negative_added, whole.cracks[0].negative.at_output.value +
+                                         whole.cracks[1].negative.at_output.value +
+                                         whole.cracks[2].negative.at_output.value);
   }
 }
 
@@ -283,18 +283,19 @@ TEST(UnlikeCracks, InputGroupsThatCannotTell) {
   many.pop_back();
   EXPECT_EQ(fault(many), "");
   const double step = 10.8 * mm / std::numbers::sqrt2;  // 0.8 mm apart in one line
-  EXPECT_EQ(fault({placed(5 * mm, pi / 4, 0, 80 * mm), placed(5 * mm, pi / 4, -step, 80 * mm + step)}),
-            "flexspline.crack[1]: the gap to flexspline.crack[0] is less than 0.2 of the longer "
-            "half length, where the cracks are about to grow together; replace both by one crack, "
-            "or move one of them by position or distance");
+  EXPECT_EQ(
+      fault({placed(5 * mm, pi / 4, 0, 80 * mm), placed(5 * mm, pi / 4, -step, 80 * mm + step)}),
+      "flexspline.crack[1]: the gap to flexspline.crack[0] is less than 0.2 of the longer "
+      "half length, where the cracks are about to grow together; replace both by one crack, "
+      "or move one of them by position or distance");
   // A crack that only slides alone, beside one that opens.
   EXPECT_EQ(fault({placed(5 * mm, pi / 4, 0, 80 * mm), placed(2 * mm, 0, 3 * mm, 86 * mm)}),
             "flexspline.crack[1]: under positive torque the other cracks of the wall let its faces "
             "touch over a part of their length, and no model tells which part; place the cracks "
             "farther apart");
   // Long cracks near each other in a thin wall.
-  const std::string curved =
-      fault({placed(20 * mm, pi / 4, 0, 80 * mm, true), placed(20 * mm, pi / 4, 10 * mm, 90 * mm, true)});
+  const std::string curved = fault(
+      {placed(20 * mm, pi / 4, 0, 80 * mm, true), placed(20 * mm, pi / 4, 10 * mm, 90 * mm, true)});
   EXPECT_EQ(curved.substr(0, 69),
             "flexspline.crack[0]: the other cracks of the wall change it by 71 % a");
   EXPECT_NE(curved.find("the curvature may change this by "), std::string::npos) << curved;

@@ -83,8 +83,7 @@ TEST(GroupedCracks, BehaviourWhatCannotBeTold) {
 // Kind: behaviour (CG-9).  A critical size is searched up to where the larger crack comes near the
 // other one, which keeps its size.
 TEST(GroupedCracks, BehaviourTheRangeEndsAtTheNeighbour) {
-  const CrackStrength crack =
-      crack_strength(in_one_line({2 * mm, 2 * mm}, {0.0, 10 * mm})).at(0);
+  const CrackStrength crack = crack_strength(in_one_line({2 * mm, 2 * mm}, {0.0, 10 * mm})).at(0);
   const auto& critical = crack.states.at(0).critical_size;
   ASSERT_TRUE(critical && critical->none_up_to) << crack.sentence;
   // The gap 10 mm - a - 2 mm is a fifth of a.

@@ -72,10 +72,10 @@ class WallGroup {
   };
   /// The wall and its loads.
   struct Wall {
-    std::string name;         ///< "wall", "barrel" or "rim"
-    double round = 0.0;       ///< circumference [m]
-    double axial = 0.0;       ///< axial stress per unit of axial force [1/m^2]
-    double shear = 0.0;       ///< shear stress per unit of torque, with its nonuniformity [1/m^3]
+    std::string name;    ///< "wall", "barrel" or "rim"
+    double round = 0.0;  ///< circumference [m]
+    double axial = 0.0;  ///< axial stress per unit of axial force [1/m^2]
+    double shear = 0.0;  ///< shear stress per unit of torque, with its nonuniformity [1/m^3]
     double poissons_ratio = 0.3;   ///< nu [-]
     double shell_parameter = 0.0;  ///< lambda of a crack per unit of its half length [1/m]
     double axial_force = 0.0;      ///< P of the file [N]
@@ -127,8 +127,7 @@ class WallGroup {
   /// @{
   [[nodiscard]] std::vector<UnderBothSenses<double>> ratios(const Places<double>& places) const;
   /// With derivatives, by differences of the group along each input (CG-9).
-  [[nodiscard]] std::vector<UnderBothSenses<DualReal>> ratios(
-      const Places<DualReal>& places) const;
+  [[nodiscard]] std::vector<UnderBothSenses<DualReal>> ratios(const Places<DualReal>& places) const;
   /// @}
 
  private:
