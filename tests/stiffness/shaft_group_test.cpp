@@ -72,8 +72,8 @@ TEST(ShaftGroup, IdentityRatiosOfTheGroup) {
                 *alone.cracks[j].positive.at_output.relative_uncertainty);
       EXPECT_EQ(member.cracks[j].largest->K_III.value, alone.cracks[j].largest->K_III.value);
     }
-    // The shallow crack is almost hidden behind the deep one.
-    EXPECT_LT(group.cracks[1].compliance, 0.5);
+    // The shallow crack hides behind the deep one.
+    EXPECT_LT(group.cracks[1].compliance, solid ? 0.5 : 0.8);
     GearSet sound = gear;
     sound.output_shaft->crack.clear();
     test::expect_relative(series_compliance<double>(gear).positive - series_compliance<double>(sound).positive,
@@ -88,7 +88,7 @@ TEST(ShaftGroup, LimitFarApart) {
   };
   const double sum = added_by(shaft_with({ring_at(2 * mm, {}), ring_at(3 * mm, {})}));
   test::expect_relative(at(290 * mm), sum, 1e-3);
-  EXPECT_LT(at(62 * mm), 0.75 * sum);
+  EXPECT_LT(at(62 * mm), 0.85 * sum);
   test::expect_relative(added_by(shaft_with({ring_at(3 * mm, 62 * mm), ring_at(2 * mm, 60 * mm)})),
                         at(62 * mm), 1e-12);
 }
@@ -104,7 +104,7 @@ TEST(ShaftGroup, CrosscheckDerivatives) {
   const std::vector<const double*> constant(inputs.begin(), inputs.end());
   const auto dual = series_compliance(gear, Lift<DualReal>(constant));
   const double added = series_compliance<double>(gear).positive_added;
-  EXPECT_EQ(dual.positive_added.value, added);
+  test::expect_relative(dual.positive_added.value, added, 1e-9);
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     const double value = *inputs[k];
     // A place matters over the depth of a crack, a diameter over the wall.
