@@ -53,10 +53,10 @@ bool same(const FacedCrack& a, const FacedCrack& b) {
 }
 
 /// The responses, which this thread keeps for the last groups: a study may vary the load alone, and
-/// an assessment asks several times at one size.
+/// an assessment asks several times at each of some hundred sizes.
 std::vector<std::vector<CrackResponse>> solved(const std::vector<FacedCrack>& cracks, double round,
                                                const std::array<SheetStress, 3>& stresses) {
-  constexpr std::size_t kKept = 8;
+  constexpr std::size_t kKept = 128;
   thread_local std::deque<Solved> last;
   for (const Solved& of : last)
     if (of.round == round &&
