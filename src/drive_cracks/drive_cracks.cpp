@@ -503,12 +503,12 @@ class Maker {
       effect.closed = faces == Faces::pressed;
       return at_tips(effect, size);
     };
-    made.front_in_group = [grown, at_tips, j = made.in_group](const CrackSize& size,
-                                                              TorqueSense sense) {
+    made.front_in_group = [grown, at_tips, j = made.in_group, bent = made.assembly](
+                              const CrackSize& size, TorqueSense sense) {
       const WallGroup at = grown(size);
-      std::vector<GroupEffect> effects = at.under(sense);
-      effects[j].by_hoop = at.apart()[j].by_hoop;  // the assembly opens all of them
-      return at_tips(effects[j], size);
+      GroupEffect effect = at.under(sense)[j];
+      if (bent) effect.by_hoop = at.apart()[j].by_hoop;  // the assembly opens all of them
+      return at_tips(effect, size);
     };
     made.bending = tube_bending(made, solution.mean_radius);
     take_ligaments(made, solution.mean_radius);

@@ -17,8 +17,12 @@ using std::numbers::pi;
 
 /// Share of jumps or stresses by which faces may overlap or pull [-].
 constexpr double kLargestOverlap = 0.05;
-/// Largest uncertainty by the curvature, as a share of the compliance or of K [-].
-constexpr double kLargestByCurvature = 0.25;
+/// Largest uncertainty by the curvature, as a share of the compliance of all cracks of a group, and
+/// of K of each one, both alone and with open faces [-].
+/// @{
+constexpr double kLargestOfCompliance = 0.25;
+constexpr double kLargestOfIntensity = 0.5;
+/// @}
 /// Share of a crack's compliance with open faces below which its compliance alone is rounding.
 constexpr double kRounding = 1e-20;
 
@@ -49,10 +53,10 @@ bool same(const FacedCrack& a, const FacedCrack& b) {
 }
 
 /// The responses, which this thread keeps for the last groups: a study may vary the load alone, and
-/// an assessment asks several times at one size.
+/// an assessment asks several times at each of some hundred sizes.
 std::vector<std::vector<CrackResponse>> solved(const std::vector<FacedCrack>& cracks, double round,
                                                const std::array<SheetStress, 3>& stresses) {
-  constexpr std::size_t kKept = 8;
+  constexpr std::size_t kKept = 128;
   thread_local std::deque<Solved> last;
   for (const Solved& of : last)
     if (of.round == round &&
@@ -142,20 +146,32 @@ std::string WallGroup::fault() const {
   if (!places.empty()) return places;
   for (const TorqueSense sense : {TorqueSense::positive, TorqueSense::negative}) {
     const std::vector<GroupEffect> all = under(sense);
+    double changed = 0.0;
+    double alone = 0.0;
     for (std::size_t j = 0; j < all.size(); ++j) {
       if (all[j].overlap > kLargestOverlap)
         return fmt::format(
             "{}: under {} torque the other cracks of the {} let its faces touch over a part of "
             "their length, and no model tells which part; place the cracks farther apart",
             members_[j].path, enum_name(sense), wall_.name);
-      const double change = std::max(all[j].changed_compliance, all[j].changed_intensity);
-      if (uncertainty() * change > kLargestByCurvature)
+      const double of_K = all[j].changed_intensity;
+      if (uncertainty() * of_K > kLargestOfIntensity)
         return fmt::format(
-            "{}: the other cracks of the {} change it by {:.2g} % as in a flat sheet, and at so "
-            "large a shell parameter the curvature may change this by {:.2g} % of the crack's "
-            "compliance or K; place the cracks farther apart, or give shorter cracks",
-            members_[j].path, wall_.name, 100 * change, 100 * uncertainty() * change);
+            "{}: the other cracks of the {} change its K by {:.2g} % as in a flat sheet, and at so "
+            "large a shell parameter the curvature may change K by {:.2g} %; place the cracks "
+            "farther apart, or give shorter cracks",
+            members_[j].path, wall_.name, 100 * of_K, 100 * uncertainty() * of_K);
+      const double square = members_[j].place.half_length * members_[j].place.half_length;
+      changed += square * all[j].changed_compliance;
+      alone += square;
     }
+    if (uncertainty() * changed > kLargestOfCompliance * alone)
+      return fmt::format(
+          "{}: the cracks of the {} change each other's compliance by {:.2g} % as in a flat sheet, "
+          "and at so large a shell parameter the curvature may change it by {:.2g} %; place the "
+          "cracks farther apart, or give shorter cracks",
+          members_.front().path, wall_.name, 100 * changed / alone,
+          100 * uncertainty() * changed / alone);
   }
   return {};
 }

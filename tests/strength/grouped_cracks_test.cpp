@@ -10,6 +10,7 @@
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
