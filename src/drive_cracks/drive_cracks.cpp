@@ -72,6 +72,8 @@ const char* const kGiveEnergy =
     "Give fracture_energy of the laminate in the file, to compare the energy release rate with.";
 const char* const kPliesByElements =
     "Assess the plies beside the crack by finite elements of the part.";
+const char* const kOneCrack =
+    "Assess both cracks as one crack over their whole length, or by finite elements of the part.";
 const char* const kOnlyRisesWithTorque =
     "Assess the crack by finite elements of the part. No driver makes this crack acceptable, "
     "because every stress of a driver, also a given one, counts as proportional to the torque, and "
@@ -181,7 +183,10 @@ auto tube_bending(const DriveCrack& made, double mean_radius) {
 /// Makes the cracks of a drive; each kind has an overload of `fill`.
 class Maker {
  public:
-  explicit Maker(const GearSet& gear) : gear_(gear), loads_(gear) {}
+  explicit Maker(const GearSet& gear) : gear_(gear), loads_(gear) {
+    for (WallGroup& group : wall_groups(gear_, loads_))
+      groups_.push_back(std::make_shared<WallGroup>(std::move(group)));
+  }
 
   [[nodiscard]] std::vector<DriveCrack> all() const {
     std::vector<DriveCrack> result;
@@ -206,6 +211,11 @@ class Maker {
               else
                 take_turn_table(made, std::move(table));
             }
+          if (made.group && made.turn_table)
+            made.notes.push_back(
+                {fmt::format("the table {} leaves out the other cracks of the {}",
+                             shown(made.turn_table->file), made.group->wall().name),
+                 "CG-9"});
           result.push_back(std::move(made));
         });
       });
@@ -447,11 +457,109 @@ class Maker {
       in_row(made, {crack.count, crack.angle}, wall, gear_.flexspline->stress_nonuniformity);
       end_where_row_is_known(made, crack, wall.mean_radius);
     }
+    join_group(made, crack, loaded.solution, bending);
     use(made, {"FA-6", "FA-8"});
     if (made.assembly) {
       if (!made.laminate) use(made, {"FA-14"});
       made.notes.push_back(made.laminate ? kPliesBending : kThroughBending);
     }
+  }
+
+  /// Gives a crack of a group the others, if they can be solved together (CG-9).
+  void join_group(DriveCrack& made, const WallThroughCrack& crack,
+                  const sif::ThroughCrackInTube& solution, const AssemblyStress& bending) const {
+    for (const std::shared_ptr<WallGroup>& group : groups_)
+      for (std::size_t j = 0; j < group->members().size(); ++j)
+        if (&crack ==
+            std::get_if<WallThroughCrack>(&gear_.flexspline->crack[group->members()[j].index])) {
+          made.group = group;
+          made.in_group = j;
+        }
+    if (!made.group) return;
+    use(made, {"CG-6", "CG-9"});
+    const auto at_tips = [solution, peak = made.assembly_peak, bending](const GroupEffect& effect,
+                                                                        const CrackSize& size) {
+      const double root = std::sqrt(pi * size.size);
+      std::vector<FrontIntensity> front;
+      for (std::size_t end = 0; end < 2; ++end) {
+        sif::ThroughCrackInTube tip = solution;
+        tip.open = !effect.closed;
+        tip.tip_stress = effect.tips[end];  // (CG-9)
+        // As if all cracks were under the whole stress of the assembly at once; what the others
+        // shield does not count (FA-14).
+        const auto [opened, slid] = effect.by_hoop[end];
+        const double normal = std::max(bending.normal, peak * opened);
+        const double shear =
+            std::abs(peak * slid) > std::abs(bending.shear) ? peak * slid : bending.shear;
+        for (FrontIntensity& at : along(tip, size.size, {-1.0, 0.0, 1.0})) {
+          at.assembly = {normal * root, shear * root, 0.0};
+          front.push_back(at);
+        }
+      }
+      return front;
+    };
+    const auto grown = [group = made.group, j = made.in_group](const CrackSize& size) {
+      WallGroup at = *group;
+      at.set_half_length(j, size.size);
+      return at;
+    };
+    made.front = [alone = made.front, grown, at_tips, j = made.in_group](const CrackSize& size,
+                                                                         Faces faces) {
+      const WallGroup at = grown(size);
+      if (!at.fault_of_places().empty()) {  // a trial beyond the end of the range
+        std::vector<FrontIntensity> front = alone(size, faces);
+        const std::size_t points = front.size();
+        for (std::size_t i = 0; i < points; ++i) front.push_back(FrontIntensity(front[i]));
+        return front;
+      }
+      GroupEffect effect = at.apart()[j];
+      effect.closed = faces == Faces::pressed;
+      return at_tips(effect, size);
+    };
+    made.front_in_group = [grown, at_tips, j = made.in_group, bent = made.assembly](
+                              const CrackSize& size, TorqueSense sense) {
+      const WallGroup at = grown(size);
+      GroupEffect effect = at.under(sense)[j];
+      if (bent) effect.by_hoop = at.apart()[j].by_hoop;  // the assembly opens all of them
+      return at_tips(effect, size);
+    };
+    made.bending = tube_bending(made, solution.mean_radius);
+    take_ligaments(made, solution.mean_radius);
+  }
+
+  /// The sections that the other cracks of a group take, and the ligaments between the cracks.
+  void take_ligaments(DriveCrack& made, double radius) const {
+    const Flexspline& fs = *gear_.flexspline;
+    const WallGroup& group = *made.group;
+    double taken = 0.0;
+    std::vector<StraightCrack> places;
+    for (std::size_t j = 0; j < group.members().size(); ++j) {
+      const auto& other = std::get<WallThroughCrack>(fs.crack[group.members()[j].index]);
+      places.push_back(group.members()[j].place);
+      if (j == made.in_group) continue;
+      const LongWall wall = long_wall(other.section);
+      taken += std::max(other.half_length * std::abs(std::sin(other.angle)) / (pi * radius),
+                        2 * other.half_length * std::abs(std::cos(other.angle)) / wall.length);
+    }
+    constexpr double kMostTaken = 0.5;
+    made.reference_stress = [alone = made.reference_stress, left = std::max(1 - taken, kMostTaken)](
+                                const CrackSize& size, double P, double T) {
+      return alone(size, P, T) / left;  // (CG-9)
+    };
+    if (!made.unknown.empty()) return;
+    const NearestCrack nearest = nearest_crack(places, made.in_group, group.wall().round);
+    if (taken > kMostTaken)
+      leave_unknown(made,
+                    fmt::format("the other cracks of the {} take more than half of a section, "
+                                "whose collapse is not assessed",
+                                group.wall().name),
+                    kNoField);
+    else if (nearest.gap < 1)
+      leave_unknown(made,
+                    fmt::format("the ligament to {} is narrower than the longer half length, and "
+                                "its collapse is not assessed",
+                                group.members()[nearest.index].path),
+                    kOneCrack);
   }
 
   /// The solutions for a surface crack of one shape in the wall.
@@ -832,6 +940,7 @@ class Maker {
 
   const GearSet& gear_;
   CrackLoads<double> loads_;
+  std::vector<std::shared_ptr<WallGroup>> groups_;
 };
 
 }  // namespace

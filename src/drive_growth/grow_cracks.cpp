@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <functional>
@@ -140,6 +141,27 @@ class Growing {
     return CrackSize::of(a, c);
   }
 
+  /// Gives the cracks of groups the sizes of a state, at which K of each one contains the others
+  /// (CG-9).
+  void take_sizes(const State& state) const {
+    for (std::size_t k = 0; k < cracks_.size(); ++k)
+      if (const DriveCrack& crack = cracks_[k].crack(); crack.group)
+        crack.group->set_half_length(crack.in_group, size_of(state, k).size);
+  }
+  /// The groups at the sizes of a state, each once.
+  [[nodiscard]] std::vector<WallGroup> groups(const State& state) const {
+    take_sizes(state);
+    std::vector<WallGroup> result;
+    std::vector<const WallGroup*> known;
+    for (const GrowingCrack& crack : cracks_) {
+      const WallGroup* const group = crack.crack().group.get();
+      if (group == nullptr || std::ranges::find(known, group) != known.end()) continue;
+      known.push_back(group);
+      result.push_back(*group);
+    }
+    return result;
+  }
+
   /// Factor D of the vibration on the loads of the duty; (GR-28).
   [[nodiscard]] double amplification(const State& state) const {
     const auto& resonance = gear_.duty->resonance;
@@ -154,6 +176,7 @@ class Growing {
   /// Relative growth of each tip in one repetition.
   [[nodiscard]] State rates(const State& state) const {
     State rate;
+    take_sizes(state);
     const double factor = amplification(state);
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const CrackSize size = size_of(state, k);
@@ -217,6 +240,9 @@ class Growing {
     } catch (const InputError& error) {  // cracks that meet, for example
       return End{CrackEvent::range, crack_of(error.field()), error.what()};
     }
+    for (const WallGroup& group : groups(state))
+      if (std::string fault = group.fault(); !fault.empty())
+        return End{CrackEvent::range, crack_of(fault), std::move(fault)};
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double a = std::exp(state[first_[k]]);
       // A vibration may raise the torque beyond a table of K over a turn.
@@ -543,6 +569,7 @@ class Path {
     report_.time = state.back() * duration;
     end_ = state;
     if (!told_) return;
+    note_groups(state);
     describe_rest(state);
     const auto kept = spread_rows(report_.stiffness, options_.points, &StiffnessOverLife::time,
                                   &StiffnessOverLife::change);
@@ -799,7 +826,9 @@ class Path {
 
   void begin_report() {
     const auto& cracks = growing_.cracks();
-    const double factor = growing_.amplification(growing_.start(0.0));
+    const State start = growing_.start(0.0);
+    const double factor = growing_.amplification(start);
+    first_groups_ = growing_.groups(start);
     for (const GrowingCrack& crack : cracks) {
       const RateChoice choice = choice_of(crack.crack(), options_.rate);
       report_.cracks.push_back(described_crack(growing_.gear(), crack, choice, factor));
@@ -838,8 +867,21 @@ class Path {
     report_.equations.emplace_back("TC-11");
   }
 
+  /// What the cracks of groups change of each other's K at begin and end.
+  void note_groups(const State& state) {
+    for (const WallGroup& at_end : growing_.groups(state)) {
+      const auto at_begin = std::ranges::find_if(first_groups_, [&](const WallGroup& group) {
+        return group.wall().name == at_end.wall().name;
+      });
+      report_.notes.push_back(
+          group_note(at_begin != first_groups_.end() ? *at_begin : at_end, at_end));
+      cite(report_, std::array<std::string_view, 1>{"CG-9"});
+    }
+  }
+
   /// What would let the cracks grow that stand still at the end.
   void describe_rest(const State& state) {
+    growing_.take_sizes(state);
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
       if (!stands_still_[k]) continue;
       const CrackSize size = growing_.size_of(state, k);
@@ -899,6 +941,7 @@ class Path {
     if (trace_ != nullptr) take_trace(state);
     if (!told_) return;
     const double factor = growing_.amplification(state);
+    growing_.take_sizes(state);
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
       const GrowingCrack& crack = growing_.cracks()[k];
       const CrackSize size = growing_.size_of(state, k);
@@ -980,6 +1023,7 @@ class Path {
   std::vector<RatioRange> ratios_;  // of the cycles by which each crack grows
   State acceptable_;
   State end_;
+  std::vector<WallGroup> first_groups_;  // at the first sizes
   double first_positive_ = 0.0;
   double first_negative_ = 0.0;
 };

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -168,6 +170,15 @@ void note_turn_table(std::vector<Note>& notes, const GrowingCrack& crack) {
        .equation = "GR-31",
        .severity = missed > kMuch ? Severity::care : Severity::information,
        .next_step = missed > kMuch ? "Give more angles near the largest and the least K." : ""});
+  if (of.group)
+    notes.push_back({.code = "growth.turn_table",
+                     .text = fmt::format("the table {} leaves out the other cracks of the {}",
+                                         shown(table.file), of.group->wall().name),
+                     .path = of.path,
+                     .equation = "CG-9",
+                     .severity = Severity::care,
+                     .next_step = "Leave out turn_table to grow the cracks with their influence on "
+                                  "each other."});
   std::string held;
   if (table.sizes.size() == 1)
     held = fmt::format("has one size, {}, so K/sqrt(pi a) counts as constant",
@@ -259,6 +270,35 @@ Note refused_size_note(const std::string& path, const std::string& rule) {
           .equation = "GR-24",
           .severity = Severity::care,
           .next_step = "If two cracks meet, replace them by one crack and grow it."};
+}
+
+Note group_note(const WallGroup& at_begin, const WallGroup& at_end) {
+  double left_out = 0.0;
+  const auto words = [&](const WallGroup& group) {
+    if (const std::string fault = group.fault_of_places(); !fault.empty())
+      return std::string("not known");
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const GroupEffect& effect : group.apart()) {
+      least = std::min(least, effect.intensity);
+      most = std::max(most, effect.intensity);
+      left_out = std::max(left_out, group.uncertainty() * effect.changed_intensity);
+    }
+    return fmt::format("{:.3f} to {:.3f}", least, most);
+  };
+  const std::string begin = words(at_begin);
+  const std::string end = words(at_end);
+  constexpr double kSmall = 0.05;
+  return {.code = "growth.group",
+          .text = fmt::format(
+              "the {} through cracks of the {} influence each other, as in a flat sheet with all "
+              "faces apart: K of the given load is {} times that of a crack alone at the begin, "
+              "and {} times at the end; the curvature between the cracks may change K by {:.2g} "
+              "%; each crack keeps its middle and grows at both tips by the larger K",
+              at_end.members().size(), at_end.wall().name, begin, end, 100 * left_out),
+          .path = "flexspline.crack",
+          .equation = "CG-9",
+          .severity = left_out > kSmall ? Severity::care : Severity::information};
 }
 
 Note no_curve_note(const std::string& why) {

@@ -54,6 +54,11 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// The cracks grow until the rules of the input refuse the drive, because they meet for example.
 [[nodiscard]] Note refused_size_note(const std::string& path, const std::string& rule);
 
+/// What the cracks of a group change of each other's growth (CG-9).
+/// @param at_begin  the group at the first sizes
+/// @param at_end    the group at the last ones
+[[nodiscard]] Note group_note(const WallGroup& at_begin, const WallGroup& at_end);
+
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);
 

@@ -159,7 +159,7 @@ ShaftSection shaft_section(const OutputShaft& shaft, std::size_t crack) {
           .length = shaft.length,
           .crack = ShaftCrack{.surface = ShaftCrack::Surface::outer,
                               .depth = annular.depth,
-                              .position = shaft.length / 2}};
+                              .position = annular.distance.value_or(shaft.length / 2)}};
 }
 
 fem::SectionMesh mesh_shaft(const ShaftSection& shaft) {

@@ -115,8 +115,9 @@ Real BasicThroughCrackInTube<Real>::wall_factor(const Real& a) const {
 template <class Real>
 BasicThroughCrackFamily<Real>::BasicThroughCrackFamily(const BasicThroughCrackInTube<Real>& crack)
     : crack_(crack),
-      stress_(crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle,
-                                 crack.stress_nonuniformity)) {
+      stress_(crack.tip_stress ? *crack.tip_stress
+                               : crack_plane_stress(crack.mean_radius, crack.wall_thickness,
+                                                    crack.angle, crack.stress_nonuniformity)) {
   if (!crack.shell_correction) return;
   shell_.emplace(crack.angle);
   if (crack.count > 1 && crack.open) row_.emplace(crack.angle);

@@ -5,168 +5,123 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 #include "member_support.hpp"
-#include "strainwave/core/error.hpp"
-#include "strainwave/crack_group/straight_cracks.hpp"
-#include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
 namespace {
 
-using std::numbers::pi;
-
-/// The dense system of more cracks would take longer than the rest of an answer.
-constexpr std::size_t kMostCracks = 10;
-
-/// The through cracks of a section that have a position, on the wall unrolled to a sheet.
-struct PlacedCracks {
-  std::vector<std::string> paths;
-  std::vector<StraightCrack> cracks;
+/// The ratios of K in a group under one sense of the torque.
+struct IntensityRatios {
+  double least = 1.0;
+  double most = 1.0;
+  std::size_t at = 0;  ///< the crack with the largest one
+  bool act = false;    ///< whether a crack opens or slides
 };
 
-PlacedCracks placed_cracks(const Flexspline& fs, WallSection section, double radius,
-                           double length) {
-  PlacedCracks placed;
-  for (std::size_t i = 0; i < fs.crack.size(); ++i) {
-    const auto* const crack = std::get_if<WallThroughCrack>(&fs.crack[i]);
-    // A row contains the influence of its own cracks.
-    if (crack == nullptr || crack->section != section || !crack->position || crack->count > 1)
-      continue;
-    placed.paths.push_back((FieldPath("flexspline") / "crack")[i].text());
-    // x runs round the axis and y along it; beta counts from +y toward -x.
-    placed.cracks.push_back(
-        {.centre = {radius * *crack->position, crack->distance.value_or(length / 2)},
-         .half_length = crack->half_length,
-         .angle = pi / 2 + crack->angle});
-  }
-  return placed;
-}
-
-void require_apart(const PlacedCracks& placed, double round) {
-  const auto touching = touching_cracks(placed.cracks, round);
-  if (!touching) return;
-  const auto [j, i] = *touching;
-  throw InputError(placed.paths[i],
-                   i == j ? std::string("reaches round the whole wall; give a shorter crack")
-                          : fmt::format("crosses or touches {}; move one of them by position or "
-                                        "distance, or replace both by one crack",
-                                        placed.paths[j]));
-}
-
-/// How much a group differs from its cracks alone, under one sense of the torque.
-struct Influence {
-  double compliance = 1.0;    ///< that of the group over the sum [-]
-  double factor = 1.0;        ///< the largest K of a crack in the group over its K alone [-]
-  std::size_t of = 0;         ///< the crack that has it
-  double least_factor = 1.0;  ///< the smallest such ratio over the cracks [-]
-  bool acts = false;          ///< whether a crack opens or slides
-  bool settled = false;       ///< whether each crack is open or closed as a whole
-
-  [[nodiscard]] double largest_change() const {
-    return std::max({std::abs(compliance - 1), std::abs(factor - 1), std::abs(least_factor - 1)});
-  }
-};
-
-/// The larger K of the tips of a crack, modes 1 and 2 together.
-double whole(const GroupedCrack& crack) {
-  return std::max(std::hypot(crack.behind.mode_1, crack.behind.mode_2),
-                  std::hypot(crack.ahead.mode_1, crack.ahead.mode_2));
-}
-
-/// @param stress   of the load, which decides which cracks are closed
-/// @param torsion  its part by the torque, whose compliance counts
-Influence influence_of(const std::vector<StraightCrack>& cracks, const SheetStress& stress,
-                       const SheetStress& torsion, double round) {
-  constexpr int kOrder = 24;
-  constexpr int kFineOrder = 60;  // of cracks that nearly touch
-  constexpr double kGood = 1e-3;
-  GroupOptions options{.order = kOrder, .period = round, .compliance_of = torsion};
-  CrackGroup group = crack_group(cracks, stress, options);
-  if (group.error > kGood) {
-    options.order = kFineOrder;
-    group = crack_group(cracks, stress, options);
-  }
-  Influence influence{.compliance = group.compliance_ratio, .settled = group.settled};
-  for (std::size_t i = 0; i < cracks.size(); ++i) {
-    const double alone =
-        whole(crack_group(std::span(&cracks[i], 1), stress, {.order = 8}).cracks.front());
-    const double largest = std::max(std::abs(stress.yy), std::abs(stress.xy));
-    constexpr double kRounding = 1e-9;
-    if (alone <= kRounding * largest * std::sqrt(pi * cracks[i].half_length)) continue;
-    const double ratio = whole(group.cracks[i]) / alone;
-    if (!influence.acts || ratio > influence.factor) {
-      influence.factor = ratio;
-      influence.of = i;
+IntensityRatios ratios_of(const std::vector<GroupEffect>& effects) {
+  constexpr double kNothing = 1e-9;
+  IntensityRatios result;
+  for (std::size_t j = 0; j < effects.size(); ++j) {
+    if (effects[j].tip <= kNothing) continue;
+    const double ratio = effects[j].intensity;
+    if (!result.act || ratio > result.most) {
+      result.most = ratio;
+      result.at = j;
     }
-    influence.least_factor = influence.acts ? std::min(influence.least_factor, ratio) : ratio;
-    influence.acts = true;
+    result.least = result.act ? std::min(result.least, ratio) : ratio;
+    result.act = true;
   }
-  return influence;
+  return result;
 }
 
-std::string words_of(std::string_view sense, const Influence& influence,
-                     const std::vector<std::string>& paths) {
-  if (!influence.acts) return fmt::format("under {} none of them opens or slides", sense);
+std::string words_of(std::string_view sense, const AnsweredGroup& of, std::size_t which) {
+  const IntensityRatios K = ratios_of(which == 0 ? of.positive : of.negative);
+  if (!K.act) return fmt::format("under {} none of them opens or slides", sense);
+  const double ratio = of.alone[which] > 0 ? of.added[which] / of.alone[which] : 1.0;
   return fmt::format(
       "under {} they add {:.3f} times the sum of their compliances, and K is {:.3f} to {:.3f} "
       "times that of a crack alone, the most at {}",
-      sense, influence.compliance, influence.least_factor, influence.factor, paths[influence.of]);
+      sense, ratio, K.least, K.most, of.group.members()[K.at].path);
 }
 
 }  // namespace
 
-std::size_t note_interaction(const GearSet& gear, const CrackLoads<double>& loads,
-                             WallSection section, MemberCompliance& member) {
-  const Flexspline& fs = *gear.flexspline;
-  const bool sections = fs.crack_free == CrackFree::sections;
-  const bool rim = section == WallSection::rim;
-  if (sections && rim && !fs.rim) return 0;
-  // The solver is for isotropic sheets.
-  if (material_of(gear, material_name(fs, section), "flexspline.material").is_laminate()) return 0;
-  const double length = !sections ? *fs.length : rim ? fs.rim->length : fs.barrel->length;
-  const auto wall = loads.wall_of(section);
-  const PlacedCracks placed = placed_cracks(fs, section, wall.mean_radius, length);
-  if (placed.cracks.size() < 2) return 0;
-  const double round = 2 * pi * wall.mean_radius;
-  require_apart(placed, round);
-  if (placed.cracks.size() > kMostCracks) return 0;
-  const double area = round * wall.thickness;
-  const double shear =
-      std::abs(gear.load.torque) * fs.stress_nonuniformity / (area * wall.mean_radius);
-  const auto under = [&](double sense) {
-    const SheetStress torsion{.xy = sense * shear};
-    SheetStress stress = torsion;
-    stress.yy = gear.load.axial_force / area;
-    return influence_of(placed.cracks, stress, torsion, round);
-  };
-  const Influence positive = under(+1);
-  const Influence negative = under(-1);
-  if (!positive.settled || !negative.settled) return 0;  // faces that touch in part: cannot tell
+AnsweredGroup::AnsweredGroup(WallGroup of) : group(std::move(of)), fault(group.fault()) {
+  if (!fault.empty()) return;
+  positive = group.under(TorqueSense::positive);
+  negative = group.under(TorqueSense::negative);
+}
+
+SymmetricMatrix<2> in_group(const SymmetricMatrix<2>& alone, const GroupEffect& effect) {
+  SymmetricMatrix<2> result = alone;
+  std::array<double, 2> curved{};  // compliance of the curved wall per unit of that of the sheet
+  for (const std::size_t load : {kAxial, kTorsion})
+    if (effect.alone(load, load) > 0) curved[load] = alone(load, load) / effect.alone(load, load);
+  for (const std::size_t load : {kAxial, kTorsion})
+    if (curved[load] == 0) curved[load] = curved[1 - load];
+  result(kTorsion, kTorsion) = alone(kTorsion, kTorsion) * effect.ratio();  // (CG-9)
+  result(kAxial, kAxial) +=
+      curved[kAxial] * (effect.in_group(kAxial, kAxial) - effect.alone(kAxial, kAxial));  // (CG-9)
+  result(kAxial, kTorsion) +=
+      std::sqrt(curved[kAxial] * curved[kTorsion]) *
+      (effect.in_group(kAxial, kTorsion) - effect.alone(kAxial, kTorsion));  // (CG-9)
+  return result;
+}
+
+ByCurvature by_curvature(const WallGroup& group, const GroupEffect& effect) {
+  const double ratio = std::abs(effect.ratio());
+  const double share = group.uncertainty();
+  ByCurvature result;
+  if (ratio > 0) result.compliance = std::min(1.0, share * std::abs(effect.ratio() - 1) / ratio);
+  if (effect.tip > 0)
+    result.intensity =
+        std::min(1.0, share * effect.changed_intensity / effect.tip + effect.overlap);
+  return result;
+}
+
+void note_interaction(const AnsweredGroup& answered, MemberCompliance& member) {
+  use_equations(member.equations, {"CG-6", "CG-9"});
+  if (!answered.fault.empty()) {
+    member.unusable_because = answered.fault;
+    return;
+  }
+  double compliance = 0.0;  // error of plain superposition
+  double intensity = 0.0;
+  double left_out_compliance = 0.0;
+  double left_out_intensity = 0.0;
+  for (const std::size_t which : {0U, 1U}) {
+    const auto& effects = which == 0 ? answered.positive : answered.negative;
+    const IntensityRatios K = ratios_of(effects);
+    if (!K.act) continue;
+    if (answered.added[which] > 0)
+      compliance =
+          std::max(compliance, std::abs(answered.alone[which] / answered.added[which] - 1));
+    intensity = std::max({intensity, std::abs(1 / K.most - 1), std::abs(1 / K.least - 1)});
+    for (const GroupEffect& effect : effects) {
+      const ByCurvature by = by_curvature(answered.group, effect);
+      left_out_compliance = std::max(left_out_compliance, by.compliance);
+      left_out_intensity = std::max(left_out_intensity, by.intensity);
+    }
+  }
   constexpr double kSmall = 0.05;
-  const double change = std::max(positive.acts ? positive.largest_change() : 0.0,
-                                 negative.acts ? negative.largest_change() : 0.0);
-  use_equations(member.equations, {"CG-6"});
+  const bool care = std::max(left_out_compliance, left_out_intensity) > kSmall;
   member.notes.push_back(
       {.code = "crack.interaction",
        .text = fmt::format(
-           "the {} through cracks of the {} influence each other as in a flat sheet: {}; {}; this "
-           "answer adds their compliances and takes each K alone",
-           placed.cracks.size(),
-           rim        ? "rim"
-           : sections ? "barrel"
-                      : "wall",
-           words_of("T > 0", positive, placed.paths), words_of("T < 0", negative, placed.paths)),
+           "the {} through cracks of the {} influence each other, and this answer contains their "
+           "influence, as in a flat sheet: {}; {}; plain superposition would be {:.2g} % off in "
+           "the compliance that they add and {:.2g} % in K; the curvature between the cracks is "
+           "left out, which may change the compliance of a crack by {:.2g} % and its K by {:.2g} %",
+           answered.group.members().size(), answered.group.wall().name,
+           words_of("T > 0", answered, 0), words_of("T < 0", answered, 1), 100 * compliance,
+           100 * intensity, 100 * left_out_compliance, 100 * left_out_intensity),
        .path = "flexspline.crack",
-       .equation = "CG-6",
-       .severity = change > kSmall ? Severity::care : Severity::information,
-       .next_step = change > kSmall
-                        ? "Multiply the compliance of these cracks and K by these numbers."
-                        : ""});
-  return placed.cracks.size();
+       .equation = "CG-9",
+       .severity = care ? Severity::care : Severity::information});
 }
 
 }  // namespace strainwave

@@ -189,7 +189,9 @@ void share_between_modes(CrackReport& report) {
 /// Reports the cracks of a flexspline, with separate notes for each kind.
 class FlexsplineCracks : public CrackAdder {
  public:
-  explicit FlexsplineCracks(const CrackAdder& adder) : CrackAdder(adder) {}
+  /// @param groups  of the drive, which take the sums of their cracks
+  FlexsplineCracks(const CrackAdder& adder, std::vector<AnsweredGroup>& groups)
+      : CrackAdder(adder), groups_(&groups) {}
 
   void add(CrackReport report, const WallThroughCrack& crack,
            const LoadedCrack<sif::ThroughCrackInTube>& loaded);
@@ -222,32 +224,92 @@ class FlexsplineCracks : public CrackAdder {
     report_intensities(report, loaded.with_faces(given(loaded.faces)),
                        {gear.load.axial_force, gear.load.torque}, all_modes(uncertainty));
   }
+  /// @param group  of the crack; empty: it has none
   template <class Solution>
   void add_wall_crack(CrackReport report, const LoadedCrack<Solution>& loaded,
-                      const WallCrackAccuracy& accuracy);
+                      const WallCrackAccuracy& accuracy, const std::optional<InGroup>& group = {});
+  [[nodiscard]] std::optional<InGroup> group_of(const WallThroughCrack& crack) const;
+  void report_in_group(CrackReport& report, const LoadedCrack<sif::ThroughCrackInTube>& loaded,
+                       double uncertainty, const InGroup& group) const;
+
+  std::vector<AnsweredGroup>* groups_;
 };
+
+/// The group of a crack, if it has a usable answer.
+std::optional<InGroup> FlexsplineCracks::group_of(const WallThroughCrack& crack) const {
+  for (AnsweredGroup& answered : *groups_)
+    for (std::size_t j = 0; answered.fault.empty() && j < answered.group.members().size(); ++j)
+      if (&crack ==
+          std::get_if<WallThroughCrack>(&gear.flexspline->crack[answered.group.members()[j].index]))
+        return InGroup{answered, j};
+  return std::nullopt;
+}
+
+/// Fills in the stress intensities of the tip with the larger K.
+void FlexsplineCracks::report_in_group(CrackReport& report,
+                                       const LoadedCrack<sif::ThroughCrackInTube>& loaded,
+                                       double uncertainty, const InGroup& group) const {
+  const TorqueSense sense = gear.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative;
+  const GroupEffect& effect = group.under(sense);
+  const double curvature = by_curvature(group.group.group, effect).intensity;
+  double most = -1.0;
+  for (const sif::CrackPlaneStress& stress : effect.tips) {
+    sif::ThroughCrackInTube tip = loaded.solution;
+    tip.open = !effect.closed;
+    tip.tip_stress = stress;  // (CG-9)
+    CrackReport of_tip;
+    report_intensities(of_tip, tip, {gear.load.axial_force, gear.load.torque},
+                       all_modes(accuracy::combined(uncertainty, curvature)));
+    const double whole = std::hypot(of_tip.largest->K_I.value, of_tip.largest->K_II.value);
+    if (whole <= most) continue;
+    most = whole;
+    report.deepest = of_tip.deepest;
+    report.largest = of_tip.largest;
+    report.intensity_uncertainty = of_tip.intensity_uncertainty;
+  }
+}
 
 /// Adds one wall crack by its closed form.
 template <class Solution>
 void FlexsplineCracks::add_wall_crack(CrackReport report, const LoadedCrack<Solution>& loaded,
-                                      const WallCrackAccuracy& accuracy) {
+                                      const WallCrackAccuracy& accuracy,
+                                      const std::optional<InGroup>& group) {
   const auto added = closed_form(loaded, options.quadrature);
-  const auto reported = [&](const CrackCompliance<2>& under, Faces state) {
+  const auto reported = [&](const CrackCompliance<2>& under, Faces state, TorqueSense sense) {
     demand_convergence(member, report, under.relative_error, under.converged);
     const double pressed = state == Faces::pressed ? accuracy.pressed : 0.0;
-    const double torsion = accuracy::combined(accuracy.torsion, pressed);
+    double torsion = accuracy::combined(accuracy.torsion, pressed);
+    double axial = accuracy::combined(accuracy.axial, pressed);
+    SymmetricMatrix<2> matrix = under.matrix;
+    if (group) {
+      const GroupEffect& effect = group->under(sense);
+      matrix = in_group(under.matrix, effect);
+      const double curvature = by_curvature(group->group.group, effect).compliance;
+      torsion = accuracy::combined(torsion, curvature);
+      axial = accuracy::combined(axial, curvature);
+      const std::size_t which = sense == TorqueSense::positive ? 0 : 1;
+      group->group.alone[which] += model.at_output(under.matrix);
+      group->group.added[which] += model.at_output(matrix);
+    }
     AddedCompliance result;
-    result.at_output = {model.at_output(under.matrix), kComplianceUnit, torsion};
-    result.axial_torsion =
-        axial_torsion(under.matrix, accuracy::combined(accuracy.axial, pressed), torsion);
+    result.at_output = {model.at_output(matrix), kComplianceUnit, torsion};
+    result.axial_torsion = axial_torsion(matrix, axial, torsion);
     return result;
   };
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
-  report.positive = reported(added.positive, loaded.faces.positive);
-  report.negative = reported(added.negative, loaded.faces.negative);
+  report.positive = reported(added.positive, loaded.faces.positive, TorqueSense::positive);
+  report.negative = reported(added.negative, loaded.faces.negative, TorqueSense::negative);
   const double of_compliance =
       gear.load.axial_force != 0 ? std::max(accuracy.axial, accuracy.torsion) : accuracy.torsion;
-  report_given_load(report, loaded, std::max(of_compliance / 2, accuracy.intensity));
+  const double of_intensity = std::max(of_compliance / 2, accuracy.intensity);
+  if constexpr (std::is_same_v<Solution, sif::ThroughCrackInTube>) {
+    if (group)
+      report_in_group(report, loaded, of_intensity, *group);
+    else
+      report_given_load(report, loaded, of_intensity);
+  } else {
+    report_given_load(report, loaded, of_intensity);
+  }
   note_closed(member, report.path, loaded.faces);
   note_axial_coupling(member, report, gear.load);
   member.cracks.push_back(std::move(report));
@@ -478,9 +540,17 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
     // The table is that of open faces.
     accuracy.wall.pressed = accuracy::combined(accuracy.wall.pressed, flat);
   }
+  const auto group = group_of(crack);
+  if (group) {
+    double curvature = 0.0;
+    for (const TorqueSense sense : {TorqueSense::positive, TorqueSense::negative})
+      curvature =
+          std::max(curvature, by_curvature(group->group.group, group->under(sense)).compliance);
+    accuracy.compliance_rests_on.push_back({curvature, accuracy::kRowInFlatSheet.source});
+  }
   for (const ModelAccuracy& basis : accuracy.compliance_rests_on)
     rest_on(member, report.path, basis);
-  add_wall_crack(std::move(report), loaded, accuracy.wall);
+  add_wall_crack(std::move(report), loaded, accuracy.wall, group);
   share_between_modes(member.cracks.back());
 }
 
@@ -528,9 +598,14 @@ void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack&
                                      const LoadedCrack<sif::ThroughCrackInTube>& loaded,
                                      double lambda) {
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
+  const auto group = group_of(crack);
   if (loaded.in_range) {
-    report_given_load(report, loaded,
-                      accuracy_of(report.path, crack, loaded.solution, lambda).wall.intensity);
+    const double uncertainty =
+        accuracy_of(report.path, crack, loaded.solution, lambda).wall.intensity;
+    if (group)
+      report_in_group(report, loaded, uncertainty, *group);
+    else
+      report_given_load(report, loaded, uncertainty);
     share_between_modes(report);
     note_closed(member, report.path, loaded.faces);
   } else {
@@ -552,6 +627,22 @@ void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack&
                             .equation = "FE-41",
                             .severity = Severity::information});
   take_from_table(report, member, gear, crack, *loaded.table);
+  if (group) {
+    // The table is that of the crack alone.
+    std::size_t which = 0;
+    for (AddedCompliance* const added : {&report.positive, &report.negative}) {
+      const GroupEffect& effect =
+          group->under(which == 0 ? TorqueSense::positive : TorqueSense::negative);
+      group->group.alone[which] += added->at_output.value;
+      added->at_output.value *= effect.ratio();  // (CG-9)
+      added->at_output.relative_uncertainty =
+          accuracy::combined(added->at_output.relative_uncertainty.value_or(0.0),
+                             by_curvature(group->group.group, effect).compliance);
+      group->group.added[which] += added->at_output.value;
+      added->axial_torsion.reset();
+      ++which;
+    }
+  }
   member.cracks.push_back(std::move(report));
 }
 
@@ -666,8 +757,10 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   add_sound_flexspline(gear, model, member);
+  std::vector<AnsweredGroup> groups;
+  for (WallGroup& group : wall_groups(gear, model.loads())) groups.emplace_back(std::move(group));
   add_cracks(member, model.loads(), "flexspline", fs.crack,
-             FlexsplineCracks({gear, model, options, member}));
+             FlexsplineCracks({gear, model, options, member}, groups));
   for (const WallSection section : {WallSection::barrel, WallSection::rim}) {
     const bool cracked = std::ranges::any_of(fs.crack, [&](const FlexsplineCrack& any) {
       return std::visit(
@@ -687,8 +780,10 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
                             .equation = "",
                             .severity = Severity::information});
   std::size_t in_groups = 0;
-  for (const WallSection section : {WallSection::barrel, WallSection::rim})
-    in_groups = std::max(in_groups, note_interaction(gear, model.loads(), section, member));
+  for (const AnsweredGroup& answered : groups) {
+    note_interaction(answered, member);
+    in_groups = std::max(in_groups, answered.group.members().size());
+  }
   if (in_groups < member.cracks.size())  // else the note above says how the cracks interact
     note_superposition(member.notes, member.cracks.size(), "flexspline.crack");
   return member;

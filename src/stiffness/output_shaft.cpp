@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "member_support.hpp"
+#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
@@ -260,6 +261,56 @@ void ShaftCracks::add(CrackReport report, const ShaftSurfaceCrack& crack,
   add_surface(std::move(report), loaded, accuracy);
 }
 
+/// Takes what annular cracks that have a place do to each other's compliance, and says so.
+/// @return  whether all cracks of the shaft are in the group
+bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
+  const ShaftGroup group = shaft_group(gear);
+  if (group.cracks.empty()) return false;
+  use_equations(member.equations, {"CG-12"});
+  if (std::string fault = group.fault(); !fault.empty()) {
+    member.notes.push_back(
+        {.code = "crack.shielding",
+         .text = "annular cracks shield each other, which this answer leaves out, so it adds too "
+                 "much compliance; " +
+                 fault,
+         .path = "output_shaft.crack",
+         .equation = "CG-12",
+         .severity = Severity::care});
+    return false;
+  }
+  const AnnularGroup solved = group.solved();
+  double least = 1.0;
+  double alone = 0.0;
+  double together = 0.0;
+  for (std::size_t j = 0; j < group.index.size(); ++j) {
+    CrackReport& report = member.cracks[group.index[j]];
+    const double ratio = solved.cracks[j].compliance;
+    for (AddedCompliance* const added : {&report.positive, &report.negative}) {
+      const auto shield = [&](Quantity& quantity) {
+        quantity.value *= ratio;  // (CG-12)
+        quantity.relative_uncertainty = accuracy::combined(
+            quantity.relative_uncertainty.value_or(0.0), solved.error / ratio);
+      };
+      if (added == &report.positive) alone += added->at_output.value;
+      shield(added->at_output);
+      if (added == &report.positive) together += added->at_output.value;
+      if (added->axial_torsion) shield((*added->axial_torsion)[2]);
+    }
+    least = std::min(least, solved.cracks[j].factor);
+  }
+  member.notes.push_back(
+      {.code = "crack.shielding",
+       .text = fmt::format(
+           "{} annular cracks shield each other in torsion: together they add {:.3f} times the sum of "
+           "their compliances alone, which this answer contains; K_III is down to {:.3f} times that of "
+           "a crack alone, but K, strength and growth take each crack alone, which is on the safe side",
+           group.index.size(), together / alone, least),
+       .path = "output_shaft.crack",
+       .equation = "CG-12",
+       .severity = Severity::information});
+  return group.index.size() == member.cracks.size();
+}
+
 }  // namespace
 
 MemberCompliance output_shaft_compliance(const GearSet& gear, const StiffnessOptions& options) {
@@ -271,7 +322,8 @@ MemberCompliance output_shaft_compliance(const GearSet& gear, const StiffnessOpt
   use_equations(member.equations, {"ST-2"});
   add_cracks(member, model.loads(), "output_shaft", gear.output_shaft->crack,
              ShaftCracks({gear, model, options, member}));
-  note_superposition(member.notes, member.cracks.size(), "output_shaft.crack");
+  if (!take_neighbours(gear, member))
+    note_superposition(member.notes, member.cracks.size(), "output_shaft.crack");
   return member;
 }
 

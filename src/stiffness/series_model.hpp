@@ -7,12 +7,15 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/lift.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
+#include "strainwave/drive_cracks/shaft_group.hpp"
+#include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/section_torsion.hpp"
@@ -159,6 +162,31 @@ class SeriesModel {
     if (fs.boss) sum += twist_of(*fs.boss);
     if (fs.diaphragm) sum += twist_of(*fs.diaphragm);
     return sum + lift_(fs.joint_compliance) + lift_(fs.flange_compliance);
+  }
+
+  /// What the cracks of groups change of each other's compliance in torsion.
+  struct Neighbours {
+    /// Of each crack of the flexspline, over its compliance alone [-]; empty: there is no group.
+    std::vector<UnderBothSenses<Real>> ratio;
+    bool usable = true;  ///< whether all groups have a usable answer
+  };
+  [[nodiscard]] Neighbours neighbours() const {
+    Neighbours result;
+    for (const WallGroup& group : wall_groups(gear_, CrackLoads<double>(gear_))) {
+      result.ratio.resize(gear_.flexspline->crack.size());
+      result.usable = result.usable && group.fault().empty();
+      const auto ratios = group.ratios(places_of(group, gear_, lift_, loads_));
+      for (std::size_t j = 0; j < ratios.size(); ++j)
+        result.ratio[group.members()[j].index] = ratios[j];  // (CG-9)
+    }
+    return result;
+  }
+
+  /// Of each crack of the output shaft over its compliance alone [-]; empty: there is no group.
+  [[nodiscard]] std::vector<UnderBothSenses<Real>> shaft_neighbours() const {
+    std::vector<UnderBothSenses<Real>> result;
+    for (const Real& ratio : shaft_ratios(gear_, lift_)) result.push_back({ratio, ratio});
+    return result;
   }
 
   [[nodiscard]] Real groove(const DiaphragmGroove& groove) const {

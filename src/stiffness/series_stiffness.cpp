@@ -58,11 +58,26 @@ struct ByTables {
 template <class Real, class Source>
 class CrackSum {
  public:
-  CrackSum(const SeriesModel<Real>& model, Source& source, std::size_t& index)
-      : model_(model), source_(source), index_(index) {}
+  using Ratios = std::vector<UnderBothSenses<Real>>;
 
+  /// @param ratios  of each crack in its group over its compliance alone; empty: no groups
+  CrackSum(const SeriesModel<Real>& model, Source& source, std::size_t& index, Ratios ratios)
+      : model_(model), source_(source), index_(index), ratios_(std::move(ratios)) {}
+
+  /// Adds the next crack of the member.
+  template <class Crack, class Numbers>
+  void operator()(const Crack& crack, const Numbers& numbers) {
+    take(crack, numbers);
+    ++of_member_;
+  }
+
+  Real positive{};
+  Real negative{};
+  bool usable = true;
+
+ private:
   template <class Crack, class Solution>
-  void operator()(const Crack&, const CrackNumbers<Solution>& crack) {
+  void take(const Crack&, const CrackNumbers<Solution>& crack) {
     const std::size_t index = index_++;
     if (crack.table) {
       add(crack.table->positive.value, crack.table->negative.value);
@@ -73,29 +88,31 @@ class CrackSum {
       add(under_positive, under_negative);
     });
   }
-  void operator()(const DiaphragmGroove& groove, const LoadedGroove&) {
+  void take(const DiaphragmGroove& groove, const LoadedGroove&) {
     ++index_;
     const Real added = model_.groove(groove);
     add(added, added);
   }
   template <class Crack>
-  void operator()(const Crack&, const ActsInCoupledDrive&) {
+  void take(const Crack&, const ActsInCoupledDrive&) {
     ++index_;
   }
-
-  Real positive{};
-  Real negative{};
-  bool usable = true;
-
- private:
   void add(const Real& under_positive, const Real& under_negative) {
-    positive += under_positive;
-    negative += under_negative;
+    if (ratios_.empty()) {
+      positive += under_positive;
+      negative += under_negative;
+      return;
+    }
+    const UnderBothSenses<Real>& ratio = ratios_[of_member_];
+    positive += under_positive * ratio.positive;
+    negative += under_negative * ratio.negative;
   }
 
   const SeriesModel<Real>& model_;
   Source& source_;
   std::size_t& index_;
+  std::size_t of_member_ = 0;  ///< index of the crack in its member
+  Ratios ratios_;
 };
 
 template <class Real, class Source>
@@ -103,8 +120,9 @@ SeriesCompliance<Real> sum_of_members(const GearSet& gear, const SeriesModel<Rea
                                       Source& source) {
   SeriesCompliance<Real> total;
   std::size_t index = 0;
-  const auto add = [&](const Real& intact, const auto& cracks) {
-    CrackSum<Real, Source> sum(model, source, index);
+  const auto add = [&](const Real& intact, const auto& cracks,
+                       std::vector<UnderBothSenses<Real>> ratios = {}) {
+    CrackSum<Real, Source> sum(model, source, index, std::move(ratios));
     for (const auto& any : cracks)
       std::visit(
           [&](const auto& crack) {
@@ -119,17 +137,22 @@ SeriesCompliance<Real> sum_of_members(const GearSet& gear, const SeriesModel<Rea
     total.usable = total.usable && sum.usable;
     return sum;
   };
-  const auto add_in_line = [&](const Real& intact, const auto& cracks) {
-    const auto sum = add(intact, cracks);
+  const auto add_in_line = [&](const Real& intact, const auto& cracks,
+                               std::vector<UnderBothSenses<Real>> ratios = {}) {
+    const auto sum = add(intact, cracks, std::move(ratios));
     total.positive_in_line += sum.positive;
     total.negative_in_line += sum.negative;
   };
   if (gear.wave_generator)
     add(model.conversion().all_lobes * model.lobe_compliance(), gear.wave_generator->crack);
-  if (gear.flexspline) add_in_line(model.sound_flexspline(), gear.flexspline->crack);
+  if (gear.flexspline) {
+    auto neighbours = model.neighbours();
+    total.usable = total.usable && neighbours.usable;
+    add_in_line(model.sound_flexspline(), gear.flexspline->crack, std::move(neighbours.ratio));
+  }
   if (gear.output_shaft) {
     total.output_shaft = model.sound_shaft();
-    add_in_line(total.output_shaft, gear.output_shaft->crack);
+    add_in_line(total.output_shaft, gear.output_shaft->crack, model.shaft_neighbours());
   }
   return total;
 }

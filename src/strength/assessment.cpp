@@ -39,17 +39,25 @@ Modes sum(const FrontModes& modes, double load, double assembly) {
 
 /// K under the given load along the front of the crack scaled to a size, under T or -T.
 std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& size, double P,
-                                   double T, Faces faces) {
+                                   double T, TorqueSense sense) {
+  const Faces faces = sense == TorqueSense::positive ? crack.faces.positive : crack.faces.negative;
   const auto modes = [&](const UnitStressIntensity<2>& k) -> Modes {
     return {k.I[kAxial] * P + k.I[kTorsion] * T, k.II[kAxial] * P + k.II[kTorsion] * T,
             k.III[kAxial] * P + k.III[kTorsion] * T};
   };
   std::vector<FrontModes> front;
+  if (crack.group &&
+      faces != Faces::pressed) {  // the faces of the other cracks depend on the sense
+    for (const FrontIntensity& at : crack.front_in_group(size, sense))
+      front.push_back({modes(at.load), at.assembly});
+    return front;
+  }
   for (const FrontIntensity& at : crack.front(size, Faces::open))
     front.push_back({modes(at.load), at.assembly});
   if (faces != Faces::pressed) return front;
   // (FR-17): pressed faces carry the normal stress, so only the shear stress makes them slide.
-  const std::vector<FrontIntensity> pressed = crack.front(size, Faces::pressed);
+  const std::vector<FrontIntensity> pressed =
+      crack.group ? crack.front_in_group(size, sense) : crack.front(size, Faces::pressed);
   for (std::size_t i = 0; i < front.size(); ++i) {
     const Modes sliding = modes(pressed[i].load);
     front[i].load = {std::min(front[i].load[0], 0.0), sliding[1], sliding[2]};
@@ -67,8 +75,7 @@ class AtSize {
     const double P = asked.load.axial_force;
     const double magnitude = std::abs(asked.load.torque);
     const double T = positive || !crack_.reverses ? magnitude : -magnitude;
-    front_ =
-        under_load(crack_, grown, P, T, positive ? crack_.faces.positive : crack_.faces.negative);
+    front_ = under_load(crack_, grown, P, T, sense);
     reference_stress_ = crack_.reference_stress(grown, P, T);
     if (!with_assembly || !crack_.turn_table) return;
     torque_ = T;

@@ -149,6 +149,38 @@ CrackStrength rim_with_table(const GearSet& gear, const DriveCrack& crack, Crack
   return report;
 }
 
+/// The answer for a crack whose group has none.
+CrackStrength in_unknown_group(CrackStrength report, const std::string& fault) {
+  report.sentence = "cannot tell, because " + fault;
+  report.next_step = "Place the cracks farther apart, or assess them by finite elements.";
+  report.equations = {"FA-13", "CG-9"};
+  return report;
+}
+
+/// Ends the range of a crack where its group is not known any more, with the others at their
+/// present sizes.
+void end_in_group(DriveCrack& crack) {
+  WallGroup group = *crack.group;
+  const auto shorten = [&](int halvings, const auto& known) {
+    if (known(crack.range_end)) return;
+    double inside = crack.size.size;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (inside + crack.range_end) / 2;
+      (known(middle) ? inside : crack.range_end) = middle;
+    }
+    crack.range_end = inside;
+    crack.range_text = "the end of what is known of the cracks' influence on each other";
+  };
+  shorten(40, [&](double half_length) {
+    group.set_half_length(crack.in_group, half_length);
+    return group.fault_of_places().empty();
+  });
+  shorten(16, [&](double half_length) {
+    group.set_half_length(crack.in_group, half_length);
+    return group.fault().empty();
+  });
+}
+
 CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
                           std::span<const CrackReport> reports) {
   CrackStrength report{.path = crack.path, .kind = crack.kind, .material = crack.material};
@@ -157,6 +189,9 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
   if (crack.acts_in_coupled_drive)
     return crack.turn_table ? rim_with_table(gear, crack, std::move(report))
                             : acts_in_coupled_drive(std::move(report));
+  if (crack.group)
+    if (const std::string fault = crack.group->fault(); !fault.empty())
+      return in_unknown_group(std::move(report), fault);
   const Material& material = material_of(gear, crack.material, crack.path + ".material");
   report.size_name = crack.size_name;
   report.size = crack.size.size;
@@ -215,6 +250,8 @@ std::vector<CrackStrength> crack_strength(const GearSet& gear,
       crack.range_end = end;
       crack.range_text = "where the surface cracks of the row influence each other too much";
     }
+    if (crack.group && crack.size.size < crack.range_end && crack.group->fault().empty())
+      end_in_group(crack);
     result.push_back(strength_of(gear, crack, reports));
   }
   return result;

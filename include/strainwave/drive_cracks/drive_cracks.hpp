@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/drive_cracks/faces.hpp"
+#include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/turn_table.hpp"
@@ -95,6 +96,15 @@ struct DriveCrack {
   /// force [N] and torque [N*m]; proportional to both loads.  Throws InputError at a size beyond
   /// `range_end`, where no section is left.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
+
+  /// The cracks of its section that influence this crack (CG-9); null: none.  All cracks of one
+  /// call of `drive_cracks` share it, and `front` answers at the half lengths that it keeps for the
+  /// other cracks.
+  std::shared_ptr<WallGroup> group = {};
+  std::size_t in_group = 0;  ///< its place among the members of the group
+  /// K along the front with the faces of all cracks of the group as the given load leaves them
+  /// under one sense of the torque; empty without a group.  `front` takes all faces as apart.
+  std::function<std::vector<FrontIntensity>(const CrackSize&, TorqueSense)> front_in_group = {};
 
   int count = 1;  ///< equal cracks of the row (CG-7) [-]
   /// Largest half length of a surface crack at a depth, both [m]; empty: no such limit.

@@ -438,6 +438,9 @@ void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& c
   if (crack.solution == AnnularSolution::tada && !shaft.solid())
     throw InputError((at / "solution").text(),
                      "\"tada\" is for solid shafts; a hollow one has a table");
+  if (crack.distance)
+    require(*crack.distance < shaft.length, at / "distance", *crack.distance, "m",
+            "distance < length of the shaft");
 }
 
 void check_crack(const FieldPath& at, const GearSet& gear, const ShaftSurfaceCrack& crack) {

@@ -362,7 +362,9 @@ struct AnnularCrack {
   static constexpr std::string_view kMeaning = "crack of one depth all round the shaft";
   double depth = 0.0;  ///< a, radial [m]; > 0, < wall of a hollow shaft, < radius of a solid one
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
-  std::optional<std::string> compliance_table = {};      ///< as in WallThroughCrack
+  /// From the shaft's end toward the flexspline, along z [m]; absent: far from the other cracks
+  std::optional<double> distance = {};
+  std::optional<std::string> compliance_table = {};  ///< as in WallThroughCrack
 
   /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
@@ -378,6 +380,14 @@ struct AnnularCrack {
                 .fallback = R"("improved")",
                 .in_template = InTemplate::commented},
           &AnnularCrack::solution);
+    field(Field{.name = "distance",
+                .unit = "m",
+                .doc = "from the shaft's end toward the flexspline to the crack, along z; if left out "
+                       "the crack is far from the others",
+                .range = kPositive,
+                .example = R"("12 mm")",
+                .in_template = InTemplate::commented},
+          &AnnularCrack::distance);
     field(kComplianceTableField, &AnnularCrack::compliance_table);
   }
 };

@@ -81,6 +81,9 @@ struct BasicThroughCrackInTube {
   int count = 1;                   ///< equal cracks, evenly spaced round the axis (CG-7) [-]; >= 1
   /// Whether the neighbours lie on the line of the crack, as arcs on a circle do, whatever `angle`
   bool in_line = false;
+  /// Stress on the plane of the crack that acts at a tip like the loads and other cracks together
+  /// (CG-9); absent: that of the sound wall (FR-6)
+  std::optional<BasicCrackPlaneStress<Real>> tip_stress = {};
 
   /// The same crack with its faces pressed together (FR-17).
   [[nodiscard]] BasicThroughCrackInTube pressed() const {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/dual.hpp"
+#include "strainwave/core/lift.hpp"
+#include "strainwave/crack_group/annular_cracks.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+
+/// @file
+/// Annular cracks of the output shaft that have places, and their influence on each other.
+
+namespace strainwave {
+
+/// The annular cracks of an output shaft that have a `distance`: at least two, or none.
+///
+/// Implements theory manual eq. (CG-12) for a drive.  Cracks one behind the other shield each other
+/// in torsion, so an answer without their influence is too soft, and its K too large.
+struct ShaftGroup {
+  std::vector<std::size_t> index;          ///< of each crack in `output_shaft.crack`
+  std::vector<PlacedAnnularCrack> cracks;  ///< in the same order
+  ShaftRadii radii;                        ///< of the shaft
+
+  /// Why the influence is not known, in a sentence that begins with the path of a crack; empty if it
+  /// is known.
+  [[nodiscard]] std::string fault() const;
+  /// The influence.  The group must have no fault.
+  [[nodiscard]] AnnularGroup solved() const { return annular_group(cracks, radii); }
+};
+
+/// The group of a drive.
+/// @param gear  has passed `check`
+[[nodiscard]] ShaftGroup shaft_group(const GearSet& gear);
+
+/// Compliance in torsion of each crack of the output shaft over that of the crack alone [-]; empty if
+/// the drive has no group or the group has a fault.
+/// @param gear  has passed `check`
+/// @param lift  reads its numbers; the derivatives are differences of the group along each input
+/// @{
+[[nodiscard]] std::vector<double> shaft_ratios(const GearSet& gear, const Lift<double>& lift);
+[[nodiscard]] std::vector<DualReal> shaft_ratios(const GearSet& gear, const Lift<DualReal>& lift);
+/// @}
+
+}  // namespace strainwave

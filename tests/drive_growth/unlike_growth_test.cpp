@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Growth of through cracks that influence each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include "growth_support.hpp"
+#include "strainwave/core/units.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+using units::mm;
+
+constexpr double kWall = (0.160 - 0.00224) / 2;
+
+/// Cracks across the axis in one line, which the torque alone slides, in a flat wall.
+/// @param apart  between the middles [m]
+GearSet pair_in_line(double first, double second, double apart) {
+  const auto crack = [](double a, double at) {
+    return "kind = \"through\"\nhalf_length = \"" + std::to_string(a / mm) +
+           " mm\"\nangle = \"90 deg\"\nshell_correction = false\nposition = \"" +
+           std::to_string(at / kWall) + " rad\"\n";
+  };
+  return test::cracked_wall(crack(first, 0.0) + "[[flexspline.crack]]\n" + crack(second, apart),
+                            "100", "1");
+}
+
+/// K of the inner tips of two equal cracks in one line over K alone (Willmore).
+double inner_factor(double a, double apart) {
+  const double inside = apart / 2 - a;
+  const double outside = apart / 2 + a;
+  const double k = std::sqrt(1 - inside * inside / (outside * outside));
+  const double ratio = boost::math::ellint_2(k) / boost::math::ellint_1(k);
+  return (outside * outside * ratio - inside * inside) /
+         std::sqrt(a * inside * (outside * outside - inside * inside));
+}
+
+// Kind: reference (CG-9), (GR-24).  Two equal cracks grow alike, each by its inner tip, so the time
+// up to a size is an integral over the size with Willmore's factor.  Tolerance: 3e-4, the error of
+// the path and the images round the axis.
+TEST(UnlikeGrowth, ReferenceTwoEqualCracksInOneLine) {
+  const double apart = 8 * mm;
+  const double begin = 2 * mm;
+  const double end = 3 * mm;
+  const GrowthOptions options = test::until_size("flexspline.crack[0]", end);
+  const GrowthReport pair = grow_cracks(pair_in_line(begin, begin, apart), options);
+  GearSet one = pair_in_line(begin, begin, apart);
+  one.flexspline->crack.pop_back();
+  const GrowthReport alone = grow_cracks(one, options);
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  const auto time = [&](bool together) {
+    return Quadrature::integrate(
+        [&](double a) {
+          const double factor = together ? inner_factor(a, apart) : 1.0;
+          return std::pow(factor * std::sqrt(a), -3.0);
+        },
+        begin, end);
+  };
+  test::expect_relative(pair.time / alone.time, time(true) / time(false), 3e-4);
+  EXPECT_LT(pair.step_error, 1e-3);
+  // Both cracks have the same sizes all the time.
+  test::expect_relative(pair.cracks.at(1).series.back().size, pair.cracks.at(0).series.back().size,
+                        1e-9);
+  EXPECT_NE(std::ranges::find(pair.equations, "CG-9"), pair.equations.end());
+  EXPECT_EQ(std::ranges::find(alone.equations, "CG-9"), alone.equations.end());
+  const auto note = std::ranges::find(pair.notes, "growth.group", &Note::code);
+  ASSERT_NE(note, pair.notes.end());
+  EXPECT_NE(note->text.find("the 2 through cracks of the wall influence each other"),
+            std::string::npos);
+}
+
+// Kind: limit (CG-9).  Cracks on opposite sides of the wall grow as alone.  Tolerance: 1e-3.
+TEST(UnlikeGrowth, LimitFarApart) {
+  const GrowthOptions options = test::until_size("flexspline.crack[0]", 2.4 * mm);
+  const GrowthReport pair = grow_cracks(pair_in_line(2 * mm, 1.5 * mm, pi * kWall), options);
+  GearSet one = pair_in_line(2 * mm, 1.5 * mm, pi * kWall);
+  one.flexspline->crack.pop_back();
+  test::expect_relative(pair.time, grow_cracks(one, options).time, 2e-3);
+}
+
+// Kind: behaviour (CG-9).  The growth ends where the cracks are about to meet, and a note names
+// both; at the end, the gap is a fifth of the longer half length.
+TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
+  const double apart = 6 * mm;
+  const GrowthReport report = grow_cracks(pair_in_line(2 * mm, 1.5 * mm, apart));
+  ASSERT_EQ(report.end, DriveEnd::range) << report.sentence;
+  const double first = report.cracks.at(0).series.back().size;
+  const double second = report.cracks.at(1).series.back().size;
+  test::expect_relative(apart - first - second, 0.2 * std::max(first, second), 1e-4);
+  EXPECT_GT(second, 1.6 * mm);
+  const auto note = std::ranges::find(report.notes, "growth.refused_size", &Note::code);
+  ASSERT_NE(note, report.notes.end());
+  EXPECT_NE(note->text.find("flexspline.crack[1]: the gap to flexspline.crack[0] is less than 0.2"),
+            std::string::npos)
+      << note->text;
+  EXPECT_EQ(note->path, "flexspline.crack[1]");
+}
+
+}  // namespace
+}  // namespace strainwave

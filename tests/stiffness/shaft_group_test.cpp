@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Annular cracks of the output shaft that have a place shield each other (CG-12).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/crack_group/annular_cracks.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+
+AnnularCrack ring_at(double depth, std::optional<double> distance) {
+  AnnularCrack crack;
+  crack.depth = depth;
+  crack.distance = distance;
+  return crack;
+}
+
+GearSet shaft_with(const std::vector<AnnularCrack>& cracks, bool solid = false) {
+  GearSet gear = test::article_gear(1 * mm);
+  gear.output_shaft->length = 300 * mm;
+  if (solid) {
+    gear.output_shaft->outer_diameter = 60 * mm;
+    gear.output_shaft->inner_diameter = 0;
+  }
+  gear.output_shaft->crack.assign(cracks.begin(), cracks.end());
+  return gear;
+}
+
+double added_by(const GearSet& gear) {
+  double sum = 0.0;
+  for (const CrackReport& crack : output_shaft_compliance(gear).cracks)
+    sum += crack.positive.at_output.value;
+  return sum;
+}
+
+// Kind: identity (CG-12).  The report, the sum without a report and annular_group agree, in a solid and
+// in a hollow shaft; K stays that of a crack alone.  Tolerance: rounding.
+TEST(ShaftGroup, IdentityRatiosOfTheGroup) {
+  for (const bool solid : {true, false}) {
+    const double depth = solid ? 9 * mm : 2 * mm;
+    const std::vector<AnnularCrack> placed = {ring_at(depth, 150 * mm), ring_at(1.1 * mm, 152 * mm)};
+    const GearSet gear = shaft_with(placed, solid);
+    const OutputShaft& shaft = *gear.output_shaft;
+    const AnnularGroup group = annular_group(
+        std::vector<PlacedAnnularCrack>{{150 * mm, depth}, {152 * mm, 1.1 * mm}},
+        {shaft.outer_diameter / 2, shaft.inner_diameter / 2});
+    const MemberCompliance member = output_shaft_compliance(gear);
+    const MemberCompliance alone =
+        output_shaft_compliance(shaft_with({ring_at(depth, {}), ring_at(1.1 * mm, {})}, solid));
+    for (const std::size_t j : {0U, 1U}) {
+      EXPECT_LT(group.cracks[j].compliance, 0.999);
+      test::expect_relative(member.cracks[j].positive.at_output.value,
+                            group.cracks[j].compliance * alone.cracks[j].positive.at_output.value,
+                            1e-12);
+      EXPECT_EQ(member.cracks[j].negative.at_output.value, member.cracks[j].positive.at_output.value);
+      test::expect_relative((*member.cracks[j].positive.axial_torsion)[2].value,
+                            member.cracks[j].positive.at_output.value, 1e-12);
+      EXPECT_EQ((*member.cracks[j].positive.axial_torsion)[0].value,
+                (*alone.cracks[j].positive.axial_torsion)[0].value);
+      EXPECT_GE(*member.cracks[j].positive.at_output.relative_uncertainty,
+                *alone.cracks[j].positive.at_output.relative_uncertainty);
+      EXPECT_EQ(member.cracks[j].largest->K_III.value, alone.cracks[j].largest->K_III.value);
+    }
+    // The shallow crack hides behind the deep one.
+    EXPECT_LT(group.cracks[1].compliance, solid ? 0.5 : 0.8);
+    GearSet sound = gear;
+    sound.output_shaft->crack.clear();
+    test::expect_relative(series_compliance<double>(gear).positive - series_compliance<double>(sound).positive,
+                          added_by(gear), 1e-9);
+  }
+}
+
+// Kind: limit (CG-12).  Far apart, the compliances add; the order of the cracks does not matter.
+TEST(ShaftGroup, LimitFarApart) {
+  const auto at = [](double second) {
+    return added_by(shaft_with({ring_at(2 * mm, 60 * mm), ring_at(3 * mm, second)}));
+  };
+  const double sum = added_by(shaft_with({ring_at(2 * mm, {}), ring_at(3 * mm, {})}));
+  test::expect_relative(at(290 * mm), sum, 1e-3);
+  EXPECT_LT(at(62 * mm), 0.85 * sum);
+  test::expect_relative(added_by(shaft_with({ring_at(3 * mm, 62 * mm), ring_at(2 * mm, 60 * mm)})),
+                        at(62 * mm), 1e-12);
+}
+
+// Kind: crosscheck (CG-12).  Derivatives by depth, place and diameters against differences of the whole
+// compliance.  Tolerance: 1e-4 of the added compliance, the error of differences of the group.
+TEST(ShaftGroup, CrosscheckDerivatives) {
+  GearSet gear = shaft_with({ring_at(2 * mm, 150 * mm), ring_at(3 * mm, 153 * mm)});
+  OutputShaft& shaft = *gear.output_shaft;
+  auto& first = std::get<AnnularCrack>(shaft.crack[0]);
+  const std::array<double*, 4> inputs = {&first.depth, &*first.distance, &shaft.outer_diameter,
+                                         &shaft.inner_diameter};
+  const std::vector<const double*> constant(inputs.begin(), inputs.end());
+  const auto dual = series_compliance(gear, Lift<DualReal>(constant));
+  const double added = series_compliance<double>(gear).positive_added;
+  test::expect_relative(dual.positive_added.value, added, 1e-9);
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const double value = *inputs[k];
+    // A place matters over the depth of a crack, a diameter over the wall.
+    const double step = 2e-4 * 10 * mm;
+    const auto moved = [&](double by) {
+      *inputs[k] = value + by;
+      const double result = series_compliance<double>(gear).positive_added;
+      *inputs[k] = value;
+      return result;
+    };
+    const double slope = (moved(step) - moved(-step)) / (2 * step);
+    EXPECT_NEAR(dual.positive_added.partial[k] / value, slope, 3e-2 * std::abs(slope)) << k;
+  }
+}
+
+// Kind: behaviour (CG-12).  What the notes say with, without and with some places.
+TEST(ShaftGroup, BehaviourNotes) {
+  const auto codes = [](const std::vector<AnnularCrack>& cracks) {
+    return test::note_codes(output_shaft_compliance(shaft_with(cracks)).notes);
+  };
+  const auto has = [](const std::vector<std::string>& all, const char* code) {
+    return std::ranges::find(all, code) != all.end();
+  };
+  const auto placed = codes({ring_at(2 * mm, 60 * mm), ring_at(3 * mm, 62 * mm)});
+  EXPECT_TRUE(has(placed, "crack.shielding"));
+  EXPECT_FALSE(has(placed, "crack.superposed"));
+  const auto without = codes({ring_at(2 * mm, {}), ring_at(3 * mm, 62 * mm)});
+  EXPECT_FALSE(has(without, "crack.shielding"));
+  EXPECT_TRUE(has(without, "crack.superposed"));
+  const auto some =
+      codes({ring_at(2 * mm, 60 * mm), ring_at(3 * mm, 62 * mm), ring_at(1 * mm, {})});
+  EXPECT_TRUE(has(some, "crack.shielding"));
+  EXPECT_TRUE(has(some, "crack.superposed"));
+}
+
+// Kind: input (CG-12).  Each reason why the influence is left out, and a place outside the shaft.
+TEST(ShaftGroup, InputGroupsThatCannotTell) {
+  const auto fault = [](const std::vector<AnnularCrack>& cracks) {
+    const GearSet gear = shaft_with(cracks);
+    std::vector<AnnularCrack> unplaced = cracks;
+    for (AnnularCrack& crack : unplaced) crack.distance.reset();
+    EXPECT_EQ(added_by(gear), added_by(shaft_with(unplaced)));
+    const auto notes = output_shaft_compliance(gear).notes;
+    const auto note = std::ranges::find(notes, "crack.shielding", &Note::code);
+    EXPECT_NE(note, notes.end());
+    EXPECT_EQ(note->severity, Severity::care);
+    return note->text;
+  };
+  const auto contains = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  contains(fault({ring_at(2 * mm, 60 * mm), ring_at(3 * mm, 60.1 * mm)}),
+           "output_shaft.crack[1]: the distance to output_shaft.crack[0] is less than 0.05");
+  contains(fault({ring_at(2 * mm, 60 * mm), ring_at(0.01 * mm, 62 * mm)}),
+           "output_shaft.crack[1]: the depth is");
+  std::vector<AnnularCrack> many;
+  for (int i = 0; i < 21; ++i) many.push_back(ring_at(1 * mm, (20 + 10 * i) * mm));
+  contains(fault(many), "at most 20 are solved together");
+  contains(test::broken_rule([] {
+             return torsional_stiffness(shaft_with({ring_at(2 * mm, 300 * mm)}));
+           }),
+           "distance < length of the shaft");
+}
+
+}  // namespace
+}  // namespace strainwave

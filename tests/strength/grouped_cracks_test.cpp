@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Assessment of through cracks that influence each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/strength/crack_assessment.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+using units::mm;
+using units::MPa;
+
+constexpr double kRadiusOfWall = (160 * mm - 2.24 * mm) / 2;
+
+/// Cracks across the axis in one line, which the torque slides, in a flat wall that is not bent.
+GearSet in_one_line(const std::vector<double>& half_lengths, const std::vector<double>& middles) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator->crack.clear();
+  gear.output_shaft->crack.clear();
+  gear.flexspline->crack.clear();
+  gear.drive.wave_number = 1;
+  for (std::size_t i = 0; i < half_lengths.size(); ++i)
+    gear.flexspline->crack.emplace_back(WallThroughCrack{.half_length = half_lengths[i],
+                                                         .angle = pi / 2,
+                                                         .shell_correction = false,
+                                                         .distance = 80 * mm,
+                                                         .position = middles[i] / kRadiusOfWall});
+  Material& steel = gear.material["steel"];
+  steel.yield_strength = 900 * MPa;
+  steel.fracture_toughness = 50 * MPa;
+  return gear;
+}
+
+// Kind: reference (CG-9).  K of the inner tips of two equal cracks, by Willmore, and the reference
+// stress with the section that the other crack takes.  Tolerance: 1e-4, the images round the axis.
+TEST(GroupedCracks, ReferenceTwoCracksInOneLine) {
+  const GearSet pair = in_one_line({2 * mm, 2 * mm}, {-2.5 * mm, 2.5 * mm});
+  const CrackStrength one = crack_strength(in_one_line({2 * mm}, {0.0})).at(0);
+  for (const CrackStrength& crack : crack_strength(pair)) {
+    test::expect_relative(crack.states.at(0).K_load / one.states.at(0).K_load, 1.228935, 1e-4);
+    test::expect_relative(*crack.states.at(0).L_r / *one.states.at(0).L_r,
+                          1 / (1 - 2 * mm / (pi * kRadiusOfWall)), 1e-9);
+    EXPECT_NE(std::ranges::find(crack.equations, "CG-9"), crack.equations.end());
+  }
+}
+
+// Kind: behaviour (CG-9).  With a ligament narrower than a crack, and with a group that has no
+// answer, nobody can tell; farther apart the cracks hold.
+TEST(GroupedCracks, BehaviourWhatCannotBeTold) {
+  const auto of = [](double middle) {
+    return crack_strength(in_one_line({2 * mm, 1.5 * mm}, {0.0, middle})).at(1);
+  };
+  const CrackStrength apart = of(6 * mm);
+  EXPECT_EQ(apart.verdict, StrengthVerdict::acceptable) << apart.sentence;
+  const CrackStrength narrow = of(5 * mm);
+  EXPECT_EQ(narrow.verdict, StrengthVerdict::cannot_tell);
+  EXPECT_NE(narrow.sentence.find("the ligament to flexspline.crack[0] is narrower than the longer "
+                                 "half length, and its collapse is not assessed"),
+            std::string::npos)
+      << narrow.sentence;
+  EXPECT_EQ(narrow.next_step,
+            "Assess both cracks as one crack over their whole length, or by finite elements of the "
+            "part.");
+  const CrackStrength unknown = of(3.7 * mm);
+  EXPECT_EQ(unknown.verdict, StrengthVerdict::cannot_tell);
+  EXPECT_EQ(unknown.sentence,
+            "cannot tell, because flexspline.crack[1]: the gap to flexspline.crack[0] is less than "
+            "0.2 of the longer half length, where the cracks are about to grow together; replace "
+            "both by one crack, or move one of them by position or distance");
+}
+
+// Kind: behaviour (CG-9).  A critical size is searched up to where the larger crack comes near the
+// other one, which keeps its size.
+TEST(GroupedCracks, BehaviourTheRangeEndsAtTheNeighbour) {
+  const CrackStrength crack = crack_strength(in_one_line({2 * mm, 2 * mm}, {0.0, 10 * mm})).at(0);
+  const auto& critical = crack.states.at(0).critical_size;
+  ASSERT_TRUE(critical && critical->none_up_to) << crack.sentence;
+  // The gap 10 mm - a - 2 mm is a fifth of a.
+  test::expect_relative(*critical->none_up_to, 8 * mm / 1.2, 1e-3);
+  EXPECT_NE(critical->text.find("the end of what is known of the cracks' influence on each other"),
+            std::string::npos)
+      << critical->text;
+}
+
+// Kind: identity (CG-9).  Under either sense the crack that opens has the K of the stiffness, also
+// beside a crack that the load presses.
+TEST(GroupedCracks, IdentityWithTheReportOfStiffness) {
+  GearSet gear = in_one_line({2 * mm, 3 * mm}, {0.0, 9 * mm});
+  std::get<WallThroughCrack>(gear.flexspline->crack[0]).angle = pi / 4;
+  std::get<WallThroughCrack>(gear.flexspline->crack[1]).angle = -0.7;
+  for (const double torque : {100.0, -100.0}) {
+    gear.load.torque = torque;
+    const StiffnessResult stiffness = torsional_stiffness(gear);
+    ASSERT_EQ(stiffness.unusable_because, "");
+    const auto strength = crack_strength(gear, stiffness.cracks);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const StressIntensities& K = *stiffness.cracks[i].largest;
+      const double whole = std::hypot(std::max(0.0, K.K_I.value), K.K_II.value);
+      test::expect_relative(strength[i].states.at(0).K_load, whole, 1e-9);
+    }
+  }
+}
+
+// Kind: behaviour (CG-9), (FA-14).  The assembly stresses all cracks at once, and what they shield
+// does not count, so K of the assembly is at least that of a crack alone.
+TEST(GroupedCracks, BehaviourOfTheAssembly) {
+  GearSet gear = in_one_line({2 * mm, 2 * mm}, {0.0, 3 * mm});
+  gear.drive.wave_number = 2;
+  for (FlexsplineCrack& crack : gear.flexspline->crack)
+    std::get<WallThroughCrack>(crack).angle = 0;  // beside each other along the axis
+  const DriveCrack shielded = drive_cracks(gear).at(0);
+  gear.flexspline->crack.pop_back();
+  const DriveCrack alone = drive_cracks(gear).at(0);
+  const double K = alone.front(alone.size, Faces::open).at(0).assembly[0];
+  for (const FrontIntensity& at : shielded.front(shielded.size, Faces::open))
+    EXPECT_GE(at.assembly[0], K * (1 - 1e-12));
+  // The load has no such bound.
+  const auto sliding = [](const DriveCrack& crack) {
+    return std::abs(crack.front(crack.size, Faces::open).at(0).load.II[kTorsion]);
+  };
+  EXPECT_NE(sliding(shielded), sliding(alone));
+}
+
+}  // namespace
+}  // namespace strainwave
