@@ -86,6 +86,12 @@ OnPlane on_plane(const SheetStress& s, double angle) {
           .shear = (d * (s.yy - s.xx) + 2 * c * s.xy) / 2};                // (CG-1)
 }
 
+/// Replaces rounding of the stress at a tip by zero, because the angle of 45 degrees has a rest of
+/// shear.
+double without_noise(double stress, const OnPlane& sound) {
+  return std::abs(stress) < 1e-14 * std::hypot(sound.normal, sound.shear) ? 0.0 : stress;
+}
+
 /// Work of a crack in torsion over that of the crack alone.
 double ratio_of(const CrackResponse& of, const FacedCrack& crack, const SheetStress& torsion) {
   const OnPlane plane = on_plane(torsion, crack.crack.angle);
@@ -266,8 +272,8 @@ std::vector<GroupEffect> WallGroup::effects(const std::vector<bool>& closed,
       const std::array<const TipFactors*, 2> tips = {&response[load][j].behind,
                                                      &response[load][j].ahead};
       for (std::size_t tip = 0; tip < 2; ++tip) {
-        const double normal = tips[tip]->mode_1 / root;
-        const double shear = -tips[tip]->mode_2 / root;  // (CG-9): as in (FR-6)
+        const double normal = without_noise(tips[tip]->mode_1 / root, plane[load]);
+        const double shear = without_noise(-tips[tip]->mode_2 / root, plane[load]);  // (CG-9)
         if (load == 2) {
           of.by_hoop[tip] = {normal, shear};
           continue;
