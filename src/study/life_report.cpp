@@ -36,6 +36,7 @@ constexpr int kBallPhases = 8;
 constexpr int kWavePositions = 360;  // of the wave, over a turn
 constexpr double kMakersSpeed = 2000 * units::rpm;
 constexpr double kIso281RollerSlope = 9.0 / 8.0;
+constexpr double kFarApart = 3;  // of the maker's rule from the ratio by ball forces [-]
 constexpr std::string_view kBearing = "wave generator bearing";
 constexpr std::string_view kOutputBearing = "output bearing";
 constexpr std::string_view kFlexspline = "flexspline";
@@ -384,6 +385,14 @@ void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& state
   }
   report.bearing_by_forces = by;
   use(report, {"LI-31", "LI-32"});
+  if (report.bearing && by.by_ratio && report.bearing->ten_percent > kFarApart * *by.by_ratio)
+    report.notes.push_back(
+        {"life.light_load",
+         fmt::format("the maker's rule counts the torque alone and gives {:.3g} h; the wave loads "
+                     "the balls without torque too, and the maker's rated life times the ratio of "
+                     "lives by ball forces is {:.3g} h",
+                     report.bearing->ten_percent / kHour, *by.by_ratio / kHour),
+         "duty", "LI-3", Severity::care, "Use the smaller number at so small a torque."});
   report.notes.push_back(
       {"life.ball_forces",
        "the hours of the bearing from its ball forces are many times shorter than a maker's, and "
@@ -745,7 +754,9 @@ void add_parts(LifeReport& report, const LifeCase& of) {
                    .ten_percent = {},
                    .slope = {},
                    .end = {},
-                   .origin = "not known: give rating.bearing_life and rating.rated_torque"};
+                   .origin = of.limits.bearing_life && of.limits.rated_torque
+                                 ? "not known: the maker's rule needs a torque"
+                                 : "not known: give rating.bearing_life and rating.rated_torque"};
   if (report.bearing) {
     bearing.ten_percent = report.bearing->ten_percent;
     bearing.slope = makers_weibull_slope();

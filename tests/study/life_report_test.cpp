@@ -225,7 +225,15 @@ TEST(LifeReport, BehaviourUnknownIsSaid) {
   // A duty without torque.
   gear = joint();
   for (DutyBlock& block : gear.duty->block) block.torque = 0;
-  EXPECT_EQ(test::count_notes(life_report(gear).notes, "life.no_torque"), 1);
+  const LifeReport idle = life_report(gear);
+  EXPECT_EQ(test::count_notes(idle.notes, "life.no_torque"), 1);
+  EXPECT_EQ(idle.parts.front().origin, "not known: the maker's rule needs a torque");
+  // The maker's rule counts the torque alone, and the wave loads the balls too (LI-3), (LI-32).
+  EXPECT_EQ(test::count_notes(life_report(joint()).notes, "life.light_load"), 0);
+  for (DutyBlock& block : gear.duty->block) block.torque = 0.5;
+  const LifeReport light = life_report(gear);
+  EXPECT_EQ(test::count_notes(light.notes, "life.light_load"), 1);
+  EXPECT_GT(light.bearing->ten_percent, 1000 * *light.bearing_by_forces->by_ratio);
   // A material without yield strength.
   gear = joint();
   gear.material["steel"].yield_strength.reset();
