@@ -37,6 +37,7 @@ struct Material {
   std::optional<FatigueStrength> fatigue = {};
   std::vector<RateLaw> growth = {};  ///< law of crack growth; at most one
   std::optional<GrowthBounds> growth_bounds = {};
+  std::optional<GrowthScatter> growth_scatter = {};  ///< about the law of growth
   std::optional<double> transverse_modulus = {};    ///< E2 of a layer [Pa]; > 0
   std::optional<LaminaStrength> ply_strength = {};  ///< of a layer
   std::vector<Ply> ply = {};                        ///< of a laminate
@@ -139,6 +140,11 @@ struct Material {
                 .doc = "threshold of crack growth, and what the law is stated for",
                 .in_template = InTemplate::commented},
           &Material::growth_bounds);
+    field(Field{.name = "growth_scatter",
+                .unit = "",
+                .doc = "scatter of the growth of cracks about its law, which lives are drawn with",
+                .in_template = InTemplate::commented},
+          &Material::growth_scatter);
     field(Field{.name = "transverse_modulus",
                 .unit = "Pa",
                 .doc = "E2 across the fibres; makes the material a layer of laminates",
