@@ -469,8 +469,8 @@ class Maker {
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
-    const auto at_points = [=, given = SurfaceFits(loaded.solution, nu)](
-                               const CrackSize& size, Faces faces, int points) {
+    const auto at_points = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size,
+                                                                         Faces faces, int points) {
       const double a = size.size;
       const SurfaceFits fits =
           size.aspect_ratio == given.wall.open.aspect_ratio()

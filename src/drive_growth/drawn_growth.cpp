@@ -57,9 +57,8 @@ DeviatingCracks::DeviatingCracks(const GearSet& gear, const std::vector<DriveCra
     const auto specimen = drawn.specimen.find(name);
     crack.specimen = deviation_of(
         scatter,
-        specimen_of(scatter,
-                    specimen == drawn.specimen.end() ? DrawnSpecimen{} : specimen->second, drawn,
-                    i));
+        specimen_of(scatter, specimen == drawn.specimen.end() ? DrawnSpecimen{} : specimen->second,
+                    drawn, i));
     const PathScatter path{.wander = scatter.wander.value_or(0.0),
                            .wander_length = scatter.wander ? *scatter.wander_length : 0.0,
                            .white = scatter.white.value_or(0.0),

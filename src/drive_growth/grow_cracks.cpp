@@ -23,7 +23,7 @@
 #include "strainwave/drive_growth/longest_duty.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
-#include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/strength/crack_reserves.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -255,7 +255,7 @@ class Growing {
     const auto assess = [&](double torque, const auto& counts) {
       // The assessment asks for a torque; a step without one takes a negligible torque.
       gear.load.torque = torque != 0 ? torque * factor : kNoTorque * gear_.load.torque;
-      for (const CrackStrength& crack : crack_strength(gear))
+      for (const CrackStrength& crack : crack_reserves(gear))
         if (counts(crack.path.starts_with("output_shaft")))
           take(crack.path, crack.breaks(),
                ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
@@ -331,7 +331,8 @@ class Growing {
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double end = deviating_->log_end(in_drive_[k]);
       const std::size_t at = first_[k];
-      if (next[at] > end + kAtEnd) share = std::min(share, (end - state[at]) / (next[at] - state[at]));
+      if (next[at] > end + kAtEnd)
+        share = std::min(share, (end - state[at]) / (next[at] - state[at]));
     }
     return share;
   }
@@ -734,8 +735,9 @@ class Path {
       state = next;
       slope = next_slope;
       record(state);
-      const double longer = std::min({5 * length, 0.9 * length * std::pow(std::max(excess, 1e-5), -0.2),
-                                      kLongestStep * step_factor_});
+      const double longer =
+          std::min({5 * length, 0.9 * length * std::pow(std::max(excess, 1e-5), -0.2),
+                    kLongestStep * step_factor_});
       h = length < h ? std::max(h, longer) : longer;
       if (growing_.deviates() && growing_.next_deviations(state)) system(state, slope, 0.0);
       checkpoint_.add({.pass = pass_,

@@ -87,16 +87,16 @@ std::string law_text(const GrowthFitReport& report) {
                               exact_text(coefficient), exact_text(m));
   }
   std::string ranges = in_MPa(kBeforeFirst * knots[0].delta_K);
-  std::string rates =
-      fmt::format("\"{} m\"",
-                  exact_text(knots[0].rate * std::pow(kBeforeFirst, slope(0))));  // (GS-14)
+  std::string rates = fmt::format(
+      "\"{} m\"", exact_text(knots[0].rate * std::pow(kBeforeFirst, slope(0))));  // (GS-14)
   for (const FittedKnot& knot : knots) {
     ranges += ", " + in_MPa(knot.delta_K);
     rates += fmt::format(", \"{} m\"", exact_text(knot.rate));
   }
   text += "kind = \"tabulated\"\n\n[[material.steel.growth.curve]]\n";
-  text += remark("The first point is no measured threshold: it continues the first line to a tenth "
-                 "of its range. Give a threshold in growth_bounds if you know it.");
+  text += remark(
+      "The first point is no measured threshold: it continues the first line to a tenth "
+      "of its range. Give a threshold in growth_bounds if you know it.");
   return text + fmt::format("stress_ratio = {}\ndelta_K = [{}]\nrate = [{}]\n",
                             exact_text(report.basis.stress_ratio.value_or(0.0)), ranges, rates);
 }
@@ -108,16 +108,18 @@ std::string scatter_text(const GrowthFitReport& report) {
   std::string text;
   if (report.parts.level) text += fmt::format("level = {}\n", exact_text(of.level));
   if (exponent > 0)
-    text += fmt::format("exponent = {}\nexponent_correlation = {}\npivot = {}\n",
-                        exact_text(exponent), exact_text(of.tilt / exponent),  // (GS-14)
-                        in_MPa(report.basis.pivot));
+    text +=
+        fmt::format("exponent = {}\nexponent_correlation = {}\npivot = {}\n", exact_text(exponent),
+                    exact_text(std::clamp(of.tilt / exponent, -1.0, 1.0)),  // (GS-14)
+                    in_MPa(report.basis.pivot));
   if (report.parts.correlated)
     text += fmt::format("wander = {}\nwander_length = {}\n", exact_text(of.wander),
                         exact_text(std::clamp(std::exp(of.log_length), 0.001, 100.0)));
   if (report.parts.white)
-    text += fmt::format("white = {}\nwhite_step = \"{} mm\"\n",
-                        exact_text(of.white * std::sqrt(kWhiteStep / report.basis.step)),  // (GS-14)
-                        exact_text(1e3 * report.basis.step));
+    text +=
+        fmt::format("white = {}\nwhite_step = \"{} mm\"\n",
+                    exact_text(of.white * std::sqrt(kWhiteStep / report.basis.step)),  // (GS-14)
+                    exact_text(1e3 * report.basis.step));
   if (text.empty()) return text;
   return "[material.steel.growth_scatter]\n" + text +
          fmt::format("source = \"fit to {} specimens with {} steps\"\n", report.specimens,
@@ -176,14 +178,14 @@ std::string growth_fit_toml(const GrowthFitReport& report) {
   text += remark("- environment and temperature of the test, which the records do not say;");
   text += remark("- parameters without their own uncertainty, from this number of specimens.");
   for (const FittedParameter& p : report.scatter)
-    if (!p.identified)
-      text += remark("The records do not determine \"" + p.name + "\".");
+    if (!p.identified) text += remark("The records do not determine \"" + p.name + "\".");
   if (!report.unusable_because.empty())
     return text + remark("NOT usable, so no tables are given: " + report.unusable_because);
   const std::string law = law_text(report);
   if (law.empty())
-    return text + remark("No tables are given, because the median rate falls over the range of K; "
-                         "fit with --knots 2.");
+    return text + remark(
+                      "No tables are given, because the median rate falls over the range of K; "
+                      "fit with --knots 2.");
   text += "\n" + law + "\n[material.steel.growth_bounds]\n";
   if (const auto& R = report.basis.stress_ratio)
     text += fmt::format("stress_ratio = [{0}, {0}]\n", exact_text(*R));

@@ -33,9 +33,8 @@ void archive(Archive& to, DrawnLife& life) {
 }
 
 bool growth_scatters(const GearSet& gear) {
-  return std::ranges::any_of(gear.material, [](const auto& named) {
-    return named.second.growth_scatter.has_value();
-  });
+  return std::ranges::any_of(
+      gear.material, [](const auto& named) { return named.second.growth_scatter.has_value(); });
 }
 
 DrawnPart part_of(const LifeTrace& trace) {
@@ -152,7 +151,8 @@ DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::span<const double> u,
   DrawnLife result;
   try {
     check(drive.gear());
-    const LifeTrace trace = life_trace(drive.gear(), options_.growth, growth_scatters_ ? &growth : nullptr);
+    const LifeTrace trace =
+        life_trace(drive.gear(), options_.growth, growth_scatters_ ? &growth : nullptr);
     result.part = part_of(trace);
     result.arrested = trace.end == DriveEnd::arrested;
     result.out_of_range = trace.end == DriveEnd::range;

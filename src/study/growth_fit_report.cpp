@@ -261,7 +261,7 @@ GrowthFitReport growth_fit_report(const std::vector<GrowthSpecimen>& specimens,
   if (!fit.converged) report.unusable_because = "the fit did not converge: " + fit.reason;
   report.judged_by = others ? JudgedBy::other_specimens : JudgedBy::leave_one_out;
   report.confidence = request.confidence;
-  report.equations = {"GS-1", "GS-2", "GS-3", "GS-4",  "GS-5", "GS-6",
+  report.equations = {"GS-1", "GS-2", "GS-3", "GS-4",  "GS-5",  "GS-6",
                       "GS-7", "GS-8", "GS-9", "GS-10", "GS-11", "GS-14"};
 
   const std::vector<double> sizes = request.sizes.empty() ? usual_sizes(judged) : request.sizes;

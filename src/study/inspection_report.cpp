@@ -395,8 +395,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   add_percentiles(report, sample);
   add_shares(report, study, draws);
   report.equations.insert(report.equations.end(), {"IR-3", "IR-8"});
-  if (growth_scatters(gear))
-    report.equations.insert(report.equations.end(), {"GS-12", "GS-13"});
+  if (growth_scatters(gear)) report.equations.insert(report.equations.end(), {"GS-12", "GS-13"});
   if (!options.importance_sampling) report.equations.emplace_back("IR-7");
 
   std::vector<double> schedule = options.times.at;

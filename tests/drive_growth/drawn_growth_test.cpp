@@ -42,11 +42,9 @@ double median_time(const GearSet& gear, double size) {
 // time is the sum of the times of median growth in the cells, each over its factor.  Tolerance:
 // that of the integration.
 TEST(DrawnGrowth, CrosscheckSumOverTheCells) {
-  const GearSet gear = scattered(test::unbreakable_shaft(), {.level = 0.3,
-                                                             .wander = 0.4,
-                                                             .wander_length = 1.2,
-                                                             .white = 0.5,
-                                                             .white_step = 0.2e-3});
+  const GearSet gear = scattered(
+      test::unbreakable_shaft(),
+      {.level = 0.3, .wander = 0.4, .wander_length = 1.2, .white = 0.5, .white_step = 0.2e-3});
   const double first = drive_cracks(gear).front().size.size;
   const double last = first * 1.6;
   double largest = 0.0;
@@ -77,9 +75,9 @@ TEST(DrawnGrowth, CrosscheckSumOverTheCells) {
 // with its pivot is another exponent of the law.  Tolerance: rounding, which moves the steps.
 TEST(DrawnGrowth, IdentityLevelAndExponentAreAnotherLaw) {
   const double pivot = 12e6;
-  const GearSet gear = scattered(
-      test::unbreakable_shaft(),
-      {.level = 0.3, .exponent = 0.2, .exponent_correlation = -0.6, .pivot = pivot});
+  const GearSet gear =
+      scattered(test::unbreakable_shaft(),
+                {.level = 0.3, .exponent = 0.2, .exponent_correlation = -0.6, .pivot = pivot});
   const DrawnGrowth drawn{.specimen = {{"steel", {.level = 1.3, .exponent = -0.4}}}};
   const double b0 = 0.3 * 1.3;
   const double b1 = 0.2 * (-0.6 * 1.3 + 0.8 * -0.4);

@@ -80,8 +80,8 @@ TEST(GrowthPath, ReferenceLives) {
         .white_step = row.inputs.at("white") > 0 ? row.inputs.at("white_step") : 0.0};
     std::vector<double> lives(kLives);
     for (std::size_t i = 0; i < kLives; ++i)
-      lives[i] = life_of(scatter, row.inputs.at("level"), row.inputs.at("m"),
-                         row.inputs.at("end"), i);
+      lives[i] =
+          life_of(scatter, row.inputs.at("level"), row.inputs.at("m"), row.inputs.at("end"), i);
     const double root = std::sqrt(static_cast<double>(kLives));
     for (const test::CsvRow& other : test::read_reference_csv("scattered_paths")) {
       if (other.inputs != row.inputs) continue;

@@ -178,7 +178,8 @@ TEST(GrowthFitReport, ReferenceTablesForADrive) {
   test::expect_relative(*scatter.white_step, 0.4e-3 * std::sqrt(2.0), 1e-12);
   test::expect_relative(*scatter.white * *scatter.white * *scatter.white_step,
                         of.white * of.white * 1e-3, 1e-12);
-  for (const char* const word : {"R = 0.1 in all tests", "plate of 100 mm width", "range of the stress 60 MPa"})
+  for (const char* const word :
+       {"R = 0.1 in all tests", "plate of 100 mm width", "range of the stress 60 MPa"})
     EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
 }
 

@@ -1013,8 +1013,7 @@ TEST(InspectionReport, IdentityCorrelatedLevel) {
 // about the failures have paths.
 TEST(InspectionReport, BehaviourFailuresByTheLevel) {
   if (test::kSanitized) return;  // the search takes thousands of lives
-  const GearSet gear =
-      scattered_growth({.level = 0.2, .wander = 0.2, .wander_length = 0.5});
+  const GearSet gear = scattered_growth({.level = 0.2, .wander = 0.2, .wander_length = 0.5});
   const double life = *life_trace(gear, options_of(20).growth).life;
   InspectionOptions options = options_of(100, life * std::exp(-0.6));
   options.importance_sampling = true;

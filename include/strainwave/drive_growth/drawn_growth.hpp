@@ -15,7 +15,8 @@
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
-/// Growth that deviates from its law, as `growth_scatter` of the materials says, in one drawn drive.
+/// Growth that deviates from its law, as `growth_scatter` of the materials says, in one drawn
+/// drive.
 
 namespace strainwave {
 

@@ -12,7 +12,7 @@ namespace strainwave {
 
 /// How the rate of one crack varies along its path.
 struct PathScatter {
-  double wander = 0.0;         ///< gamma, standard deviation of the correlated part in ln(da/dN) [-]
+  double wander = 0.0;  ///< gamma, standard deviation of the correlated part in ln(da/dN) [-]
   double wander_length = 0.0;  ///< l, its correlation length in ln(size) [-]; 0: no such part
   double white = 0.0;          ///< standard deviation of the white part in one step [-]
   double white_step = 0.0;     ///< h, length of such a step [m]; 0: no such part

@@ -157,7 +157,8 @@ struct EnumNames<JudgedBy> {
   static constexpr std::array<std::string_view, 2> names = {"leave_one_out", "other_specimens"};
 };
 
-/// What the records of the specimens are, and what they do not say: the validity of law and scatter.
+/// What the records of the specimens are, and what they do not say: the validity of law and
+/// scatter.
 struct GrowthFitBasis {
   std::string test = {};                    ///< how the ranges of K were found, in words
   std::optional<double> stress_ratio = {};  ///< R of the test, as stated [-]; absent: not stated

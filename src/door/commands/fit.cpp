@@ -39,11 +39,12 @@ struct FitOptions {
     field({"plate_width", "",
            "width of the plate, a number with its unit; left out for a wide plate"},
           &F::plate_width);
-    field({.name = "stress_ratio",
-           .unit = "1",
-           .doc = "R of the test, which the records do not say; the text for a drive file states it",
-           .range = {.upper = 1.0}},
-          &F::stress_ratio);
+    field(
+        {.name = "stress_ratio",
+         .unit = "1",
+         .doc = "R of the test, which the records do not say; the text for a drive file states it",
+         .range = {.upper = 1.0}},
+        &F::stress_ratio);
     field({.name = "judge",
            .unit = "",
            .doc = "CSV of other specimens, of the same test, whose cycles are predicted; each "
@@ -170,10 +171,8 @@ Command fit_command() {
       .function = fitted,
       .documents = {{Format::text, growth_fit_text},
                     {Format::csv, growth_fit_csv},
-                    {Format::toml,
-                     [](const GrowthFitReport& report, const Rendering&) {
-                       return growth_fit_toml(report);
-                     }},
+                    {Format::toml, [](const GrowthFitReport& report,
+                                      const Rendering&) { return growth_fit_toml(report); }},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",

@@ -321,8 +321,10 @@ Command inspect_command() {
       .name = "inspect",
       .summary = "Compute the risk of cracked drives over hours, and the inspections that lower it",
       .description =
-          "Draws the numbers of [[scatter]] and the scatter of growth of the materials, and grows the "
-          "cracks of each drawn drive over the duty of the file. Percentiles of the life with their limits, the probability of failure over "
+          "Draws the numbers of [[scatter]] and the scatter of growth of the materials, and grows "
+          "the "
+          "cracks of each drawn drive over the duty of the file. Percentiles of the life with "
+          "their limits, the probability of failure over "
           "hours, and the shares of the inputs follow; cracks that stand still have an endless "
           "life. "
           "[inspection] of the file, or --a50 and --a90, say how cracks are looked for. "

@@ -65,8 +65,9 @@ void check_growth_scatter(const FieldPath& path, const GrowthScatter& scatter) {
                      "must be given beside wander: the correlation length in ln(size)");
   needs(scatter.white_step.has_value(), "white_step", scatter.white.has_value(), "white");
   if (scatter.white && !scatter.white_step)
-    throw InputError((path / "white_step").text(),
-                     "must be given beside white, whose deviation is that of a step of this length");
+    throw InputError(
+        (path / "white_step").text(),
+        "must be given beside white, whose deviation is that of a step of this length");
 }
 
 void check_material(const FieldPath& path, const Material& material) {
@@ -1041,9 +1042,9 @@ void check_scatter(const GearSet& gear, std::size_t which) {
   require_of_drive(path, scatter.path);
   if (scatter.path.starts_with("material.") &&
       scatter.path.find(".growth_scatter.") != std::string::npos)
-    throw InputError((path / "path").text(),
-                     fmt::format("{} is a scatter itself; name a number of the drive",
-                                 scatter.path));
+    throw InputError(
+        (path / "path").text(),
+        fmt::format("{} is a scatter itself; name a number of the drive", scatter.path));
   if (number.value == 0)
     throw InputError((path / "path").text(),
                      fmt::format("{} is 0, so a relative scatter has no effect; give a value other "

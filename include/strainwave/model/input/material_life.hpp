@@ -79,8 +79,8 @@ struct GrowthBounds {
   }
 };
 
-/// How the growth of cracks scatters about its law: from specimen to specimen, and along the path of
-/// one crack.  The logarithm of a rate deviates by eq. (GS-12).  The threshold does not scatter.
+/// How the growth of cracks scatters about its law: from specimen to specimen, and along the path
+/// of one crack.  The logarithm of a rate deviates by eq. (GS-12).  The threshold does not scatter.
 struct GrowthScatter {
   /// lambda, standard deviation of the level of a specimen in ln(da/dN) [-]; >= 0; absent: no part
   std::optional<double> level = {};
