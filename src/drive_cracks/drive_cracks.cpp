@@ -168,8 +168,10 @@ struct LongWall {
 
 /// K from a bending moment M of a tube.  It equals K from the axial force 2 M/r, which causes the
 /// same stress M/(pi r^2 t) in the middle of the tension side.
-auto tube_bending(const DriveCrack& made, double mean_radius) {
-  return [front = made.front, mean_radius](const CrackSize& size) {
+/// @param front  K along the front, or at some of its points
+template <class Front>
+auto tube_bending(const Front& front, double mean_radius) {
+  return [front, mean_radius](const CrackSize& size) {
     std::vector<Modes> bent;
     for (const FrontIntensity& at : front(size, Faces::open)) {
       const double force = 2 / mean_radius;
@@ -330,24 +332,32 @@ class Maker {
               gear_.output_shaft->outer_diameter / 2 - gear_.output_shaft->inner_diameter / 2 -
                   crack.depth);
     const auto states = std::make_shared<const BothStates<Solution>>(loaded.solution);
-    const auto place = [first, end = loaded.solution.front().end](std::size_t i) {
-      return end * (first + (1 - first) * static_cast<double>(i) / (kFrontPoints - 1));
+    const auto place = [first, end = loaded.solution.front().end](std::size_t i, std::size_t of) {
+      return end * (first + (1 - first) * static_cast<double>(i) / static_cast<double>(of - 1));
     };
-    made.front = [states, place](const CrackSize& size, Faces faces) {
+    const auto at_points = [states, place](const CrackSize& size, Faces faces, std::size_t points) {
       const Solution solution = states->with(faces).with_size(size.size, size.half_length());
-      std::vector<FrontIntensity> front(kFrontPoints);
-      for (std::size_t i = 0; i < front.size(); ++i)
-        front[i].load = solution.stress_intensity(size.size, place(i));
+      std::vector<FrontIntensity> front(points);
+      for (std::size_t i = 0; i < points; ++i)
+        front[i].load = solution.stress_intensity(size.size, place(i, points));
       return front;
     };
+    made.front = [at_points](const CrackSize& size, Faces faces) {
+      return at_points(size, faces, kFrontPoints);
+    };
+    made.front_ends = [at_points](const CrackSize& size, Faces faces) {
+      return at_points(size, faces, 2);
+    };
     made.turning = TurningLoad::bending;
-    made.bending = [states, place](const CrackSize& size) {
+    const auto bent_points = [states, place](const CrackSize& size, std::size_t points) {
       const Solution solution = states->open.with_size(size.size, size.half_length());
-      std::vector<Modes> bent(kFrontPoints);
-      for (std::size_t i = 0; i < bent.size(); ++i)
-        bent[i] = {solution.turning_bending(size.size, place(i)), 0.0, 0.0};
+      std::vector<Modes> bent(points);
+      for (std::size_t i = 0; i < points; ++i)
+        bent[i] = {solution.turning_bending(size.size, place(i, points)), 0.0, 0.0};
       return bent;
     };
+    made.bending = [bent_points](const CrackSize& size) { return bent_points(size, kFrontPoints); };
+    made.bending_ends = [bent_points](const CrackSize& size) { return bent_points(size, 2); };
     use(made, {"FR-22", "FA-15"});
   }
   /// Depth of the segment that contains a semi-ellipse along the arc (FA-15).
@@ -433,7 +443,7 @@ class Maker {
                        (row.sliding_by_normal * bending.normal + slid * bending.shear) * root, 0.0};
       return front;
     };
-    made.bending = tube_bending(made, wall.mean_radius);
+    made.bending = tube_bending(made.front, wall.mean_radius);
     made.through_thickness = wall.thickness;
     const double round = 2 * pi * wall.mean_radius;
     const double place = crack.distance.value_or(wall.length / 2);
@@ -580,17 +590,18 @@ class Maker {
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
-    made.front = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size, Faces faces) {
+    const auto at_points = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size,
+                                                                         Faces faces, int points) {
       const double a = size.size;
       const SurfaceFits fits =
           size.aspect_ratio == given.wall.open.aspect_ratio()
               ? given
               : SurfaceFits(given.wall.open.with_aspect_ratio(size.aspect_ratio), nu);
       const sif::SurfaceCrack<2>& surface = fits.wall.with(faces);
-      std::vector<FrontIntensity> front(kFrontPoints);
+      std::vector<FrontIntensity> front(static_cast<std::size_t>(points));
       const double root = std::sqrt(pi * a);
-      for (int i = 0; i < kFrontPoints; ++i) {
-        const double phi = pi / 2 * i / (kFrontPoints - 1);
+      for (int i = 0; i < points; ++i) {
+        const double phi = pi / 2 * i / (points - 1);
         FrontIntensity& at = front[static_cast<std::size_t>(i)];
         at.load = surface.stress_intensity(a, phi);
         // (SP-3) for the bending; the shear at the surface is assumed constant through the wall.
@@ -601,7 +612,14 @@ class Maker {
       }
       return front;
     };
-    made.bending = tube_bending(made, wall.mean_radius);
+    made.front = [at_points](const CrackSize& size, Faces faces) {
+      return at_points(size, faces, kFrontPoints);
+    };
+    made.front_ends = [at_points](const CrackSize& size, Faces faces) {
+      return at_points(size, faces, 2);
+    };
+    made.bending = tube_bending(made.front, wall.mean_radius);
+    made.bending_ends = tube_bending(made.front_ends, wall.mean_radius);
     const double r = wall.mean_radius;
     const double K_u = gear_.flexspline->stress_nonuniformity;
     made.reference_stress = [=](const CrackSize& size, double P, double T) {

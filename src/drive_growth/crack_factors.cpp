@@ -7,7 +7,7 @@
 namespace strainwave {
 
 CrackFactors::CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_torque,
-                           const CrackSize& size, bool bent)
+                           const CrackSize& size, bool bent, FrontPoints points)
     : at_torque_(at_torque), reverses_(crack.reverses) {
   if (crack.turn_table) {
     turn_.emplace(*crack.turn_table, size.size, size.aspect_ratio);
@@ -15,8 +15,9 @@ CrackFactors::CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_to
   }
   const auto add = [&](const DriveCrack& of) {
     Front& front = fronts_.emplace_back();
-    front.load = of.front(size, Faces::open);
-    if (bent && of.bending) front.bending = of.bending(size);
+    const bool ends = points == FrontPoints::ends && of.front_ends;
+    front.load = (ends ? of.front_ends : of.front)(size, Faces::open);
+    if (bent && of.bending) front.bending = (ends ? of.bending_ends : of.bending)(size);
   };
   if (at_torque.empty()) add(crack);
   for (const auto& [torque, of] : at_torque) add(of);

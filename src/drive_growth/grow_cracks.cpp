@@ -8,6 +8,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -23,7 +24,7 @@
 #include "strainwave/drive_growth/longest_duty.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
-#include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/strength/crack_reserves.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -88,8 +89,9 @@ std::vector<DutyStep> heaviest_steps(const DutyHistory& history) {
 /// The cracks of a drive on their common path.
 class Growing {
  public:
+  /// @param drawn  how the rates deviate from the laws; null: not at all
   Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
-          double step_factor)
+          double step_factor, const DrawnGrowth* drawn = nullptr)
       : gear_(gear),
         options_(options),
         report_(report),
@@ -98,6 +100,7 @@ class Growing {
         at_flexspline_(at_flexspline(history_)),
         heaviest_(heaviest_steps(history_)),
         first_stiffness_(stiffness_at(gear)) {
+    if (drawn != nullptr) deviating_.emplace(gear, drive_cracks(gear), *drawn);
     take_cracks();
     const double factor = amplification(start(0.0));
     for (const GrowingCrack& crack : cracks_)
@@ -278,7 +281,7 @@ class Growing {
     const auto assess = [&](double torque, const auto& counts) {
       // The assessment asks for a torque; a step without one takes a negligible torque.
       gear.load.torque = torque != 0 ? torque * factor : kNoTorque * gear_.load.torque;
-      for (const CrackStrength& crack : crack_strength(gear))
+      for (const CrackStrength& crack : crack_reserves(gear))
         if (counts(crack.path.starts_with("output_shaft")))
           take(crack.path, crack.breaks(),
                ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
@@ -335,6 +338,44 @@ class Growing {
            (most < 1 && shape > most * (1 + kRounding));
   }
 
+  /// Whether rates deviate from the laws.
+  [[nodiscard]] bool deviates() const { return deviating_.has_value(); }
+  /// The longest step from a state to the end of a deviation, if the path were straight.
+  [[nodiscard]] double room(const State& state, const State& slope) const {
+    double room = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < cracks_.size(); ++k) {
+      const double end = deviating_->log_end(in_drive_[k]);
+      const std::size_t at = first_[k];
+      if (std::isfinite(end) && slope[at] > 0)
+        room = std::min(room, std::max(end - state[at], kAtEnd) / slope[at]);
+    }
+    return room;
+  }
+  /// The share of a step that leads to the first end of a deviation; 1 if the step passes none.
+  [[nodiscard]] double share_to_end(const State& state, const State& next) const {
+    double share = 1.0;
+    for (std::size_t k = 0; k < cracks_.size(); ++k) {
+      const double end = deviating_->log_end(in_drive_[k]);
+      const std::size_t at = first_[k];
+      if (next[at] > end + kAtEnd)
+        share = std::min(share, (end - state[at]) / (next[at] - state[at]));
+    }
+    return share;
+  }
+  /// Takes the next deviation of each crack that has reached the end of its own; true if there is
+  /// such a crack.
+  bool next_deviations(const State& state) {
+    bool any = false;
+    for (std::size_t k = 0; k < cracks_.size(); ++k)
+      while (state[first_[k]] > deviating_->log_end(in_drive_[k]) - kAtEnd) {
+        deviating_->next(in_drive_[k]);
+        cracks_[k].deviate(deviating_->of(in_drive_[k]));
+        any = true;
+      }
+    return any;
+  }
+  static constexpr double kAtEnd = 1e-9;  ///< in ln(size), within which an end counts as reached
+
   /// Repetitions after which the duty ends.
   [[nodiscard]] double last_repetition() const {
     double last = kLongestDuty / duration();
@@ -362,6 +403,7 @@ class Growing {
       return false;
     }
     gear_ = std::move(grown);
+    if (deviating_) deviating_->go_on(in_drive_[k], through.size.size);
     take_cracks();
     return true;
   }
@@ -439,6 +481,7 @@ class Growing {
       const DutyHistory& history = history_of(all[i]);
       const RateChoice choice = choice_of(all[i], options_.rate);
       cracks_.emplace_back(gear_, std::move(all[i]), history, choice, std::move(at_torque));
+      if (deviating_) cracks_.back().deviate(deviating_->of(i));
       if (first_time) check_first(cracks_.back());
       first_.push_back(at);
       at += cracks_.back().tips().size();
@@ -488,6 +531,7 @@ class Growing {
   std::vector<std::size_t> in_drive_;  // index among drive_cracks
   std::vector<bool> coupled_;          // whether K comes from the coupled drive
   std::vector<CrackSize> unchanged_;
+  std::optional<DeviatingCracks> deviating_;  // absent: the rates are those of the laws
 };
 
 /// At most n of the rows, with the first and the last one, spread along their curve y(x) in a
@@ -540,8 +584,9 @@ class Path {
         told_(pass == 0) {}
   /// A path that only fills the end and a trace.
   Path(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
-       const Progress& progress, GrowthCheckpoint& checkpoint, LifeTrace& trace)
-      : growing_(gear, options, report, 1.0),
+       const Progress& progress, GrowthCheckpoint& checkpoint, LifeTrace& trace,
+       const DrawnGrowth* drawn)
+      : growing_(gear, options, report, 1.0, drawn),
         options_(options),
         report_(report),
         progress_(progress),
@@ -666,6 +711,7 @@ class Path {
           });
         state = next;
         slope = next_slope;
+        if (growing_.deviates() && growing_.next_deviations(state)) system(state, slope, 0.0);
         since_jump = 0.0;
         since_assessment += jump;
         h = jump;
@@ -689,26 +735,38 @@ class Path {
         record(state);
         continue;
       }
-      stepper.do_step(system, state, slope, 0.0, next, next_slope, h, error);
-      const double excess = error_of(error, state, next, slope, h);
+      // No step passes the end of a deviation, where the rate jumps.
+      double length = h;
+      if (growing_.deviates()) length = std::min(h, growing_.room(state, slope));
+      stepper.do_step(system, state, slope, 0.0, next, next_slope, length, error);
+      if (growing_.deviates())
+        for (double share = growing_.share_to_end(state, next); share < 1;
+             share = growing_.share_to_end(state, next)) {
+          length *= share;
+          stepper.do_step(system, state, slope, 0.0, next, next_slope, length, error);
+        }
+      const double excess = error_of(error, state, next, slope, length);
       if (!(excess <= 1)) {
         ++report_.steps;
-        h *= std::isfinite(excess) ? std::max(0.2, 0.9 * std::pow(excess, -0.2)) : 0.2;
+        h = length * (std::isfinite(excess) ? std::max(0.2, 0.9 * std::pow(excess, -0.2)) : 0.2);
         continue;
       }
       ++report_.steps;
       if (ended(next))
-        return finish_between(h, [&](double length, State& at) {
+        return finish_between(length, [&](double shorter, State& at) {
           State at_slope(state.size());
-          stepper.do_step(system, state, slope, 0.0, at, at_slope, length, error);
+          stepper.do_step(system, state, slope, 0.0, at, at_slope, shorter, error);
         });
-      since_assessment += h;
-      since_jump += h;
+      since_assessment += length;
+      since_jump += length;
       state = next;
       slope = next_slope;
       record(state);
-      h = std::min(
-          {5 * h, 0.9 * h * std::pow(std::max(excess, 1e-5), -0.2), kLongestStep * step_factor_});
+      const double longer =
+          std::min({5 * length, 0.9 * length * std::pow(std::max(excess, 1e-5), -0.2),
+                    kLongestStep * step_factor_});
+      h = length < h ? std::max(h, longer) : longer;
+      if (growing_.deviates() && growing_.next_deviations(state)) system(state, slope, 0.0);
       checkpoint_.add({.pass = pass_,
                        .leg = leg_,
                        .state = state,
@@ -1030,14 +1088,14 @@ class Path {
 
 }  // namespace
 
-LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options) {
+LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options, const DrawnGrowth* drawn) {
   require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "1",
           "between 0 and 1");
   LifeTrace trace;
   GrowthReport report;
   GrowthCheckpoint none;
   const Progress silent;
-  Path(gear, options, report, silent, none, trace).run();
+  Path(gear, options, report, silent, none, trace, drawn).run();
   trace.end = report.end;
   trace.governing = report.governing;
   trace.life = report.life;

@@ -175,7 +175,9 @@ CrackFactors GrowingCrack::factors(const CrackSize& size) const {
   const bool bent = std::ranges::any_of(duty_.cycle, [](const LoadCycle& cycle) {
     return cycle.from.bending_moment != 0 || cycle.to.bending_moment != 0;
   });
-  return {crack_, at_torque_, size, bent};
+  // Two tips are the ends of the front.
+  return {crack_, at_torque_, size, bent,
+          tips().size() == 1 ? FrontPoints::all : FrontPoints::ends};
 }
 
 std::pair<std::size_t, std::size_t> GrowingCrack::points_of(Tip tip, std::size_t points) const {
@@ -265,7 +267,15 @@ double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
                : 0.0;
   }
   const GrowthRate rate = growth_rate(law_, cycle, crack_size, limits);
-  return rate.state == TipState::breaks ? std::numeric_limits<double>::infinity() : rate.per_cycle;
+  if (rate.state == TipState::breaks) return std::numeric_limits<double>::infinity();
+  if (deviation_.exponent == 0) return factor_ * rate.per_cycle;  // (GS-12)
+  return factor_ * std::pow(cycle.full_range() / deviation_.pivot, deviation_.exponent) *
+         rate.per_cycle;  // (GS-12)
+}
+
+void GrowingCrack::deviate(const RateDeviation& deviation) {
+  deviation_ = deviation;
+  factor_ = std::exp(deviation.logarithm);  // (GS-12)
 }
 
 double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) const {

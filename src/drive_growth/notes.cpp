@@ -324,6 +324,16 @@ std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
          .equation = "GR-22",
          .severity = Severity::cannot_tell,
          .next_step = of.next_step});
+  const auto material = gear.material.find(std::string(solid_name(gear, of.material)));
+  if (material != gear.material.end() && material->second.growth_scatter)
+    notes.push_back(
+        {.code = "growth.median",
+         .text = "the crack grows at the median rate of its law, without the scatter of growth "
+                 "that the file gives",
+         .path = of.path,
+         .equation = "GS-12",
+         .severity = Severity::information,
+         .next_step = "Run strainwave inspect, which draws lives with this scatter."});
   if (of.turn_table)
     note_turn_table(notes, crack);
   else if (of.assembly)

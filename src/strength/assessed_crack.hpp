@@ -17,6 +17,7 @@ struct AssessedCrack {
   const Material& material;
   Load load;
   std::optional<double> relative_uncertainty;  ///< relative uncertainty of K under the load [-]
+  bool with_sizes = true;  ///< whether critical sizes are sought, which takes most of the time
 };
 
 /// Assesses a crack under the given sense of torque, and under the other sense if the result

@@ -293,10 +293,11 @@ void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtS
   const std::optional<double>& K_Ic = asked.crack.toughness;
   if (!K_Ic) return;
   state.utilisation = state.K / *K_Ic;  // (FR-20)
-  state.brittle_size =
-      first_size(asked.crack, "beyond the toughness even without a crack", [&](double size) {
-        return AtSize(asked, size, state.sense, state.with_assembly).K_together() / *K_Ic - 1;
-      });
+  if (asked.with_sizes)
+    state.brittle_size =
+        first_size(asked.crack, "beyond the toughness even without a crack", [&](double size) {
+          return AtSize(asked, size, state.sense, state.with_assembly).K_together() / *K_Ic - 1;
+        });
   // An upper bound of the bending does not prove that a crack of a laminate fractures (LA-20).
   const double proven =
       asked.crack.laminate && state.with_assembly ? state.K_load / *K_Ic : *state.utilisation;
@@ -359,10 +360,12 @@ StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_
   state.K_r = point.K_r(1.0);
   state.reserve = point.reserve();
   state.verdict = point.verdict();
-  state.critical_size = first_size(crack, "beyond the line even without a crack", [&](double size) {
-    const AtSize crack_at(asked, size, which, with_assembly);
-    return InDiagram(crack_at, steel, K_Ic).beyond(1.0);
-  });
+  if (asked.with_sizes)
+    state.critical_size =
+        first_size(crack, "beyond the line even without a crack", [&](double size) {
+          const AtSize crack_at(asked, size, which, with_assembly);
+          return InDiagram(crack_at, steel, K_Ic).beyond(1.0);
+        });
   if (state.verdict == StrengthVerdict::acceptable) doubt(state, asked, point);
   return state;
 }

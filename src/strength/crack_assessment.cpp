@@ -12,6 +12,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/strength/crack_reserves.hpp"
 
 namespace strainwave {
 namespace {
@@ -182,7 +183,7 @@ void end_in_group(DriveCrack& crack) {
 }
 
 CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
-                          std::span<const CrackReport> reports) {
+                          std::span<const CrackReport> reports, bool with_sizes) {
   CrackStrength report{.path = crack.path, .kind = crack.kind, .material = crack.material};
   if (crack.turn_table && !crack.turn_table->covers(gear.load.torque))
     return beyond_turn_table(std::move(report), *crack.turn_table, gear.load.torque);
@@ -210,7 +211,8 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
               .material = material,
               .load = gear.load,
               .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
-                                                               : of_path->intensity_uncertainty},
+                                                               : of_path->intensity_uncertainty,
+              .with_sizes = with_sizes},
              std::move(report));
   if (crack.turn_table) note_ends_of_table(report, *crack.turn_table, gear.load.torque);
   if (report.breaks())
@@ -237,10 +239,8 @@ void note_plastic_zone(std::vector<Note>& notes, const CrackStrength& crack) {
                    .severity = Severity::care});
 }
 
-}  // namespace
-
-std::vector<CrackStrength> crack_strength(const GearSet& gear,
-                                          std::span<const CrackReport> reports) {
+std::vector<CrackStrength> strengths(const GearSet& gear, std::span<const CrackReport> reports,
+                                     bool with_sizes) {
   check(gear);
   std::vector<CrackStrength> result;
   for (DriveCrack& crack : drive_cracks(gear)) {
@@ -250,11 +250,22 @@ std::vector<CrackStrength> crack_strength(const GearSet& gear,
       crack.range_end = end;
       crack.range_text = "where the surface cracks of the row influence each other too much";
     }
-    if (crack.group && crack.size.size < crack.range_end && crack.group->fault().empty())
+    if (with_sizes && crack.group && crack.size.size < crack.range_end && crack.group->fault().empty())
       end_in_group(crack);
-    result.push_back(strength_of(gear, crack, reports));
+    result.push_back(strength_of(gear, crack, reports, with_sizes));
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<CrackStrength> crack_strength(const GearSet& gear,
+                                          std::span<const CrackReport> reports) {
+  return strengths(gear, reports, true);
+}
+
+std::vector<CrackStrength> crack_reserves(const GearSet& gear) {
+  return strengths(gear, {}, false);
 }
 
 std::vector<CrackStrength> crack_strength(const GearSet& gear) {

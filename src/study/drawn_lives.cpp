@@ -32,6 +32,11 @@ void archive(Archive& to, DrawnLife& life) {
      life.part.times, life.part.sizes, life.part.weight);
 }
 
+bool growth_scatters(const GearSet& gear) {
+  return std::ranges::any_of(
+      gear.material, [](const auto& named) { return named.second.growth_scatter.has_value(); });
+}
+
 DrawnPart part_of(const LifeTrace& trace) {
   DrawnPart part{.times = trace.times, .sizes = trace.sizes};
   if (trace.life)
@@ -42,13 +47,24 @@ DrawnPart part_of(const LifeTrace& trace) {
 }
 
 DrawnLives::DrawnLives(const GearSet& gear, const InspectionOptions& options)
-    : gear_(gear), options_(options), normals_(scattering_normals(gear)) {
+    : gear_(gear),
+      options_(options),
+      levels_(growth_levels(gear)),
+      growth_scatters_(growth_scatters(gear)),
+      normals_(life_normals(gear)) {
   for (const InputScatter& scatter : gear.scatter)
     laws_.emplace_back(scatter, number_at(gear, scatter.path).value);
 }
 
+std::vector<std::string> DrawnLives::inputs() const {
+  std::vector<std::string> paths;
+  for (const InputScatter& scatter : gear_.scatter) paths.push_back(scatter.path);
+  for (const GrowthLevel& level : levels_) paths.push_back(level.path);
+  return paths;
+}
+
 std::vector<double> DrawnLives::normals_of(std::size_t draw) const {
-  std::vector<double> u(laws_.size());
+  std::vector<double> u(normals_.size());
   counter_normals(options_.seed, draw, u);
   if (about_failures(draw)) {
     const std::vector<double>& centre = centres_[draw % (centres_.size() + 1) - 1];
@@ -62,14 +78,15 @@ FailureCentres DrawnLives::centre_draws(double until, const std::vector<std::str
   const auto make = [&]() -> LimitState {
     return [this, until, &cracks, drive = std::make_shared<DrawnDrive>(gear_, gear_.scatter)](
                std::span<const double> u) -> std::optional<double> {
-      const DrawnLife life = life_at(*drive, u, cracks);
+      // A path is no variable of the search, so the search takes the median of each.
+      const DrawnLife life = life_at(*drive, u, std::nullopt, cracks);
       if (life.refused) return std::nullopt;
       return std::log(life.part.failure / until);
     };
   };
   FailureCentres found =
-      find_failure_centres(make, laws_.size(),
-                           {.draws = std::max(kRoundDraws, kRoundDrawsPerInput * laws_.size()),
+      find_failure_centres(make, normals_.size(),
+                           {.draws = std::max(kRoundDraws, kRoundDrawsPerInput * normals_.size()),
                             .seed = splitmix64(options_.seed, kSearchStream),
                             .threads = options_.threads},
                            progress);
@@ -84,13 +101,21 @@ std::vector<CentreOfFailures> DrawnLives::centres() const {
     of.distance = std::sqrt(std::inner_product(centre.begin(), centre.end(), centre.begin(), 0.0));
     std::vector<double> z = centre;
     normals_.correlate(z);
-    for (std::size_t i = 0; i < z.size(); ++i) {
+    for (std::size_t i = 0; i < laws_.size(); ++i) {
       const NumberAt number = number_at(gear_, gear_.scatter[i].path);
       of.inputs.push_back({.path = number.path,
                            .unit = number.field.unit,
                            .value = number.value,
                            .at_centre = laws_[i].at(z[i]),
                            .deviations = z[i]});
+    }
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      const double deviate = z[laws_.size() + i];
+      of.inputs.push_back({.path = levels_[i].path,
+                           .unit = "1",
+                           .value = 0.0,
+                           .at_centre = number_at(gear_, levels_[i].path).value * deviate,
+                           .deviations = deviate});
     }
     std::ranges::stable_sort(of.inputs, std::ranges::greater{},
                              [](const FailureInput& input) { return std::abs(input.deviations); });
@@ -106,21 +131,28 @@ std::vector<DrawnLife> DrawnLives::draws(const std::vector<std::string>& cracks,
         return [this, &cracks, drive = std::make_unique<DrawnDrive>(gear_, gear_.scatter)](
                    std::size_t index, DrawnLife& life) {
           const std::vector<double> u = normals_of(index);
-          life = life_at(*drive, u, cracks);
+          life = life_at(*drive, u, index, cracks);
           if (!centres_.empty()) life.part.weight = mixture_weight(u, centres_);  // (IR-16)
         };
       });
 }
 
 DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::span<const double> u,
+                              std::optional<std::size_t> draw,
                               const std::vector<std::string>& cracks) const {
   std::vector<double> z(u.begin(), u.end());
   normals_.correlate(z);
+  DrawnGrowth growth{.seed = options_.seed, .draw = draw.value_or(0), .of_crack = draw.has_value()};
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    DrawnSpecimen& specimen = growth.specimen[levels_[i].material];
+    (levels_[i].exponent ? specimen.exponent : specimen.level) = z[laws_.size() + i];
+  }
   for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
   DrawnLife result;
   try {
     check(drive.gear());
-    const LifeTrace trace = life_trace(drive.gear(), options_.growth);
+    const LifeTrace trace =
+        life_trace(drive.gear(), options_.growth, growth_scatters_ ? &growth : nullptr);
     result.part = part_of(trace);
     result.arrested = trace.end == DriveEnd::arrested;
     result.out_of_range = trace.end == DriveEnd::range;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,10 @@ struct DrawnLife {
 /// The failure and the sizes of a trace.  A crack that leaves the range of its solution fails.
 [[nodiscard]] DrawnPart part_of(const LifeTrace& trace);
 
-/// Draws drives of [[scatter]] and grows their cracks.
+/// Whether the growth of a material scatters.
+[[nodiscard]] bool growth_scatters(const GearSet& gear);
+
+/// Draws drives of [[scatter]] and of the scatter of their growth, and grows their cracks.
 class DrawnLives {
  public:
   /// @param gear     as of `inspection_report`; outlives this object
@@ -37,6 +41,8 @@ class DrawnLives {
   DrawnLives(const GearSet& gear, const InspectionOptions& options);
 
   [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
+  /// Paths of the inputs: those of [[scatter]], then those of growth_levels.
+  [[nodiscard]] std::vector<std::string> inputs() const;
   /// Independent standard normal variables of a draw.
   [[nodiscard]] std::vector<double> normals_of(std::size_t draw) const;
   /// Whether a draw scatters about failures (IR-16).
@@ -57,12 +63,17 @@ class DrawnLives {
                                              const Progress& progress) const;
 
  private:
+  /// @param draw  number of the draw, of which the paths of the cracks are a function; absent: the
+  ///              rates do not vary along the paths
   [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::span<const double> u,
+                                  std::optional<std::size_t> draw,
                                   const std::vector<std::string>& cracks) const;
 
   const GearSet& gear_;
   const InspectionOptions& options_;
   std::vector<ScatterLaw> laws_;
+  std::vector<GrowthLevel> levels_;
+  bool growth_scatters_ = false;  ///< whether a material has a scatter of growth
   CorrelatedNormals normals_;
   std::vector<std::vector<double>> centres_;  ///< u* of failures; empty: plain draws alone
 };

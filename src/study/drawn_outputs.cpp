@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_outputs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/study/outputs.hpp"
 
 namespace strainwave {
@@ -13,6 +16,22 @@ void require_scatter(const GearSet& gear) {
     throw InputError(
         "scatter",
         "must be given; add at least one [[scatter]] with path and relative_standard_deviation");
+}
+
+void note_growth_left_out(std::vector<Note>& notes, const GearSet& gear,
+                          const std::vector<std::string>& outputs) {
+  if (std::ranges::none_of(outputs, is_of_life)) return;
+  for (const auto& [name, material] : gear.material)
+    if (material.growth_scatter)
+      notes.push_back(
+          {.code = "scatter.growth_left_out",
+           .text = fmt::format("the lives are those of median growth, without the scatter of the "
+                               "growth of {}",
+                               shown(name)),
+           .path = (FieldPath("material") / name / "growth_scatter").text(),
+           .equation = "GS-12",
+           .severity = Severity::care,
+           .next_step = "Run strainwave inspect, which draws lives with this scatter."});
 }
 
 DrawnOutputs::DrawnOutputs(const GearSet& gear, const std::vector<std::string>& names,

@@ -13,6 +13,7 @@
 #include "drawn_drive.hpp"
 #include "scatter_law.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/evidence.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/varied_series.hpp"
 
@@ -20,6 +21,11 @@ namespace strainwave {
 
 /// @throws InputError  if the drive gives no scatter
 void require_scatter(const GearSet& gear);
+
+/// Says that lives are computed without the scatter of growth, if the drive has one and a life is
+/// among the outputs.
+void note_growth_left_out(std::vector<Note>& notes, const GearSet& gear,
+                          const std::vector<std::string>& outputs);
 
 /// Named outputs of a drive whose numbers scatter: what all threads share.
 class DrawnOutputs {

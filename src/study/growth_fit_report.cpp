@@ -7,10 +7,12 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <limits>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/growth_scatter/predict.hpp"
 
 namespace strainwave {
@@ -169,6 +171,34 @@ GrowthFit fit_without(const std::vector<GrowthSpecimen>& specimens, std::size_t 
   }
 }
 
+/// What the records are, and what they do not say.
+GrowthFitBasis basis_of(const std::vector<GrowthSpecimen>& specimens, const GrowthFit& fit,
+                        const GrowthFitRequest& request) {
+  GrowthFitBasis basis{.stress_ratio = request.stress_ratio,
+                       .from = std::numeric_limits<double>::infinity(),
+                       .pivot = 1e6 * std::exp(fit.mean.pivot)};
+  if (!request.test)
+    basis.test = "ranges of K as the records give them";
+  else if (request.test->width)
+    basis.test = fmt::format("plate of {} width with a crack in its middle, range of the stress {}",
+                             shown_quantity(*request.test->width, "m", 6),
+                             shown_quantity(request.test->stress_range, "Pa", 6));
+  else
+    basis.test = fmt::format("wide plate with a crack in its middle, range of the stress {}",
+                             shown_quantity(request.test->stress_range, "Pa", 6));
+  double logarithms = 0.0;
+  double steps = 0.0;
+  for (const GrowthSpecimen& specimen : specimens)
+    for (std::size_t i = 0; i < specimen.steps(); ++i) {
+      basis.from = std::min(basis.from, specimen.ranges[i]);
+      basis.to = std::max(basis.to, specimen.ranges[i]);
+      logarithms += std::log(specimen.sizes[i + 1] - specimen.sizes[i]);
+      steps += 1;
+    }
+  basis.step = std::exp(logarithms / steps);  // (GS-14)
+  return basis;
+}
+
 void add_notes(GrowthFitReport& report, const GrowthFit& fit) {
   const auto specimens = static_cast<std::size_t>(report.specimens);
   if (specimens < kFewSpecimens && fit.parts.level)
@@ -220,6 +250,9 @@ GrowthFitReport growth_fit_report(const std::vector<GrowthSpecimen>& specimens,
                             .rate = std::exp(fit.mean.rates[k]),
                             .relative_error = std::sqrt(fit.rate_covariance[k * knots + k])});
   report.scatter = parameters_of(fit);
+  report.parts = fit.parts;
+  report.parameters = fit.parameters;
+  report.basis = basis_of(specimens, fit, request);
   for (const KnotTrial& t : fit.trials)
     report.tried.push_back({t.knots, t.log_likelihood, t.criterion});
   report.log_likelihood = fit.log_likelihood;
@@ -228,8 +261,8 @@ GrowthFitReport growth_fit_report(const std::vector<GrowthSpecimen>& specimens,
   if (!fit.converged) report.unusable_because = "the fit did not converge: " + fit.reason;
   report.judged_by = others ? JudgedBy::other_specimens : JudgedBy::leave_one_out;
   report.confidence = request.confidence;
-  report.equations = {"GS-1", "GS-2", "GS-3", "GS-4",  "GS-5", "GS-6",
-                      "GS-7", "GS-8", "GS-9", "GS-10", "GS-11"};
+  report.equations = {"GS-1", "GS-2", "GS-3", "GS-4",  "GS-5",  "GS-6",
+                      "GS-7", "GS-8", "GS-9", "GS-10", "GS-11", "GS-14"};
 
   const std::vector<double> sizes = request.sizes.empty() ? usual_sizes(judged) : request.sizes;
   std::vector<Question> questions = {{std::nullopt, sizes}};

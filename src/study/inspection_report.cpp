@@ -155,9 +155,10 @@ void add_percentiles(InspectionReport& report, const PartSample& sample) {
 }
 
 /// Linear shares of the inputs in the scatter of the logarithm of the lives that end (IR-8).
-void add_shares(InspectionReport& report, const GearSet& gear, const DrawnLives& study,
+void add_shares(InspectionReport& report, const DrawnLives& study,
                 const std::vector<DrawnLife>& draws) {
-  const std::size_t inputs = gear.scatter.size();
+  const std::vector<std::string> paths = study.inputs();
+  const std::size_t inputs = paths.size();
   std::vector<double> logs;
   std::vector<double> weights;
   std::vector<std::vector<double>> normals;
@@ -196,7 +197,7 @@ void add_shares(InspectionReport& report, const GearSet& gear, const DrawnLives&
   const std::vector<double> shares = study.normals().shares(study.normals().slope_in_z(slope));
   for (std::size_t i = 0; i < inputs; ++i)
     report.shares.push_back(
-        {.path = gear.scatter[i].path, .share = shares[i] * std::min(1.0, linear / variance)});
+        {.path = paths[i], .share = shares[i] * std::min(1.0, linear / variance)});
   std::ranges::stable_sort(report.shares, std::ranges::greater{}, &LifeShare::share);
 }
 
@@ -300,7 +301,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
                                    const Progress& progress) {
   check_options(options);
   const std::optional<Inspection> method = method_of(gear, options);
-  require_scatter(gear);
+  if (!growth_scatters(gear)) require_scatter(gear);
   if (!gear.duty)
     throw InputError("duty", "must be given; add [duty] with its [[duty.block]]s or a history");
   InspectionReport report;
@@ -392,8 +393,9 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   }
   const PartSample sample(parts, further);
   add_percentiles(report, sample);
-  add_shares(report, gear, study, draws);
+  add_shares(report, study, draws);
   report.equations.insert(report.equations.end(), {"IR-3", "IR-8"});
+  if (growth_scatters(gear)) report.equations.insert(report.equations.end(), {"GS-12", "GS-13"});
   if (!options.importance_sampling) report.equations.emplace_back("IR-7");
 
   std::vector<double> schedule = options.times.at;

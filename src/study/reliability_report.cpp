@@ -269,6 +269,9 @@ ReliabilityReport reliability_of(const GearSet& gear, const std::vector<Requirem
         gear, requirements[n], settings, progress.part(before / count, (before + 1) / count)));
     add_notes(report.notes, report.answers.back());
   }
+  std::vector<std::string> outputs;
+  for (const Requirement& requirement : requirements) outputs.push_back(requirement.output);
+  note_growth_left_out(report.notes, gear, outputs);
   report.notes.push_back(
       {.code = "reliability.scatter_alone",
        .text = fmt::format("the inputs are drawn {}, and the probabilities do not contain the "

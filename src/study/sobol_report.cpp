@@ -105,6 +105,7 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
                      "over which the inputs are no longer independent",
                      study.left_out, settings.points),
          "scatter", "UQ-2", Severity::care, "Let the inputs scatter less."});
+  note_growth_left_out(result.notes, gear, names);
   if (outputs.normals().independent())
     result.notes.push_back({"sobol.independent",
                             "the shares hold for inputs that scatter independently", "scatter",

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "growth_support.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "support/expect.hpp"
@@ -149,6 +150,32 @@ TEST(CrackSizes, IdentityAndWall) {
   const auto& through = std::get<WallThroughCrack>(gear.flexspline->crack[0]);
   EXPECT_EQ(through.half_length, 5e-3);
   EXPECT_EQ(through.angle, 0.0);
+}
+
+// Kind: identity.  The ends of a front are its first and its last point to the last bit, with a
+// bending moment too.
+TEST(GrowingCrack, IdentityEndsOfAFront) {
+  const GearSet wall = test::cracked_wall(R"(kind = "surface"
+depth = "0.7 mm"
+half_length = "0.9 mm"
+angle = "30 deg"
+)");
+  const GearSet shaft = read_gear_set_file(STRAINWAVE_EXAMPLES "/bent_shaft.toml");
+  GearSet hollow = shaft;
+  hollow.output_shaft->inner_diameter = 0.03;
+  for (const GearSet& gear : {wall, shaft, hollow}) {
+    const DriveCrack crack = drive_cracks(gear).front();
+    ASSERT_TRUE(crack.front_ends && crack.bending_ends) << crack.path;
+    const CrackSize size = CrackSize::of(1.1 * crack.size.size, 1.3 * crack.size.half_length());
+    const CracksAtTorques proportional;
+    const CrackFactors all(crack, proportional, size);
+    const CrackFactors ends(crack, proportional, size, true, FrontPoints::ends);
+    ASSERT_EQ(ends.points(), 2U);
+    const LoadState load{
+        .torque = 900.0, .axial_force = 2000.0, .assembly = 0.4, .bending_moment = 150.0};
+    EXPECT_EQ(ends.at(0, load), all.at(0, load)) << crack.path;
+    EXPECT_EQ(ends.at(1, load), all.at(all.points() - 1, load)) << crack.path;
+  }
 }
 
 }  // namespace

@@ -596,6 +596,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[material.steel.growth.curve]]", "material.steel.growth", tabulated},
       {"[material.steel.growth.over_thickness]", "material.steel.growth", nasgro},
       {"[material.steel.growth_bounds]", "accepted", nothing},
+      {"[material.steel.growth_scatter]", "accepted", nothing},
       {"[wave_generator.displacements]", "a second source of the radial stiffness", no_stiffness},
       {"[wave_generator.bearing]", "a second source of the radial stiffness", bearing_alone},
       {"[wave_generator.bearing.outer_ring]", "wave_generator.bearing.ball_diameter: must be given",

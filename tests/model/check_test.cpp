@@ -210,6 +210,20 @@ GrowthBounds& growth_bounds(GearSet& gear) {
   auto& bounds = gear.material["steel"].growth_bounds;
   return bounds ? *bounds : bounds.emplace();
 }
+/// The scatter of growth of the steel, with all parts; made on the first call.
+GrowthScatter& growth_scatter(GearSet& gear) {
+  auto& scatter = gear.material["steel"].growth_scatter;
+  return scatter ? *scatter
+                 : scatter.emplace(GrowthScatter{.level = 0.1,
+                                                 .level_correlation = 0.5,
+                                                 .exponent = 0.1,
+                                                 .exponent_correlation = 0.2,
+                                                 .pivot = 15e6,
+                                                 .wander = 0.1,
+                                                 .wander_length = 0.2,
+                                                 .white = 0.1,
+                                                 .white_step = 1e-4});
+}
 FatigueStrength& fatigue(GearSet& gear) {
   auto& strength = gear.material["steel"].fatigue;
   return strength ? *strength : strength.emplace(FatigueStrength{.limit = 400e6});
@@ -1016,6 +1030,52 @@ const std::vector<Broken> kBroken = {
        growth_bounds(g).to = 3e6;
      },
      "material.steel.growth_bounds.to", "to > from", ""},
+    {"GrowthScatterOfNothing", article, [](GearSet& g) { growth_scatter(g) = {}; },
+     "material.steel.growth_scatter", "",
+     "must give at least one of level, exponent, wander and white"},
+    {"GrowthScatterOfTwoLines", article, [](GearSet& g) { growth_scatter(g).source = "a\nb"; },
+     "material.steel.growth_scatter.source", "", "must be one line, without control characters"},
+    {"LevelCorrelationAlone", article,
+     [](GearSet& g) {
+       growth_scatter(g) = {.level_correlation = 0.5, .white = 0.1, .white_step = 1e-4};
+     },
+     "material.steel.growth_scatter.level_correlation", "",
+     "is read only beside level or exponent"},
+    {"ExponentCorrelationWithoutLevel", article,
+     [](GearSet& g) { growth_scatter(g).level.reset(); },
+     "material.steel.growth_scatter.exponent_correlation", "",
+     "is read only beside level and exponent"},
+    {"PivotWithoutExponent", article,
+     [](GearSet& g) { growth_scatter(g) = {.level = 0.1, .pivot = 15e6}; },
+     "material.steel.growth_scatter.pivot", "", "is read only beside exponent"},
+    {"ExponentWithoutPivot", article, [](GearSet& g) { growth_scatter(g).pivot.reset(); },
+     "material.steel.growth_scatter.pivot", "",
+     "must be given beside exponent: the range of K at which the level holds"},
+    {"WanderLengthAlone", article, [](GearSet& g) { growth_scatter(g).wander.reset(); },
+     "material.steel.growth_scatter.wander_length", "", "is read only beside wander"},
+    {"WanderWithoutLength", article, [](GearSet& g) { growth_scatter(g).wander_length.reset(); },
+     "material.steel.growth_scatter.wander_length", "",
+     "must be given beside wander: the correlation length in ln(size)"},
+    {"WhiteStepAlone", article, [](GearSet& g) { growth_scatter(g).white.reset(); },
+     "material.steel.growth_scatter.white_step", "", "is read only beside white"},
+    {"WhiteWithoutStep", article, [](GearSet& g) { growth_scatter(g).white_step.reset(); },
+     "material.steel.growth_scatter.white_step", "",
+     "must be given beside white, whose deviation is that of a step of this length"},
+    {"ScatterOfAScatter", coupled_gear,
+     [](GearSet& g) {
+       growth_scatter(g).source.clear();
+       g.scatter[0].path = "material.steel.growth_scatter.level";
+     },
+     "scatter[0].path", "",
+     "material.steel.growth_scatter.level is a scatter itself; name a number of the drive"},
+    {"CorrelationWithAPartOfAPath", coupled_gear,
+     [](GearSet& g) {
+       growth_scatter(g).source.clear();
+       correlation(g).with = "material.steel.growth_scatter.wander";
+     },
+     "correlation[0].with", "",
+     "\"material.steel.growth_scatter.wander\" does not scatter; add a [[scatter]] with this path, "
+     "or remove the correlation"},
     {"TemperaturesOfFatigueReversed", article,
      [](GearSet& g) { fatigue(g).temperature = {310, 290}; }, "material.steel.fatigue.temperature",
      "not below the first one of the pair", ""},
@@ -1950,6 +2010,14 @@ TEST(CheckRange, ReferenceRanges) {
       {"material.steel.growth[6].curve[0].stress_ratio", "< 1"},
       {"material.steel.growth_bounds.stress_ratio[0]", "<= 1"},
       {"material.steel.growth_bounds.stress_ratio[1]", "<= 1"},
+      {"material.steel.growth_scatter.level", ">= 0 and <= 3"},
+      {"material.steel.growth_scatter.level_correlation", ">= 0 and <= 1"},
+      {"material.steel.growth_scatter.exponent", ">= 0 and <= 3"},
+      {"material.steel.growth_scatter.exponent_correlation", ">= -1 and <= 1"},
+      {"material.steel.growth_scatter.wander", ">= 0 and <= 3"},
+      {"material.steel.growth_scatter.wander_length", ">= 0.001 and <= 100"},
+      {"material.steel.growth_scatter.white", ">= 0 and <= 3"},
+      {"material.steel.growth_scatter.white_step", ">= 0.001 mm"},
       {"output_bearing.load_factor", ">= 1"},
       {"wave_generator.bearing.inner_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.outer_conformity", "> 0.5 and < 1"},

@@ -20,6 +20,7 @@
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/strength/crack_reserves.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -1044,6 +1045,28 @@ TEST(CrackAssessment, LimitOfARowOfSurfaceCracks) {
   const CrackStrength close = row(120);
   EXPECT_EQ(close.verdict, Verdict::cannot_tell) << close.sentence;
   EXPECT_NE(close.sentence.find("influence each other"), std::string::npos) << close.sentence;
+}
+
+// Kind: identity (FA-13).  Verdicts and reserves without critical sizes are those with them, to the
+// last bit, for cracks that hold, that break and that cannot be told.
+TEST(CrackStrength, IdentityReservesAlone) {
+  for (const double toughness : {5 * MPa, 60 * MPa, kTough}) {
+    const GearSet gear = article(1 * mm, toughness);
+    const std::vector<CrackStrength> all = crack_strength(gear);
+    const std::vector<CrackStrength> alone = crack_reserves(gear);
+    ASSERT_EQ(alone.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(alone[i].path, all[i].path);
+      EXPECT_EQ(alone[i].verdict, all[i].verdict);
+      EXPECT_EQ(alone[i].least_reserve(), all[i].least_reserve());
+      EXPECT_EQ(alone[i].governing, all[i].governing);
+      for (std::size_t k = 0; k < all[i].states.size(); ++k) {
+        EXPECT_EQ(alone[i].states[k].verdict, all[i].states[k].verdict);
+        EXPECT_EQ(alone[i].states[k].K_r, all[i].states[k].K_r);
+        EXPECT_FALSE(alone[i].states[k].critical_size || alone[i].states[k].brittle_size);
+      }
+    }
+  }
 }
 
 }  // namespace

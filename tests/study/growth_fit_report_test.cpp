@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,8 @@
 #include <sstream>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/growth_fit.hpp"
 #include "support/expect.hpp"
 #include "support/sanitized.hpp"
 
@@ -127,6 +130,92 @@ TEST(GrowthFitReport, BehaviourThreadsAndSeed) {
   EXPECT_TRUE(one.checks.front().width_over_lognormal);
   EXPECT_FALSE(one.checks.front().width_over_unknown);
   EXPECT_TRUE(one.checks.back().width_over_unknown);
+}
+
+/// The shaft of an example with the tables of a text in the place of its law.
+GearSet drive_with(const std::string& tables) {
+  std::string drive = text_of(STRAINWAVE_EXAMPLES "/growing_shaft.toml");
+  const std::size_t law = drive.find("[[material.steel.growth]]");
+  drive.erase(law, drive.find("\n[", law + 1) - law);
+  return read_gear_set(drive + "\n" + tables, "drive.toml");
+}
+
+// Kind: reference (GS-14).  The text for a drive file reads as the fitted law and scatter: Paris'
+// law at both knots, and the variances of (GS-4).
+TEST(GrowthFitReport, ReferenceTablesForADrive) {
+  const GrowthFitReport report =
+      growth_fit_report(drawn(), {.fit = {.parts = {}, .knots = 2},
+                                  .sizes = {0.02},
+                                  .known = {},
+                                  .draws = 100,
+                                  .test = PlateTest{.stress_range = 60e6, .width = 0.1},
+                                  .stress_ratio = 0.1,
+                                  .judged = drawn()});
+  const std::string text = growth_fit_toml(report);
+  const GearSet gear = drive_with(text);
+  check(gear);
+  const Material& steel = gear.material.at("steel");
+  const auto& law = std::get<Paris>(steel.growth.front());
+  for (const FittedKnot& knot : report.knots)
+    test::expect_relative(law.rate({.largest = knot.delta_K}), knot.rate, 1e-12);
+  const GrowthBounds& bounds = steel.growth_bounds.value();
+  EXPECT_EQ(bounds.stress_ratio, (std::array{0.1, 0.1}));
+  const std::vector<GrowthSpecimen> specimens = drawn();
+  test::expect_relative(*bounds.from, specimens[0].ranges.front(), 1e-12);
+  test::expect_relative(*bounds.to, specimens[0].ranges.back(), 1e-12);
+  const GrowthScatter& scatter = steel.growth_scatter.value();
+  const ScatterParameters& of = report.parameters;
+  test::expect_relative(*scatter.level, of.level, 1e-12);
+  const double x = 0.3;  // ln of a range, from the pivot
+  const double b1 = *scatter.exponent;
+  test::expect_relative(*scatter.level * *scatter.level +
+                            2 * x * *scatter.level * b1 * *scatter.exponent_correlation +
+                            x * x * b1 * b1,
+                        std::pow(of.level + of.tilt * x, 2) + std::pow(of.slope * x, 2), 1e-12);
+  test::expect_relative(*scatter.wander, of.wander, 1e-12);
+  test::expect_relative(std::log(*scatter.wander_length), of.log_length, 1e-12);
+  // 20 steps of 0.4 mm and 20 of 0.8 mm.
+  test::expect_relative(*scatter.white_step, 0.4e-3 * std::sqrt(2.0), 1e-12);
+  test::expect_relative(*scatter.white * *scatter.white * *scatter.white_step,
+                        of.white * of.white * 1e-3, 1e-12);
+  for (const char* const word :
+       {"R = 0.1 in all tests", "plate of 100 mm width", "range of the stress 60 MPa"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+}
+
+// Kind: behaviour (GS-14).  More knots are a table of rates; without R a remark says so; a fit that
+// must not be used, or whose rate falls, gives no tables.
+TEST(GrowthFitReport, BehaviourTablesForADrive) {
+  GrowthFitReport report = growth_fit_report(
+      drawn(), {.fit = {.parts = {.level = true, .slope = false, .correlated = false}, .knots = 3},
+                .sizes = {0.02},
+                .known = {},
+                .draws = 100,
+                .judged = drawn()});
+  const std::string text = growth_fit_toml(report);
+  const GearSet gear = drive_with(text);
+  check(gear);
+  const TableOfRates table =
+      std::get<Tabulated>(gear.material.at("steel").growth.front()).prepared();
+  for (const FittedKnot& knot : report.knots)
+    test::expect_relative(table.rate({.largest = knot.delta_K}), knot.rate, 1e-9);
+  // The first line goes on below the first knot.
+  const double slope = std::log(report.knots[1].rate / report.knots[0].rate) /
+                       std::log(report.knots[1].delta_K / report.knots[0].delta_K);
+  test::expect_relative(table.rate({.largest = report.knots[0].delta_K / 5}),
+                        report.knots[0].rate * std::pow(0.2, slope), 1e-9);
+  const GrowthScatter& scatter = gear.material.at("steel").growth_scatter.value();
+  EXPECT_TRUE(scatter.level && scatter.white);
+  EXPECT_FALSE(scatter.exponent || scatter.wander);
+  EXPECT_FALSE(gear.material.at("steel").growth_bounds.value().stress_ratio);
+  EXPECT_NE(text.find("--stress-ratio"), std::string::npos);
+  std::swap(report.knots[0].rate, report.knots[1].rate);
+  EXPECT_NE(growth_fit_toml(report).find("No tables are given"), std::string::npos);
+  std::swap(report.knots[0].rate, report.knots[1].rate);
+  report.unusable_because = "the fit did not converge";
+  const std::string unusable = growth_fit_toml(report);
+  EXPECT_NE(unusable.find("NOT usable"), std::string::npos);
+  EXPECT_EQ(unusable.find("\n["), std::string::npos);
 }
 
 // Kind: reference (GS-11).  Numbers inside that a right model has with 99 %: the table of the

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "strainwave/core/counter_random.hpp"
+#include "strainwave/drive_growth/drawn_growth.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/inspection/detection_fit.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -893,6 +894,146 @@ TEST(InspectionReport, InputOfImportanceSampling) {
   without_end.until.reset();
   const std::string needs = test::broken_rule([&] { return inspection_report(gear, without_end); });
   EXPECT_NE(needs.find("importance-sampling: needs --until"), std::string::npos) << needs;
+}
+
+/// The shaft without [[scatter]], whose growth scatters.
+GearSet scattered_growth(const GrowthScatter& scatter) {
+  GearSet gear = scattering_shaft();
+  gear.scatter.clear();
+  gear.material.at("steel").growth_scatter = scatter;
+  check(gear);
+  return gear;
+}
+
+// Kind: identity (GS-12).  The level alone is a log-normal coefficient of the law, with the same
+// numbers.  Tolerance: rounding, which moves the steps of the growth.
+TEST(InspectionReport, IdentityLevelIsAScatteringCoefficient) {
+  constexpr int kDraws = test::kSanitized ? 20 : 60;
+  const InspectionReport by_scatter = inspection_report(only_coefficient(), options_of(kDraws));
+  const InspectionReport by_level = inspection_report(
+      scattered_growth({.level = std::sqrt(std::log1p(0.25 * 0.25))}), options_of(kDraws));
+  EXPECT_EQ(by_level.outcomes.failed, by_scatter.outcomes.failed);
+  for (std::size_t i = 0; i < by_scatter.percentiles.size(); ++i)
+    test::expect_relative(*by_level.percentiles[i].life, *by_scatter.percentiles[i].life, 1e-9);
+  ASSERT_EQ(by_level.shares.size(), by_scatter.shares.size());
+  for (const LifeShare& share : by_level.shares) {
+    EXPECT_EQ(share.path, "material.steel.growth_scatter.level");
+    EXPECT_NEAR(share.share, 1, 1e-3);
+  }
+}
+
+// Kind: identity (GS-13).  Lives with paths have the same bits for any number of threads and from
+// shares, and others with another seed.
+TEST(InspectionReport, IdentityPathsOnThreadsAndInShares) {
+  const GearSet gear = scattered_growth({.level = 0.1,
+                                         .level_correlation = 0.5,
+                                         .wander = 0.3,
+                                         .wander_length = 0.5,
+                                         .white = 0.2,
+                                         .white_step = 0.5e-3});
+  InspectionOptions options = options_of(20, 300 * kHour);
+  options.threads = 1;
+  const InspectionReport one = inspection_report(gear, options);
+  options.threads = 3;
+  const InspectionReport three = inspection_report(gear, options);
+  std::string bytes;
+  for (int part = 1; part <= 2; ++part) {
+    SharedRows share(Share{.part = part, .parts = 2});
+    options.shared = &share;
+    EXPECT_THROW((void)inspection_report(gear, options), ShareDone);
+    bytes += share.bytes();
+  }
+  SharedRows all(20, bytes);
+  options.shared = &all;
+  const InspectionReport merged = inspection_report(gear, options);
+  options.shared = nullptr;
+  options.seed = 2;
+  const InspectionReport other = inspection_report(gear, options);
+  for (std::size_t i = 0; i < one.percentiles.size(); ++i) {
+    EXPECT_EQ(one.percentiles[i].life, three.percentiles[i].life);
+    EXPECT_EQ(one.percentiles[i].life, merged.percentiles[i].life);
+    EXPECT_NE(one.percentiles[i].life, other.percentiles[i].life);
+  }
+}
+
+// Kind: crosscheck (GS-13).  The failure ends the path at the same size in all draws, so mean and
+// deviation of the life follow from the times of median growth and the covariance of the
+// deviations.  Tolerance: four standard errors of the draws.
+TEST(InspectionReport, CrosscheckMomentsOfTheLife) {
+  constexpr int kDraws = test::kSanitized ? 20 : 200;
+  const double wander = 0.3;
+  const double length = 0.4;
+  const GearSet gear = scattered_growth({.wander = wander, .wander_length = length});
+  const LifeTrace median = life_trace(gear, options_of(20).growth);
+  std::vector<double> shares;
+  std::vector<double> middles;
+  for (std::size_t i = 1; i < median.times.size(); ++i) {
+    shares.push_back((median.times[i] - median.times[i - 1]) / *median.life);
+    middles.push_back(std::log(median.sizes[0][i] * median.sizes[0][i - 1]) / 2);
+  }
+  double second = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      second += shares[i] * shares[k] *
+                std::expm1(wander * wander * std::exp(-std::abs(middles[i] - middles[k]) / length));
+  const double mean = std::exp(wander * wander / 2);
+  const double deviation = std::exp(wander * wander / 2) * std::sqrt(second);
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t draw = 0; draw < kDraws; ++draw) {
+    const DrawnGrowth drawn{.draw = draw};
+    const double life = *life_trace(gear, options_of(20).growth, &drawn).life / *median.life;
+    sum += life / kDraws;
+    squares += (life - mean) * (life - mean) / kDraws;
+  }
+  EXPECT_NEAR(sum, mean, 4 * deviation / std::sqrt(kDraws));
+  EXPECT_NEAR(std::sqrt(squares), deviation, 4 * deviation / std::sqrt(kDraws));
+  EXPECT_GT(deviation, 0.1);
+}
+
+// Kind: identity (UQ-8).  The level of a material is a number that scatters, behind those of
+// [[scatter]], and a correlation may name it.
+TEST(InspectionReport, IdentityCorrelatedLevel) {
+  GearSet gear = scattering_shaft();
+  gear.scatter.resize(1);
+  gear.scatter[0].path = "output_shaft.crack[0].depth";
+  gear.material.at("steel").growth_scatter = GrowthScatter{.level = 0.2};
+  gear.correlation = {{.path = "output_shaft.crack[0].depth",
+                       .with = "material.steel.growth_scatter.level",
+                       .rank_correlation = -0.5,
+                       .source = {}}};
+  check(gear);
+  EXPECT_EQ(scattering_normals(gear).size(), 1U);
+  const CorrelatedNormals normals = life_normals(gear);
+  ASSERT_EQ(normals.size(), 2U);
+  test::expect_relative(normals.correlation(0, 1), 2 * std::sin(-std::numbers::pi / 12), 1e-12);
+  // A deep crack in slow steel: the lives differ less than with independent numbers.
+  const auto spread = [](const GearSet& of) {
+    const InspectionReport report = inspection_report(of, options_of(40));
+    return std::log(*report.percentiles[3].life / *report.percentiles[1].life);
+  };
+  GearSet independent = gear;
+  independent.correlation.clear();
+  EXPECT_LT(spread(gear), 0.9 * spread(independent));
+}
+
+// Kind: behaviour (IR-16).  The search for failures takes the level as a number, and the draws
+// about the failures have paths.
+TEST(InspectionReport, BehaviourFailuresByTheLevel) {
+  if (test::kSanitized) return;  // the search takes thousands of lives
+  const GearSet gear = scattered_growth({.level = 0.2, .wander = 0.2, .wander_length = 0.5});
+  const double life = *life_trace(gear, options_of(20).growth).life;
+  InspectionOptions options = options_of(100, life * std::exp(-0.6));
+  options.importance_sampling = true;
+  const InspectionReport report = inspection_report(gear, options);
+  ASSERT_TRUE(report.importance_sampling);
+  const FailureInput& input = report.importance_sampling->centres.front().inputs.front();
+  EXPECT_EQ(input.path, "material.steel.growth_scatter.level");
+  EXPECT_NEAR(input.deviations, 3, 0.5);
+  EXPECT_NEAR(input.at_centre, 0.6, 0.1);
+  // The path adds to the deviation 0.2 of the level, and shifts the median: P is above 0.00135.
+  EXPECT_GT(report.at_end.without, 0.0005);
+  EXPECT_LT(report.at_end.without, 0.02);
 }
 
 // Kind: behaviour.  The documents contain the curve and all tables.

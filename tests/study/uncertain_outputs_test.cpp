@@ -569,5 +569,24 @@ TEST(Reliability, InputRefusals) {
             std::string::npos);
 }
 
+// Kind: behaviour (GS-12).  Shares and probabilities of lives leave out the scatter of growth, and
+// a note says so; other outputs have no such note.
+TEST(UncertainOutputs, BehaviourLivesOfMedianGrowth) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/inspected_shaft.toml");
+  gear.scatter.resize(1);
+  gear.material.at("steel").growth_scatter = GrowthScatter{.level = 0.1};
+  const auto noted = [](const std::vector<Note>& notes) {
+    return std::ranges::count(notes, "scatter.growth_left_out", &Note::code);
+  };
+  const auto sobol = [&](const std::string& output) {
+    return sobol_of(gear, {.points = 2 * kSobolReplicates, .outputs = {output}}).notes;
+  };
+  EXPECT_EQ(noted(sobol("life.cracks")), 1);
+  EXPECT_EQ(noted(sobol("intact.stiffness")), 0);
+  EXPECT_EQ(noted(reliability(gear, "life.cracks >= 100 h", {.draws = 2}).notes), 1);
+  gear.material.at("steel").growth_scatter.reset();
+  EXPECT_EQ(noted(sobol("life.cracks")), 0);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -92,6 +92,11 @@ struct DriveCrack {
   /// the tension side; for a surface crack of a shaft the largest K in a turn (GR-34)
   /// [Pa*m^0.5/(N*m)]; empty if it cannot be stated.
   std::function<std::vector<Modes>(const CrackSize&)> bending;
+  /// The first and the last point of `front` alone, in a fraction of its time; empty: there is no
+  /// faster way to them.
+  std::function<std::vector<FrontIntensity>(const CrackSize&, Faces)> front_ends;
+  /// The first and the last point of `bending` alone; empty where `front_ends` or `bending` is.
+  std::function<std::vector<Modes>(const CrackSize&)> bending_ends;
   /// Yield strength at which the net section is fully plastic [Pa], as a function of size, axial
   /// force [N] and torque [N*m]; proportional to both loads.  Throws InputError at a size beyond
   /// `range_end`, where no section is left.

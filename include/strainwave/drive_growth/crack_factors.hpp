@@ -29,15 +29,22 @@ struct LoadState {
 /// does not reverse, at their sizes.  Empty: K is proportional to the torque.
 using CracksAtTorques = std::vector<std::pair<double, DriveCrack>>;
 
-/// K of a crack of one size, at all points of its front, with open faces.
+/// Which points of a front are computed.
+enum class FrontPoints {
+  all,
+  ends,  ///< the first and the last one alone, where a crack has a faster way to them
+};
+
+/// K of a crack of one size, at the points of its front, with open faces.
 class CrackFactors {
  public:
   /// @param crack      must outlive this object
   /// @param at_torque  must outlive this object, by rising torque; K between two is linear
   /// @param size       a [m] and a/c [-] of the crack
   /// @param bent       whether to prepare the factors of a bending moment
+  /// @param points     which points are needed
   CrackFactors(const DriveCrack& crack, const CracksAtTorques& at_torque, const CrackSize& size,
-               bool bent = true);
+               bool bent = true, FrontPoints points = FrontPoints::all);
 
   /// Number of points of the front.
   [[nodiscard]] std::size_t points() const {

@@ -76,6 +76,14 @@ struct TipLoad {
   }
 };
 
+/// How the rate of a crack deviates from its law: by the factor exp(b_0 + b_1 ln(Delta K/pivot));
+/// eq. (GS-12).
+struct RateDeviation {
+  double logarithm = 0.0;  ///< b_0, deviation of ln(da/dN) at the pivot [-]
+  double exponent = 0.0;   ///< b_1, deviation of the exponent m [-]
+  double pivot = 1.0;      ///< range at which `logarithm` holds [Pa*m^0.5]; > 0
+};
+
 /// The ends of a crack that grow.
 enum class Tip { depth, length };
 
@@ -133,6 +141,9 @@ class GrowingCrack {
   /// Whether K_max of any phase and point reaches the toughness of law or material.
   [[nodiscard]] bool breaks(const CrackSize& size, double factor = 1.0) const;
 
+  /// Lets all rates deviate from the law from now on; threshold and toughness stay.
+  void deviate(const RateDeviation& deviation);
+
   /// Largest factor on the loads of the duty at which K is known: up to the end of the table of K
   /// over a turn; infinite without a table [-].
   [[nodiscard]] double largest_factor() const;
@@ -157,6 +168,8 @@ class GrowingCrack {
   MixedMode mixed_mode_;
   double poissons_ratio_ = 0.3;
   std::optional<double> yield_strength_;
+  RateDeviation deviation_;
+  double factor_ = 1.0;  // exp of the logarithm of the deviation
 };
 
 }  // namespace strainwave

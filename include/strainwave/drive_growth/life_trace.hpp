@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/drive_growth/drawn_growth.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 
 namespace strainwave {
@@ -26,7 +27,10 @@ struct LifeTrace {
 /// Progress, so it never throws Stopped.
 /// @param gear     as of grow_cracks
 /// @param options  as of grow_cracks; `points` has no effect
+/// @param drawn    how the growth deviates from the laws; null: not at all, so that it is the
+///                 median growth
 /// @throws InputError  as grow_cracks, except for `points`
-[[nodiscard]] LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options = {});
+[[nodiscard]] LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options = {},
+                                   const DrawnGrowth* drawn = nullptr);
 
 }  // namespace strainwave

@@ -157,6 +157,28 @@ struct EnumNames<JudgedBy> {
   static constexpr std::array<std::string_view, 2> names = {"leave_one_out", "other_specimens"};
 };
 
+/// What the records of the specimens are, and what they do not say: the validity of law and
+/// scatter.
+struct GrowthFitBasis {
+  std::string test = {};                    ///< how the ranges of K were found, in words
+  std::optional<double> stress_ratio = {};  ///< R of the test, as stated [-]; absent: not stated
+  double from = 0.0;                        ///< least range of a step [Pa*sqrt(m)]
+  double to = 0.0;                          ///< greatest range of a step [Pa*sqrt(m)]
+  double step = 0.0;                        ///< geometric mean of the lengths of the steps [m]
+  double pivot = 0.0;                       ///< range at which the level holds [Pa*sqrt(m)]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using B = GrowthFitBasis;
+    field({"test", "", "how the ranges of the stress intensity factor were found"}, &B::test);
+    field({"stress_ratio", "1", "R of the test, as stated; absent: not stated"}, &B::stress_ratio);
+    field({"from", "Pa*m^0.5", "least range of a step of the records"}, &B::from);
+    field({"to", "Pa*m^0.5", "greatest range of a step of the records"}, &B::to);
+    field({"step", "m", "geometric mean of the lengths of the steps"}, &B::step);
+    field({"pivot", "Pa*m^0.5", "range at which the level of a specimen holds"}, &B::pivot);
+  }
+};
+
 /// A law of growth with its scatter, and its predictions judged.
 struct GrowthFitReport {
   int specimens = 0;
@@ -164,6 +186,9 @@ struct GrowthFitReport {
   PooledLine pooled;  ///< one straight line through all steps (GS-2)
   std::vector<FittedKnot> knots;
   std::vector<FittedParameter> scatter;
+  ScatterParts parts;            ///< of the scatter that were fitted
+  ScatterParameters parameters;  ///< of the scatter; those of `parts` count
+  GrowthFitBasis basis;          ///< what law and scatter are stated for
   std::vector<TriedKnots> tried;
   double log_likelihood = 0.0;
   bool converged = false;
@@ -191,6 +216,7 @@ struct GrowthFitReport {
           [](const R& r) { return r.pooled.deviation; });
     field({"knots", "", "median rate of growth"}, &R::knots);
     field({"scatter", "", "parameters of the scatter"}, &R::scatter);
+    field({"basis", "", "what law and scatter are stated for"}, &R::basis);
     field({"tried", "", "numbers of knots that were tried"}, &R::tried);
     field({"log_likelihood", "1", "logarithm of the likelihood"}, &R::log_likelihood);
     field({"converged", "", "whether the search found a maximum"}, &R::converged);
@@ -213,6 +239,8 @@ struct GrowthFitRequest {
   int draws = 4000;           ///< >= 100
   std::uint64_t seed = 1;     ///< seed of the draws; the same seed gives the same bands
   int threads = 0;            ///< 0: as many as the machine runs; does not change the answer
+  GrowthTest test = {};       ///< from which the ranges came; absent: measured ranges
+  std::optional<double> stress_ratio = {};  ///< R of the test [-]; < 1; absent: not stated
   /// Specimens to judge; empty: each specimen of the fit, by a fit to all others.
   std::vector<GrowthSpecimen> judged;
 };

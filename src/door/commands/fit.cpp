@@ -10,6 +10,7 @@ struct FitOptions {
   std::string data;
   std::optional<std::string> stress_range;
   std::optional<std::string> plate_width;
+  std::optional<double> stress_ratio;
   std::optional<std::string> judge;
   std::vector<std::string> size;
   std::vector<std::string> known;
@@ -38,6 +39,12 @@ struct FitOptions {
     field({"plate_width", "",
            "width of the plate, a number with its unit; left out for a wide plate"},
           &F::plate_width);
+    field(
+        {.name = "stress_ratio",
+         .unit = "1",
+         .doc = "R of the test, which the records do not say; the text for a drive file states it",
+         .range = {.upper = 1.0}},
+        &F::stress_ratio);
     field({.name = "judge",
            .unit = "",
            .doc = "CSV of other specimens, of the same test, whose cycles are predicted; each "
@@ -133,6 +140,8 @@ GrowthFitReport fitted(const Request& request, const FitOptions& o) {
                          .draws = o.draws,
                          .seed = o.seed,
                          .threads = o.threads,
+                         .test = test,
+                         .stress_ratio = o.stress_ratio,
                          .judged = {}};
   const std::vector<GrowthSpecimen> specimens = specimens_in("data", o.data);
   if (o.judge) asked.judged = specimens_in("judge", *o.judge);
@@ -152,8 +161,9 @@ Command fit_command() {
           "specimens differ in ln C and m, and the rate of one crack varies along its path, in a "
           "correlated and a white part. Predicts the cycles of specimens that the fit did not see, "
           "without and with the beginning of their own records, and counts how many lie inside of "
-          "their bands. The answer says which parameters the records determine. `strainwave grow "
-          "--fit DATA.csv` is the same command.",
+          "their bands. The answer says which parameters the records determine. --format toml "
+          "writes law and scatter as tables for a drive file, with which `strainwave inspect` "
+          "draws lives. `strainwave grow --fit DATA.csv` is the same command.",
       .example = "strainwave fit examples/growth_specimens.csv --stress-range '60 MPa' "
                  "--plate-width '100 mm' --known '14 mm'",
       .takes = Takes::nothing,
@@ -161,6 +171,8 @@ Command fit_command() {
       .function = fitted,
       .documents = {{Format::text, growth_fit_text},
                     {Format::csv, growth_fit_csv},
+                    {Format::toml, [](const GrowthFitReport& report,
+                                      const Rendering&) { return growth_fit_toml(report); }},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",

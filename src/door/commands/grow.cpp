@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "growth_rule_options.hpp"
 #include "numbers_beside.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/sha256.hpp"
@@ -12,21 +13,12 @@
 #include "strainwave/door/door.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/layouts/growth.hpp"
-#include "strainwave/materials/library_law.hpp"
-#include "strainwave/materials/material_library.hpp"
 
 namespace strainwave {
 namespace {
 
-struct GrowOptions {
+struct GrowOptions : GrowthRuleOptions {
   std::string until = "event";
-  std::optional<std::string> law;
-  MixedMode mixed_mode = MixedMode::energy;
-  InteractionRule interaction = InteractionRule::none;
-  std::optional<double> zone_factor;
-  std::optional<double> wheeler_exponent;
-  std::optional<double> constraint;
-  std::optional<double> stress_level;
   int points = 60;
 
   template <class Visitor>
@@ -38,44 +30,7 @@ struct GrowOptions {
                   "ends the life",
            .fallback = "event"},
           &GrowOptions::until);
-    field({.name = "law",
-           .unit = "",
-           .doc = "steel of the material library whose law of growth replaces that of the file; "
-                  "the file's if left out",
-           .names = "material"},
-          &GrowOptions::law);
-    field({.name = "mixed_mode",
-           .unit = "",
-           .doc = "rule that makes one stress intensity of three modes",
-           .fallback = "energy"},
-          &GrowOptions::mixed_mode);
-    field({.name = "interaction",
-           .unit = "",
-           .doc = "how a large cycle slows the cycles after it",
-           .fallback = "none"},
-          &GrowOptions::interaction);
-    field({.name = "zone_factor",
-           .unit = "1",
-           .doc = "beta of the plastic zone (K/yield strength)^2/(beta pi): 1 the whole zone in "
-                  "plane stress, 2 its radius, 3 and 6 in plane strain; needed with --interaction",
-           .range = kPositive},
-          &GrowOptions::zone_factor);
-    field({.name = "wheeler_exponent",
-           .unit = "1",
-           .doc = "exponent of --interaction wheeler, which needs it",
-           .range = kNonNegative},
-          &GrowOptions::wheeler_exponent);
-    field({.name = "constraint",
-           .unit = "1",
-           .doc = "alpha of Newman's opening, 1 in plane stress to 3 in plane strain, for "
-                  "--interaction closure; cracks with a law of NASGRO take that of their law",
-           .range = {.lower = 1.0, .lower_open = false, .upper = 3.0, .upper_open = false}},
-          &GrowOptions::constraint);
-    field({.name = "stress_level",
-           .unit = "1",
-           .doc = "largest stress over the flow stress of Newman's opening, with --constraint",
-           .range = {.lower = 0.0, .upper = 1.0}},
-          &GrowOptions::stress_level);
+    GrowthRuleOptions::describe(field);
     field({.name = "points",
            .unit = "",
            .doc = "largest number of rows of a series",
@@ -84,34 +39,6 @@ struct GrowOptions {
           &GrowOptions::points);
   }
 };
-
-/// Reads the options of the load interaction.
-Interaction interaction_of(const GrowOptions& o) {
-  Interaction interaction;
-  interaction.rule = o.interaction;
-  const bool acts = o.interaction != InteractionRule::none;
-  if (acts && !o.zone_factor)
-    throw OptionError("zone_factor", "must be given with --interaction, because sources differ");
-  if (!acts && o.zone_factor)
-    throw OptionError("zone_factor",
-                      "is read with --interaction wheeler, willenborg or closure only");
-  const bool wheeler = o.interaction == InteractionRule::wheeler;
-  if (wheeler != o.wheeler_exponent.has_value())
-    throw OptionError("wheeler_exponent", wheeler ? "must be given with --interaction wheeler"
-                                                  : "is read with --interaction wheeler only");
-  if (acts) interaction.zone_factor = *o.zone_factor;
-  if (wheeler) interaction.wheeler_exponent = *o.wheeler_exponent;
-  const bool opening = o.constraint || o.stress_level;
-  if (opening && o.interaction != InteractionRule::closure)
-    throw OptionError(o.constraint ? "constraint" : "stress_level",
-                      "is read with --interaction closure only");
-  if (opening && !o.constraint)
-    throw OptionError("constraint", "must be given with --stress-level");
-  if (opening && !o.stress_level)
-    throw OptionError("stress_level", "must be given with --constraint");
-  if (opening) interaction.closure = {.constraint = *o.constraint, .stress_level = *o.stress_level};
-  return interaction;
-}
 
 constexpr std::string_view kCheckpointFormat = "strainwave-growth/2";
 
@@ -205,12 +132,9 @@ Command grow_command() {
       .function =
           [](const Request& request, const GrowOptions& o) {
             const GearSet& gear = request.drive.gear;
-            GrowthOptions options;
-            options.rate = {.mixed_mode = o.mixed_mode, .law = o.law.value_or("")};
-            options.interaction = interaction_of(o);
+            GrowthOptions options = growth_options(o);
             options.points = o.points;
             options.stop = from_option([&] { return stop_of(gear, o.until); });
-            if (o.law) from_option([&] { (void)rate_law(require_material(*o.law)); });
             GrowthCheckpoint checkpoint = checkpoint_of(request, o);
             return grow_cracks(gear, options, request.progress, &checkpoint);
           },

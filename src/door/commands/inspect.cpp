@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "growth_rule_options.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/inspection/detection_fit.hpp"
 #include "strainwave/io/history_file.hpp"
@@ -16,7 +17,7 @@
 namespace strainwave {
 namespace {
 
-struct InspectOptions {
+struct InspectOptions : GrowthRuleOptions {
   std::optional<std::string> until;
   std::optional<InspectionMeans> method;
   std::optional<std::string> a50;
@@ -122,9 +123,10 @@ struct InspectOptions {
           &O::risk);
     field({"most", "", "largest number of inspections of a plan, 1 to 100; 20 if left out"},
           &O::most);
+    GrowthRuleOptions::describe(field);
     field({.name = "draws",
            .unit = "",
-           .doc = "number of drives drawn from [[scatter]], 20 to 1e6",
+           .doc = "number of drives drawn from [[scatter]] and growth_scatter, 20 to 1e6",
            .fallback = "500"},
           &O::draws);
     field({"importance_sampling", "",
@@ -280,6 +282,7 @@ void throw_at_option(const InputError& error, const InspectOptions& o, bool has_
 
 InspectionReport inspect(const Request& request, const InspectOptions& o) {
   InspectionOptions options;
+  options.growth = growth_options(o);
   options.growth.tolerance = 1e-6;
   const auto time = [](const char* option, const std::string& text) {
     return option_quantity(option, text, "s");
@@ -318,8 +321,10 @@ Command inspect_command() {
       .name = "inspect",
       .summary = "Compute the risk of cracked drives over hours, and the inspections that lower it",
       .description =
-          "Draws the numbers of [[scatter]] and grows the cracks of each drawn drive over the duty "
-          "of the file. Percentiles of the life with their limits, the probability of failure over "
+          "Draws the numbers of [[scatter]] and the scatter of growth of the materials, and grows "
+          "the "
+          "cracks of each drawn drive over the duty of the file. Percentiles of the life with "
+          "their limits, the probability of failure over "
           "hours, and the shares of the inputs follow; cracks that stand still have an endless "
           "life. "
           "[inspection] of the file, or --a50 and --a90, say how cracks are looked for. "

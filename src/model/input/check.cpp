@@ -38,6 +38,38 @@ void check_temperatures(const FieldPath& path, const std::optional<std::array<do
             "not below the first one of the pair");
 }
 
+void check_one_line(const FieldPath& path, std::string_view field, std::string_view text) {
+  if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+    throw InputError((path / field).text(), "must be one line, without control characters");
+}
+
+void check_growth_scatter(const FieldPath& path, const GrowthScatter& scatter) {
+  check_one_line(path, "source", scatter.source);
+  const auto needs = [&](bool given, const char* field, bool other, std::string_view name) {
+    if (given && !other)
+      throw InputError((path / field).text(), fmt::format("is read only beside {}", name));
+  };
+  if (!scatter.differs() && !scatter.varies_along_path())
+    throw InputError(path.text(), "must give at least one of level, exponent, wander and white");
+  needs(scatter.level_correlation.has_value(), "level_correlation", scatter.differs(),
+        "level or exponent");
+  needs(scatter.exponent_correlation.has_value(), "exponent_correlation",
+        scatter.level && scatter.exponent, "level and exponent");
+  needs(scatter.pivot.has_value(), "pivot", scatter.exponent.has_value(), "exponent");
+  if (scatter.exponent && !scatter.pivot)
+    throw InputError((path / "pivot").text(),
+                     "must be given beside exponent: the range of K at which the level holds");
+  needs(scatter.wander_length.has_value(), "wander_length", scatter.wander.has_value(), "wander");
+  if (scatter.wander && !scatter.wander_length)
+    throw InputError((path / "wander_length").text(),
+                     "must be given beside wander: the correlation length in ln(size)");
+  needs(scatter.white_step.has_value(), "white_step", scatter.white.has_value(), "white");
+  if (scatter.white && !scatter.white_step)
+    throw InputError(
+        (path / "white_step").text(),
+        "must be given beside white, whose deviation is that of a step of this length");
+}
+
 void check_material(const FieldPath& path, const Material& material) {
   try {
     if (material.is_isotropic()) (void)elastic_constants(material);
@@ -71,6 +103,8 @@ void check_material(const FieldPath& path, const Material& material) {
       require(*bounds->from < *bounds->to, path / "growth_bounds.to", *bounds->to, "Pa*m^0.5",
               "to > from");
   }
+  if (material.growth_scatter)
+    check_growth_scatter(path / "growth_scatter", *material.growth_scatter);
   if (material.fatigue && material.fatigue->slope && !material.fatigue->cycles)
     throw InputError((path / "fatigue.cycles").text(),
                      "must be given beside slope: the line goes through the knee");
@@ -927,11 +961,6 @@ void check_rating(const Rating& rating) {
   if (rating.T3) require(*rating.T3 > rating.T2, "rating.T3", *rating.T3, "N*m", "T3 > T2");
 }
 
-void check_one_line(const FieldPath& path, std::string_view field, std::string_view text) {
-  if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
-    throw InputError((path / field).text(), "must be one line, without control characters");
-}
-
 /// The number that the entry at `path` names in its field `path`.
 NumberAt number_named(const GearSet& gear, const FieldPath& path, const std::string& named) {
   try {
@@ -1014,6 +1043,11 @@ void check_scatter(const GearSet& gear, std::size_t which) {
   check_one_line(path, "source", scatter.source);
   const NumberAt number = number_named(gear, path, scatter.path);
   require_of_drive(path, scatter.path);
+  if (scatter.path.starts_with("material.") &&
+      scatter.path.find(".growth_scatter.") != std::string::npos)
+    throw InputError(
+        (path / "path").text(),
+        fmt::format("{} is a scatter itself; name a number of the drive", scatter.path));
   if (number.value == 0)
     throw InputError((path / "path").text(),
                      fmt::format("{} is 0, so a relative scatter has no effect; give a value other "
@@ -1034,8 +1068,9 @@ void check_correlation(const GearSet& gear, std::size_t which) {
   for (std::size_t i = 0; i < pair.paths().size(); ++i) {
     const std::string_view key = InputCorrelation::kPathKeys.at(i);
     check_one_line(path, key, pair.paths().at(i));
-    if (std::ranges::find(gear.scatter, pair.paths().at(i), &InputScatter::path) ==
-        gear.scatter.end())
+    const auto names = [&](const auto& entry) { return entry.path == pair.paths().at(i); };
+    if (std::ranges::none_of(gear.scatter, names) &&
+        std::ranges::none_of(growth_levels(gear), names))
       throw InputError((path / key).text(),
                        fmt::format("\"{}\" does not scatter; add a [[scatter]] with this path, or "
                                    "remove the correlation",
@@ -1213,7 +1248,7 @@ void check_rules(const GearSet& gear) {
     check_range(gear, FieldPath("range")[i], gear.range[i]);
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);
   for (std::size_t i = 0; i < gear.correlation.size(); ++i) check_correlation(gear, i);
-  if (!gear.correlation.empty()) (void)scattering_normals(gear);
+  if (!gear.correlation.empty()) (void)life_normals(gear);
   if (gear.inspection) check_inspection(gear);
 }
 

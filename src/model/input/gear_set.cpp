@@ -111,20 +111,54 @@ std::string_view solid_name(const GearSet& gear, std::string_view name) {
   return found == gear.material.end() ? name : std::string_view(solid_wall(gear, found)->first);
 }
 
-CorrelatedNormals scattering_normals(const GearSet& gear) {
+namespace {
+
+/// The variables of inputs with the paths, and the correlations of those among them.
+CorrelatedNormals normals_of(const GearSet& gear, const std::vector<std::string>& paths) {
   std::vector<RankCorrelation> pairs;
-  const auto index_of = [&](const std::string& path) {
-    const auto at = std::ranges::find(gear.scatter, path, &InputScatter::path);
-    return static_cast<std::size_t>(at - gear.scatter.begin());
-  };
-  for (const InputCorrelation& pair : gear.correlation)
-    pairs.push_back({index_of(pair.path), index_of(pair.with), pair.rank_correlation});
-  std::optional<CorrelatedNormals> normals = CorrelatedNormals::of(gear.scatter.size(), pairs);
+  for (const InputCorrelation& pair : gear.correlation) {
+    const auto first = std::ranges::find(paths, pair.path);
+    const auto second = std::ranges::find(paths, pair.with);
+    if (first == paths.end() || second == paths.end()) continue;
+    pairs.push_back({static_cast<std::size_t>(first - paths.begin()),
+                     static_cast<std::size_t>(second - paths.begin()), pair.rank_correlation});
+  }
+  std::optional<CorrelatedNormals> normals = CorrelatedNormals::of(paths.size(), pairs);
   if (!normals)
     throw InputError("correlation",
                      "the rank correlations contradict each other, because their matrix is not "
                      "positive definite; bring them closer to 0");
   return *std::move(normals);
+}
+
+std::vector<std::string> scattering_paths(const GearSet& gear) {
+  std::vector<std::string> paths;
+  for (const InputScatter& scatter : gear.scatter) paths.push_back(scatter.path);
+  return paths;
+}
+
+}  // namespace
+
+CorrelatedNormals scattering_normals(const GearSet& gear) {
+  return normals_of(gear, scattering_paths(gear));
+}
+
+std::vector<GrowthLevel> growth_levels(const GearSet& gear) {
+  std::vector<GrowthLevel> levels;
+  for (const auto& [name, material] : gear.material) {
+    if (!material.growth_scatter) continue;
+    const FieldPath path = FieldPath("material") / name / "growth_scatter";
+    if (material.growth_scatter->level) levels.push_back({name, false, (path / "level").text()});
+    if (material.growth_scatter->exponent)
+      levels.push_back({name, true, (path / "exponent").text()});
+  }
+  return levels;
+}
+
+CorrelatedNormals life_normals(const GearSet& gear) {
+  std::vector<std::string> paths = scattering_paths(gear);
+  for (const GrowthLevel& level : growth_levels(gear)) paths.push_back(level.path);
+  return normals_of(gear, paths);
 }
 
 KinematicError kinematic_error_of(const GearSet& gear) {

@@ -65,6 +65,7 @@ void check_layer(const FieldPath& path, const Material& layer) {
   constexpr std::string_view kOfAll = "is not read for a layer; give that of the laminate";
   refuse_if_given(!layer.growth.empty(), path / "growth", kOfAll);
   refuse_if_given(layer.growth_bounds.has_value(), path / "growth_bounds", kOfAll);
+  refuse_if_given(layer.growth_scatter.has_value(), path / "growth_scatter", kOfAll);
 }
 
 void check_laminate(const GearSet& gear, const FieldPath& path, const Material& laminate) {

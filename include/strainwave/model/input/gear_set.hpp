@@ -337,6 +337,21 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 /// @throws InputError  if no numbers can have these correlations
 [[nodiscard]] CorrelatedNormals scattering_normals(const GearSet& gear);
 
+/// A part of the scatter of growth of a material that is a number of the drive: the level or the
+/// exponent of its specimen.
+struct GrowthLevel {
+  std::string material;   ///< name in `material`
+  bool exponent = false;  ///< whether the part is that of the exponent alone
+  std::string path;       ///< of the field that gives the deviation
+};
+/// The levels and exponents of the materials whose growth scatters, in the order of the materials.
+[[nodiscard]] std::vector<GrowthLevel> growth_levels(const GearSet& gear);
+
+/// The standard normal variables of the inputs that scatter, as of scattering_normals, followed by
+/// those of growth_levels.
+/// @throws InputError  if no numbers can have these correlations
+[[nodiscard]] CorrelatedNormals life_normals(const GearSet& gear);
+
 /// The kinematic error of a drive: the orders of the file, and the lines of its table (MO-56).
 [[nodiscard]] KinematicError kinematic_error_of(const GearSet& gear);
 

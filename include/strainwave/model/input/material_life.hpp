@@ -79,6 +79,83 @@ struct GrowthBounds {
   }
 };
 
+/// How the growth of cracks scatters about its law: from specimen to specimen, and along the path
+/// of one crack.  The logarithm of a rate deviates by eq. (GS-12).  The threshold does not scatter.
+struct GrowthScatter {
+  /// lambda, standard deviation of the level of a specimen in ln(da/dN) [-]; >= 0; absent: no part
+  std::optional<double> level = {};
+  /// correlation of the levels of two cracks of the material [-]; in [0, 1]; absent: 1, one level
+  /// for all cracks of the material
+  std::optional<double> level_correlation = {};
+  /// standard deviation of the exponent m of a specimen [-]; >= 0; absent: no part
+  std::optional<double> exponent = {};
+  /// correlation of level and exponent of a specimen [-]; in [-1, 1]; absent: 0
+  std::optional<double> exponent_correlation = {};
+  std::optional<double> pivot = {};  ///< Delta K at which the level holds [Pa*m^0.5]; > 0
+  /// gamma, standard deviation of the correlated part along the path [-]; >= 0; absent: no part
+  std::optional<double> wander = {};
+  /// l, correlation length of this part in ln(size) [-]; >= 0.001
+  std::optional<double> wander_length = {};
+  /// standard deviation of the mean over a step of `white_step` [-]; >= 0; absent: no part
+  std::optional<double> white = {};
+  std::optional<double> white_step = {};  ///< growth of the size with one deviation [m]; >= 1 um
+  std::string source = {};                ///< origin of the numbers, one line; may be empty
+
+  /// Whether cracks of the material differ from specimen to specimen.
+  [[nodiscard]] bool differs() const { return level.has_value() || exponent.has_value(); }
+  /// Whether the rate varies along the path of a crack.
+  [[nodiscard]] bool varies_along_path() const { return wander.has_value() || white.has_value(); }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto add = [&](std::string_view name, std::string_view unit, std::string_view doc,
+                         const Range& range, std::string_view example, auto member) {
+      field(Field{.name = name,
+                  .unit = unit,
+                  .doc = doc,
+                  .range = range,
+                  .example = example,
+                  .in_template = InTemplate::commented},
+            member);
+    };
+    constexpr Range kDeviation{
+        .lower = 0.0, .lower_open = false, .upper = 3.0, .upper_open = false};
+    add("level", "1", "standard deviation of the level of a specimen in ln(da/dN)", kDeviation,
+        "0.08", &GrowthScatter::level);
+    add("level_correlation", "1",
+        "correlation of the levels of two cracks of the material; 1, one level for all of them, if "
+        "left out",
+        {.lower = 0.0, .lower_open = false, .upper = 1.0, .upper_open = false}, "1",
+        &GrowthScatter::level_correlation);
+    add("exponent", "1", "standard deviation of the exponent m of a specimen", kDeviation, "0.05",
+        &GrowthScatter::exponent);
+    add("exponent_correlation", "1",
+        "correlation of level and exponent of a specimen; 0 if left out",
+        {.lower = -1.0, .lower_open = false, .upper = 1.0, .upper_open = false}, "-0.3",
+        &GrowthScatter::exponent_correlation);
+    add("pivot", "Pa*m^0.5", "range of K at which the level holds; beside exponent", kPositive,
+        R"("15 MPa*m^0.5")", &GrowthScatter::pivot);
+    add("wander", "1",
+        "standard deviation of the part of ln(da/dN) that wanders along the path of a crack",
+        kDeviation, "0.1", &GrowthScatter::wander);
+    add("wander_length", "1", "correlation length of this part in the logarithm of the size",
+        {.lower = 0.001, .lower_open = false, .upper = 100.0, .upper_open = false}, "0.2",
+        &GrowthScatter::wander_length);
+    add("white", "1",
+        "standard deviation of ln(da/dN) in a step of white_step that no other step shares",
+        kDeviation, "0.12", &GrowthScatter::white);
+    add("white_step", "m", "growth of the size in which the white part stays the same",
+        {.lower = 1e-6, .lower_open = false}, R"("0.2 mm")", &GrowthScatter::white_step);
+    field(Field{.name = "source",
+                .unit = "",
+                .doc = "one line",
+                .example = R"("44 specimens of one plate")",
+                .fallback = R"("")",
+                .in_template = InTemplate::commented},
+          &GrowthScatter::source);
+  }
+};
+
 /// Fatigue of the material without a crack: a line of stress amplitude over cycles at R = -1.
 struct FatigueStrength {
   double limit = 0.0;                 ///< sigma_-1, amplitude at R = -1, smooth specimen [Pa]; > 0

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/crack_strength.hpp"
+
+namespace strainwave {
+
+/// Verdicts and reserves of every crack, as of crack_strength, in a fraction of its time: without
+/// critical sizes and uncertainties.
+/// @param gear         as of crack_strength
+/// @return             as of crack_strength
+/// @throws InputError  if the gear breaks a rule
+[[nodiscard]] std::vector<CrackStrength> crack_reserves(const GearSet& gear);
+
+}  // namespace strainwave
