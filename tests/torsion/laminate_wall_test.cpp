@@ -71,12 +71,11 @@ GearSet ply_drive() { return ply_drive(kStacks.at("angle_ply"), kStacks.at("quas
 // of its last digit.
 TEST(LaminateWall, CrosscheckShellOfRevolution) {
   // of n = 2, of n = 3 and 6, of the tilt
-  const std::map<std::string, std::array<double, 3>> percent = {{"steel", {9, 9, 9}},
-                                                                {"angle_ply", {9, 9, 9}},
-                                                                {"steep", {9, 9, 9}},
-                                                                {"cross_ply", {9, 9, 9}},
-                                                                {"quasi", {9, 9, 9}}};
-  std::map<std::string, std::array<double, 3>> worst;
+  const std::map<std::string, std::array<double, 3>> percent = {{"steel", {0.8, 2.7, 1.5}},
+                                                                {"angle_ply", {5.7, 3.1, 2.5}},
+                                                                {"steep", {0.6, 0.9, 2.2}},
+                                                                {"cross_ply", {1.3, 2.2, 1.2}},
+                                                                {"quasi", {0.8, 1.3, 1.8}}};
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("laminate_wall")) {
     const std::string name =
@@ -118,13 +117,9 @@ TEST(LaminateWall, CrosscheckShellOfRevolution) {
                                    mode.barrel + mode.diaphragm;
     const double off = 100 * (ours / row.value - 1);
     const std::size_t column = tilt ? 2 : n == 2 ? 0 : 1;
-    double& most = worst[name][column];
-    if (std::abs(off) > std::abs(most)) most = off;
     EXPECT_NEAR(off, 0, percent.at(name)[column] + 0.05) << row.quantity << " n = " << n;
     ++compared;
   }
-  for (const auto& [name, of] : worst)
-    std::printf("%s %.3g %.3g %.3g\n", name.c_str(), of[0], of[1], of[2]);
   EXPECT_EQ(compared, 240);
 }
 
@@ -155,10 +150,13 @@ TEST(LaminateWall, CrosscheckBottomOfPlies) {
     };
     const double upper = stiffness(mean_plate(wall));
     const double lower = stiffness(softest_plate(wall));
-    std::printf("%s %g: %.4f %.4f\n", row.quantity.c_str(), row("mode"), lower / row.value,
-                upper / row.value);
-    EXPECT_GE(upper, row.value * (1 - 1e-3)) << row.quantity;
-    EXPECT_LE(lower, row.value * (1 + 1e-3)) << row.quantity;
+    EXPECT_GE(upper, row.value * (1 - 1e-4)) << row.quantity;
+    EXPECT_LE(lower, row.value * (1 + 1e-4)) << row.quantity;
+    // How close they are, as (LA-17) states.
+    const bool even = row.quantity == "steel";
+    const bool many = row.quantity == "many";
+    EXPECT_LE(upper, row.value * (even ? 1.0001 : many ? 1.011 : 1.107)) << row.quantity;
+    EXPECT_GE(lower, row.value * (even ? 0.9999 : many ? 0.952 : 0.625)) << row.quantity;
     ++between;
   }
   EXPECT_EQ(between, 18);
