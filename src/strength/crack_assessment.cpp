@@ -250,7 +250,8 @@ std::vector<CrackStrength> strengths(const GearSet& gear, std::span<const CrackR
       crack.range_end = end;
       crack.range_text = "where the surface cracks of the row influence each other too much";
     }
-    if (with_sizes && crack.group && crack.size.size < crack.range_end && crack.group->fault().empty())
+    if (with_sizes && crack.group && crack.size.size < crack.range_end &&
+        crack.group->fault().empty())
       end_in_group(crack);
     result.push_back(strength_of(gear, crack, reports, with_sizes));
   }
