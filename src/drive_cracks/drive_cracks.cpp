@@ -533,7 +533,7 @@ class Maker {
       if (bent) effect.by_hoop = at.apart()[j].by_hoop;  // the assembly opens all of them
       return at_tips(effect, size);
     };
-    made.bending = tube_bending(made, solution.mean_radius);
+    made.bending = tube_bending(made.front, solution.mean_radius);
     take_ligaments(made, solution.mean_radius);
   }
 
