@@ -54,11 +54,11 @@ def duty(*, rainflow: Optional[Named] = None, column: Optional[Named] = None,
 
 
 def fit(data: Named, *, stress_range: Optional[Named] = None, plate_width: Optional[Named] = None,
-        judge: Optional[Named] = None, size: Optional[Sequence[Named]] = None,
-        known: Optional[Sequence[Named]] = None, parts: Optional[Named] = None,
-        knots: Optional[int] = None, confidence: Optional[float] = None,
-        draws: Optional[int] = None, seed: Optional[int] = None, threads: Optional[int] = None,
-        texts: Optional[Mapping[str, str]] = None,
+        stress_ratio: Optional[float] = None, judge: Optional[Named] = None,
+        size: Optional[Sequence[Named]] = None, known: Optional[Sequence[Named]] = None,
+        parts: Optional[Named] = None, knots: Optional[int] = None,
+        confidence: Optional[float] = None, draws: Optional[int] = None, seed: Optional[int] = None,
+        threads: Optional[int] = None, texts: Optional[Mapping[str, str]] = None,
         progress: ShownProgress = None) -> results.fit.FitResult:
     """Fit a law of crack growth and its scatter to measured specimens.
 
@@ -69,6 +69,8 @@ def fit(data: Named, *, stress_range: Optional[Named] = None, plate_width: Optio
         stress_range: range of the stress on a plate with a crack in its middle, a number with its
             unit; sizes are then half lengths
         plate_width: width of the plate, a number with its unit; left out for a wide plate
+        stress_ratio: R of the test, which the records do not say; the text for a drive file states
+            it
         judge: CSV of other specimens, of the same test, whose cycles are predicted; each specimen
             of the data by a fit to all others if left out
         size: size whose cycles are predicted, a number with its unit; once or more; five sizes over
@@ -88,9 +90,9 @@ def fit(data: Named, *, stress_range: Optional[Named] = None, plate_width: Optio
         progress: True for a line of progress, or a function that receives the completed fraction
     """
     given: dict[str, Any] = {"data": data, "stress_range": stress_range, "plate_width": plate_width,
-                             "judge": judge, "size": size, "known": known, "parts": parts,
-                             "knots": knots, "confidence": confidence, "draws": draws, "seed": seed,
-                             "threads": threads}
+                             "stress_ratio": stress_ratio, "judge": judge, "size": size, "known": known,
+                             "parts": parts, "knots": knots, "confidence": confidence, "draws": draws,
+                             "seed": seed, "threads": threads}
     answer: results.fit.FitResult = run(None, "fit", given, texts, progress)
     return answer
 
@@ -474,9 +476,14 @@ class DriveCommands:
                 ceiling: Optional[float] = None, see: Optional[Sequence[Named]] = None,
                 at: Optional[Sequence[Named]] = None, every: Optional[Named] = None,
                 first: Optional[Named] = None, risk: Optional[float] = None,
-                most: Optional[int] = None, draws: Optional[int] = None,
-                importance_sampling: Optional[bool] = None, seed: Optional[int] = None,
-                threads: Optional[int] = None, texts: Optional[Mapping[str, str]] = None,
+                most: Optional[int] = None, law: Optional[Named] = None,
+                mixed_mode: Optional[Literal["energy", "tanaka", "richard", "largest_tangential_stress"]] = None,
+                interaction: Optional[Literal["none", "wheeler", "willenborg", "closure"]] = None,
+                zone_factor: Optional[float] = None, wheeler_exponent: Optional[float] = None,
+                constraint: Optional[float] = None, stress_level: Optional[float] = None,
+                draws: Optional[int] = None, importance_sampling: Optional[bool] = None,
+                seed: Optional[int] = None, threads: Optional[int] = None,
+                texts: Optional[Mapping[str, str]] = None,
                 progress: ShownProgress = None) -> results.inspect.InspectResult:
         """Compute the risk of cracked drives over hours, and the inspections that lower it.
 
@@ -514,7 +521,17 @@ class DriveCommands:
             risk: wanted probability of failure up to the end of service; plans the fewest
                 inspections for it
             most: largest number of inspections of a plan, 1 to 100; 20 if left out
-            draws: number of drives drawn from [[scatter]], 20 to 1e6
+            law: steel of the material library whose law of growth replaces that of the file; the
+                file's if left out
+            mixed_mode: rule that makes one stress intensity of three modes
+            interaction: how a large cycle slows the cycles after it
+            zone_factor: beta of the plastic zone (K/yield strength)^2/(beta pi): 1 the whole zone
+                in plane stress, 2 its radius, 3 and 6 in plane strain; needed with `interaction`
+            wheeler_exponent: exponent of `interaction="wheeler"`, which needs it
+            constraint: alpha of Newman's opening, 1 in plane stress to 3 in plane strain, for
+                `interaction="closure"`; cracks with a law of NASGRO take that of their law
+            stress_level: largest stress over the flow stress of Newman's opening, with `constraint`
+            draws: number of drives drawn from [[scatter]] and growth_scatter, 20 to 1e6
             importance_sampling: let draws scatter about the failures up to the end of service too,
                 for probabilities below about 1e-2; needs an `until` before the life at the values
                 of the file
@@ -530,7 +547,10 @@ class DriveCommands:
                                  "find": find, "repaired_to": repaired_to, "detection_data": detection_data,
                                  "threshold": threshold, "floor": floor, "ceiling": ceiling, "see": see,
                                  "at": at, "every": every, "first": first, "risk": risk, "most": most,
-                                 "draws": draws, "importance_sampling": importance_sampling, "seed": seed,
+                                 "law": law, "mixed_mode": mixed_mode, "interaction": interaction,
+                                 "zone_factor": zone_factor, "wheeler_exponent": wheeler_exponent,
+                                 "constraint": constraint, "stress_level": stress_level, "draws": draws,
+                                 "importance_sampling": importance_sampling, "seed": seed,
                                  "threads": threads}
         answer: results.inspect.InspectResult = self._run("inspect", given, texts, progress)
         return answer

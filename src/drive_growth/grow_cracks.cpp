@@ -646,6 +646,8 @@ class Path {
     State next(state.size());
     State next_slope(state.size());
     State error(state.size());
+    // A crack of the coupled drive may begin larger than the file says.
+    if (growing_.deviates()) (void)growing_.next_deviations(state);
     system(state, slope, 0.0);
     double h = 1e-3 * step_factor_;
     double since_assessment = kAssessmentStep;

@@ -366,6 +366,9 @@ TEST(LaminateGrowth, InputOfMetals) {
                       "exponent = 3\n")
           .find("growth: is not read for a layer"),
       std::string::npos);
+  EXPECT_NE(refused(sound + "[material.carbon.growth_scatter]\nlevel = 0.1\n")
+                .find("growth_scatter: is not read for a layer"),
+            std::string::npos);
 }
 
 // Kind: behaviour.  The laws of the library are those of metals: a laminate keeps its own.

@@ -2017,7 +2017,7 @@ TEST(CheckRange, ReferenceRanges) {
       {"material.steel.growth_scatter.wander", ">= 0 and <= 3"},
       {"material.steel.growth_scatter.wander_length", ">= 0.001 and <= 100"},
       {"material.steel.growth_scatter.white", ">= 0 and <= 3"},
-      {"material.steel.growth_scatter.white_step", ">= 0.001 mm"},
+      {"material.steel.growth_scatter.white_step", ">= 1e-06 m"},
       {"output_bearing.load_factor", ">= 1"},
       {"wave_generator.bearing.inner_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.outer_conformity", "> 0.5 and < 1"},

@@ -61,6 +61,33 @@ class Scatter(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class Basis(Part):
+    """What law and scatter are stated for."""
+
+    test: str
+    """how the ranges of the stress intensity factor were found"""
+    stress_ratio: Optional[Quantity]
+    """R of the test, as stated; absent: not stated; None if absent"""
+    from_: Quantity
+    """least range of a step of the records [Pa*m^0.5]"""
+    to: Quantity
+    """greatest range of a step of the records [Pa*m^0.5]"""
+    step: Quantity
+    """geometric mean of the lengths of the steps [m]"""
+    pivot: Quantity
+    """range at which the level of a specimen holds [Pa*m^0.5]"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "test": ("test", _to.plain),
+        "stress_ratio": ("stress_ratio", _to.quantity),
+        "from": ("from_", _to.quantity),
+        "to": ("to", _to.quantity),
+        "step": ("step", _to.quantity),
+        "pivot": ("pivot", _to.quantity),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Tried(Part):
     """Numbers of knots that were tried."""
 
@@ -189,6 +216,8 @@ class FitResult(Result):
     """median rate of growth"""
     scatter: Scatter
     """parameters of the scatter"""
+    basis: Basis
+    """what law and scatter are stated for"""
     tried: Tried
     """numbers of knots that were tried"""
     log_likelihood: Quantity
@@ -209,7 +238,7 @@ class FitResult(Result):
     """band of each specimen"""
 
     command: ClassVar[str] = "fit"
-    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "plot")
+    documents: ClassVar[tuple[str, ...]] = ("json", "text", "csv", "toml", "plot")
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "specimens": ("specimens", _to.plain),
         "steps": ("steps", _to.plain),
@@ -218,6 +247,7 @@ class FitResult(Result):
         "pooled_deviation": ("pooled_deviation", _to.quantity),
         "knots": ("knots", Knots._of),
         "scatter": ("scatter", Scatter._of),
+        "basis": ("basis", Basis._of),
         "tried": ("tried", Tried._of),
         "log_likelihood": ("log_likelihood", _to.quantity),
         "converged": ("converged", _to.plain),
