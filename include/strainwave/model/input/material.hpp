@@ -37,11 +37,11 @@ struct Material {
   std::optional<FatigueStrength> fatigue = {};
   std::vector<RateLaw> growth = {};  ///< law of crack growth; at most one
   std::optional<GrowthBounds> growth_bounds = {};
-  std::optional<double> transverse_modulus = {};    ///< E2 of a layer [Pa]; > 0
-  std::optional<LaminaStrength> ply_strength = {};  ///< of a layer
+  std::optional<double> transverse_modulus = {};      ///< E2 of a layer [Pa]; > 0
+  std::optional<LaminaStrength> ply_strength = {};    ///< of a layer
   std::optional<LaminaEndurance> ply_endurance = {};  ///< of a layer
-  std::vector<Ply> ply = {};                        ///< of a laminate
-  std::optional<Stacking> stacking = {};            ///< of the plies; absent: as listed
+  std::vector<Ply> ply = {};                          ///< of a laminate
+  std::optional<Stacking> stacking = {};              ///< of the plies; absent: as listed
   /// G_c, energy release rate at which a crack cuts all plies of a laminate [J/m^2]; > 0
   std::optional<double> fracture_energy = {};
   /// E of the equivalent K of a laminate, sqrt(G E) [Pa]; > 0; absent: that of an opening crack
