@@ -421,8 +421,7 @@ class Maker {
       use(made, {"LA-9", "LA-15"});
     }
     made.front = [states = BothStates(loaded.solution), bending, energy_modes,
-                  in_laminate = made.laminate](
-                     const CrackSize& size, Faces faces) {
+                  in_laminate = made.laminate](const CrackSize& size, Faces faces) {
       const double root = std::sqrt(pi * size.size);
       const sif::ThroughCrackInTube& solution = states.with(faces);
       auto front = along(solution, size.size, {-1.0, 0.0, 1.0});

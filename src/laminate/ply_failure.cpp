@@ -95,8 +95,7 @@ struct HaighShares {
               const LaminaEndurance& endurance)
       : amplitude{std::abs(a.along) / endurance.fibre, std::abs(a.across) / endurance.transverse,
                   std::abs(a.shear) / endurance.shear},
-        mean{m.along > 0 ? m.along / strength.fibre_tension
-                         : -m.along / strength.fibre_compression,
+        mean{m.along > 0 ? m.along / strength.fibre_tension : -m.along / strength.fibre_compression,
              m.across > 0 ? m.across / strength.transverse_tension
                           : -m.across / strength.transverse_compression,
              std::abs(m.shear) / strength.shear} {}

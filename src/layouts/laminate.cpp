@@ -145,12 +145,28 @@ std::string laminate_text(const LaminateReport& report, const GearSet& gear) {
 }
 
 std::string laminate_csv(const LaminateReport& report) {
-  Table table{.head = {"section", "ply", "material", "angle [rad]", "thickness [m]",
-                       "load_along [Pa]", "load_across [Pa]", "load_shear [Pa]",
-                       "assembly_along [Pa]", "assembly_across [Pa]", "assembly_shear [Pa]",
-                       "tsai_wu [1]", "largest_strain [1]", "proportional [1]", "worst_face",
-                       "worst_angle [rad]", "worst_sense", "worst_along [Pa]", "worst_across [Pa]",
-                       "worst_shear [Pa]", "haigh [1]", "haigh_factor [1]"}};
+  Table table{.head = {"section",
+                       "ply",
+                       "material",
+                       "angle [rad]",
+                       "thickness [m]",
+                       "load_along [Pa]",
+                       "load_across [Pa]",
+                       "load_shear [Pa]",
+                       "assembly_along [Pa]",
+                       "assembly_across [Pa]",
+                       "assembly_shear [Pa]",
+                       "tsai_wu [1]",
+                       "largest_strain [1]",
+                       "proportional [1]",
+                       "worst_face",
+                       "worst_angle [rad]",
+                       "worst_sense",
+                       "worst_along [Pa]",
+                       "worst_across [Pa]",
+                       "worst_shear [Pa]",
+                       "haigh [1]",
+                       "haigh_factor [1]"}};
   for (const LaminateWall& wall : report.walls)
     for (const PlyState& ply : wall.plies)
       table.rows.push_back(cells(wall.path, ply.number, ply.material, ply.angle, ply.thickness,

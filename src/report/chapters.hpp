@@ -24,7 +24,7 @@ struct Draft {
   std::vector<Note> notes = {};             ///< notes of the result and of other models, each once
   std::vector<std::string> equations = {};  ///< tags, each once
   std::string inputs_summary = {};          ///< number of inputs by origin; plain text
-  std::string life = {};    ///< what ends the life of the parts; plain text, empty: not computed
+  std::string life = {};       ///< what ends the life of the parts; plain text, empty: not computed
   std::string laminates = {};  ///< which ply fails first; plain text, empty: no laminate
   std::string growth = {};  ///< what ends the growth of the cracks; plain text, empty: not computed
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/layouts/laminate.hpp"
-
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/laminate.hpp"
 
 namespace strainwave::report {
 
@@ -18,8 +17,7 @@ ReportSection laminate_chapter(Draft& draft) {
     draft.add(laminates.notes);
     draft.add(laminates.equations);
   } catch (const InputError& error) {
-    section.html =
-        paragraph(std::string("The plies are not computed: ") + error.what(), "absent");
+    section.html = paragraph(std::string("The plies are not computed: ") + error.what(), "absent");
   }
   return section;
 }

@@ -474,15 +474,15 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
   if (state.utilisation && laminate) {
     const double times = *state.utilisation * *state.utilisation;
     const double by_load = state.K_load / state.K * state.K_load / state.K * times;
-    text += state.with_assembly
-                ? fmt::format("; the energy release rate is at most {:.3g} times the fracture "
-                              "energy, and {:.3g} times without the bending of the plies",
-                              times, by_load)
-                : fmt::format("; the energy release rate is {:.3g} times the fracture energy",
-                              times);
+    text +=
+        state.with_assembly
+            ? fmt::format(
+                  "; the energy release rate is at most {:.3g} times the fracture "
+                  "energy, and {:.3g} times without the bending of the plies",
+                  times, by_load)
+            : fmt::format("; the energy release rate is {:.3g} times the fracture energy", times);
   }
-  if (state.utilisation && !laminate)
-    text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
+  if (state.utilisation && !laminate) text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
   if (state.L_r) text += fmt::format("; L_r = {:.3g}", *state.L_r);
   return text + accuracy_words(state) + size_words(crack, state);
 }

@@ -96,13 +96,14 @@ void note_laminates(const GearSet& gear, std::vector<Note>& notes) {
                          thickness);
   };
   if (wall_of(*fs.barrel, fs.barrel->wall_thickness))
-    notes.push_back({"torsion.laminate",
-                     "the barrel resists the oval rim with the stretching, shear and bending of its "
-                     "plies, without their coupling of bending with twist; the accuracy of the "
-                     "curve was found with drives of steel, none of which has such a barrel",
-                     "flexspline.barrel", "LA-16", Severity::care,
-                     "Compare the drive with a measured curve, and run strainwave laminate for the "
-                     "stress of the plies."});
+    notes.push_back(
+        {"torsion.laminate",
+         "the barrel resists the oval rim with the stretching, shear and bending of its "
+         "plies, without their coupling of bending with twist; the accuracy of the "
+         "curve was found with drives of steel, none of which has such a barrel",
+         "flexspline.barrel", "LA-16", Severity::care,
+         "Compare the drive with a measured curve, and run strainwave laminate for the "
+         "stress of the plies."});
   const auto bottom = wall_of(*fs.diaphragm, fs.diaphragm->thickness);
   if (!bottom) return;
   const double softer = 1 - softest_plate(*bottom).bending / mean_plate(*bottom).bending;

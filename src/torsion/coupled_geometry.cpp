@@ -480,7 +480,8 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   if (gear.mesh->pair_stiffness) {
     const double E = elastic_constants(rim_material(gear, *gear.flexspline)).E;
     require(*gear.mesh->pair_stiffness <= E / 3, "mesh.pair_stiffness", *gear.mesh->pair_stiffness,
-            "Pa", "at most a third of Young's modulus of the flexspline's rim for drawn teeth (TC-31)");
+            "Pa",
+            "at most a third of Young's modulus of the flexspline's rim for drawn teeth (TC-31)");
   }
   if (!gear.circular_spline) return;
   const double inside = gear.circular_spline->inner_diameter;
@@ -506,9 +507,8 @@ void check_walls(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   (void)rim_material(gear, fs);
   const auto check_wall = [&](std::string_view name, const auto& section, double thickness) {
-    const std::string field = section.material
-                                  ? fmt::format("flexspline.{}.material", name)
-                                  : std::string("flexspline.material");
+    const std::string field = section.material ? fmt::format("flexspline.{}.material", name)
+                                               : std::string("flexspline.material");
     const std::string& material = material_name(fs, section);
     const auto wall =
         wall_laminate(Lift<double>(), gear, material_of(gear, material, field), thickness);
@@ -613,11 +613,11 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
           material_of(gear, material_name(fs, *fs.barrel), "flexspline.material");
       !barrel.is_laminate())
     g.barrel_modulus = elastic_constants(lift, barrel).plane_strain_modulus();
-  g.tilt = wall_mode(flexspline_wall(fs, lift, g.ring_radius,
-                                     wall_materials(gear, lift, g.ring_radius),
-                                     options.diaphragm_warping),
-                     2)
-               .tilt;
+  g.tilt =
+      wall_mode(flexspline_wall(fs, lift, g.ring_radius, wall_materials(gear, lift, g.ring_radius),
+                                options.diaphragm_warping),
+                2)
+          .tilt;
 
   const BasicRaceContacts<Real> races = race_contacts(lift, bearing, g.ball_steel);
   // delta = c Q^(2/3) at each race: c is the approach at 1 N.

@@ -152,8 +152,7 @@ BasicWallMode<Real> wall_mode(const BasicFlexsplineWall<Real>& wall, int n) {
   const Real half = width / 2;
   const Real D_rim = plate_bending(wall.rim, wall.rim_thickness);
   const Real tilts = sloped[2] - 2 * half * sloped[3] + half * half * moved[3] +
-                     D_rim * width *
-                         (turn(2 * (1 - wall.rim.nu)) + hoop * width * width / 12);
+                     D_rim * width * (turn(2 * (1 - wall.rim.nu)) + hoop * width * width / 12);
   const Real couples = sloped[3] - half * moved[3];
   BasicWallMode<Real> mode;
   mode.tilt = -couples / tilts;

@@ -222,9 +222,9 @@ TEST(LaminateGrowth, IdentityBendingOfAMetal) {
     ASSERT_TRUE(of_metal.assembly && of_laminate.assembly);
     test::expect_relative(of_laminate.assembly_peak, of_metal.assembly_peak, 1e-8);
     for (std::size_t mode = 0; mode < 2; ++mode)
-      test::expect_relative(
-          of_laminate.front(of_laminate.size, Faces::open).front().assembly[mode],
-          of_metal.front(of_metal.size, Faces::open).front().assembly[mode], 1e-8);
+      test::expect_relative(of_laminate.front(of_laminate.size, Faces::open).front().assembly[mode],
+                            of_metal.front(of_metal.size, Faces::open).front().assembly[mode],
+                            1e-8);
     EXPECT_GT(std::abs(of_metal.front(of_metal.size, Faces::open).front().assembly[0]), 1 * MPa);
     const CrackStrength strength = crack_strength(laminate).at(0);
     const CrackStrength expected = crack_strength(metal).at(0);
@@ -263,8 +263,8 @@ TEST(LaminateGrowth, CrosscheckBoundOfTheBending) {
     double normal = 0.0;
     double shear = 0.0;
     for (std::size_t i = 0; i < layup.size(); ++i) {
-      const auto at_face =
-          turned_stiffness(reduced_stiffness(layup[i].lamina), layup[i].angle).times({0, strain, 0});
+      const auto at_face = turned_stiffness(reduced_stiffness(layup[i].lamina), layup[i].angle)
+                               .times({0, strain, 0});
       const double stress[2][2] = {{at_face[0], at_face[2]}, {at_face[2], at_face[1]}};
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) {
@@ -286,18 +286,18 @@ TEST(LaminateGrowth, CrosscheckBoundOfTheBending) {
 // energy with and without it; the energy of the load alone does prove one.
 TEST(LaminateGrowth, BehaviourBoundIsNoFracture) {
   const auto strength = [](double energy) {
-    return crack_strength(
-               with_two_lobes(tube(plies("fracture_energy = \"" + std::to_string(energy) +
-                                             " J/m^2\"\n",
-                                         {at(45), at(-45), at(-45), at(45)}),
-                                   45 * deg)))
+    return crack_strength(with_two_lobes(tube(
+                              plies("fracture_energy = \"" + std::to_string(energy) + " J/m^2\"\n",
+                                    {at(45), at(-45), at(-45), at(45)}),
+                              45 * deg)))
         .at(0);
   };
   const CrackStrength tough = strength(1e6);
   const StrengthState& worst = *tough.worst();
   EXPECT_TRUE(worst.with_assembly);
   EXPECT_GT(worst.K, 1.1 * worst.K_load);
-  const double of_load = worst.K_load * worst.K_load * 1e6 / std::pow(worst.K / *worst.utilisation, 2);
+  const double of_load =
+      worst.K_load * worst.K_load * 1e6 / std::pow(worst.K / *worst.utilisation, 2);
   const CrackStrength between = strength(1.2 * of_load);
   EXPECT_EQ(between.verdict, StrengthVerdict::cannot_tell);
   EXPECT_GT(*between.worst()->utilisation, 1);

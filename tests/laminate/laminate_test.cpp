@@ -342,10 +342,10 @@ TEST(Laminate, BehaviourBalancedAndSymmetric) {
   };
   EXPECT_TRUE(uncoupled({45, -45, -45, 45}));
   EXPECT_TRUE(uncoupled({0, 90, 90, 0}));
-  EXPECT_FALSE(uncoupled({30}));              // A16, A26
-  EXPECT_FALSE(uncoupled({0, 90}));           // B11, B22
-  EXPECT_FALSE(uncoupled({45, -45}));         // B16, B26
-  EXPECT_FALSE(uncoupled({0, 60, -60}));      // B, although A is isotropic
+  EXPECT_FALSE(uncoupled({30}));          // A16, A26
+  EXPECT_FALSE(uncoupled({0, 90}));       // B11, B22
+  EXPECT_FALSE(uncoupled({45, -45}));     // B16, B26
+  EXPECT_FALSE(uncoupled({0, 60, -60}));  // B, although A is isotropic
   EXPECT_FALSE(uncoupled({45, -44, -44, 45}));
   EXPECT_TRUE(uncoupled({45, -44, -44, 45}, 0.05));
   // Each entry alone breaks the rule just above its limit: of A against the lesser of A11 and A22,

@@ -84,7 +84,8 @@ TEST(PlyFailure, IdentityFactorsMeetTheirLimits) {
   // Any stress counts, however small.
   for (const double across : {0.5, -0.5})
     test::expect_relative(
-        strain_factor({}, {.along = 0, .across = across, .shear = 0}, kPlyCarbon, kStrength).value(),
+        strain_factor({}, {.along = 0, .across = across, .shear = 0}, kPlyCarbon, kStrength)
+            .value(),
         (across > 0 ? 40e6 : 246e6) / 0.5, 1e-12);
 }
 
@@ -179,7 +180,7 @@ TEST(PlyFailure, IdentityEnduranceFactor) {
   EXPECT_FALSE(endurance_factor(amplitude, {}, kStrength, kEndurance));
 }
 
-// Kind: identity (LA-18).  The assembly's stress runs between that at a lobe and its negative.  What
+// Kind: identity (LA-18).  The assembly's stress runs between that at a lobe and its negative. What
 // both criteria admit is convex, so the least factor over the turn is that of one end.  Tolerance:
 // rounding.
 TEST(PlyFailure, IdentityWorstAngleIsAnEnd) {

@@ -117,8 +117,7 @@ TEST(LaminateReport, IdentityPlyUnderLoadAndAssembly) {
     test::expect_relative(tsai_wu_factor(bent, load, strength).value(), *ply.tsai_wu, 1e-9);
     const LaminaStress both{ply.worst_along, ply.worst_across, ply.worst_shear};
     EXPECT_LE(*ply.proportional, tsai_wu_factor({}, both, strength).value() * (1 + 1e-12));
-    EXPECT_TRUE(ply.worst_angle == 0 ||
-                std::abs(ply.worst_angle - std::numbers::pi / 2) < 1e-12);
+    EXPECT_TRUE(ply.worst_angle == 0 || std::abs(ply.worst_angle - std::numbers::pi / 2) < 1e-12);
   }
   EXPECT_LT(*report.walls.front().proportional, *report.walls.front().reserve);
   EXPECT_GT(*report.walls.front().proportional, 1);
@@ -140,9 +139,10 @@ const std::string kEnduring =
 // Kind: identity (LA-19).  The share over a turn is that of the largest amplitude of the assembly
 // and of the worse sense of the load; at the factor on the load it is 1.  Tolerance: rounding.
 TEST(LaminateReport, IdentityEnduranceOverATurn) {
-  GearSet gear = read_gear_set(drive("stacking = \"symmetric\"\n" + ply("layer", "45 deg", "0.3 mm") +
-                                         ply("layer", "-45 deg", "0.3 mm") + kEnduring),
-                               "drive.toml");
+  GearSet gear =
+      read_gear_set(drive("stacking = \"symmetric\"\n" + ply("layer", "45 deg", "0.3 mm") +
+                          ply("layer", "-45 deg", "0.3 mm") + kEnduring),
+                    "drive.toml");
   gear.drive.radial_displacement *= 0.5;
   gear.load.torque *= 0.3;
   const LaminateReport report = laminate_report(gear);
@@ -152,12 +152,12 @@ TEST(LaminateReport, IdentityEnduranceOverATurn) {
   for (const PlyState& of : report.walls.front().plies) {
     double share = 0.0;
     for (const double sense : {1.0, -1.0})
-      share = std::max(share,
-                       ply_endurance({of.assembly_along, of.assembly_across, of.assembly_shear},
-                                     {sense * of.load_along, sense * of.load_across,
-                                      sense * of.load_shear},
-                                     *layer.ply_strength, *layer.ply_endurance)
-                           .utilisation());
+      share = std::max(
+          share,
+          ply_endurance({of.assembly_along, of.assembly_across, of.assembly_shear},
+                        {sense * of.load_along, sense * of.load_across, sense * of.load_shear},
+                        *layer.ply_strength, *layer.ply_endurance)
+              .utilisation());
     test::expect_relative(*of.haigh, share, 1e-9);
     most = std::max(most, share);
     least = std::min(least, *of.haigh_factor);
@@ -195,8 +195,9 @@ TEST(LaminateReport, InputEndurance) {
                     values)
                 .find("ply_endurance: needs ply_strength"),
             std::string::npos);
-  const std::string base = "[material.other]\nbased_on = \"T300/5208\"\n"
-                           "[material.other.ply_endurance]\n";
+  const std::string base =
+      "[material.other]\nbased_on = \"T300/5208\"\n"
+      "[material.other.ply_endurance]\n";
   EXPECT_EQ(refused(base + values), "no error");
   for (const auto& [from, to] : {std::pair{"600", "1500"}, {"16", "40"}, {"30", "68"}}) {
     std::string beyond = values;
@@ -207,8 +208,9 @@ TEST(LaminateReport, InputEndurance) {
   }
   std::string on_laminate = kAnglePly;
   on_laminate.insert(on_laminate.size(), "[material.tube.ply_endurance]\n" + values);
-  EXPECT_NE(test::broken_rule([&] { (void)report_of(drive(on_laminate)); })
-                .find("ply_endurance: is not read beside ply"),
+  EXPECT_NE(test::broken_rule([&] {
+              (void)report_of(drive(on_laminate));
+            }).find("ply_endurance: is not read beside ply"),
             std::string::npos);
 }
 

@@ -78,9 +78,8 @@ TEST(LaminateWall, CrosscheckShellOfRevolution) {
                                                                 {"quasi", {0.8, 1.3, 1.8}}};
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("laminate_wall")) {
-    const std::string name =
-        row.quantity.substr(row.quantity.find('.') + 1,
-                            row.quantity.rfind('.') - row.quantity.find('.') - 1);
+    const std::string name = row.quantity.substr(
+        row.quantity.find('.') + 1, row.quantity.rfind('.') - row.quantity.find('.') - 1);
     const bool tilt = row.quantity.ends_with("tilt");
     const double R = row("radius");
     GearSet gear;
@@ -110,8 +109,8 @@ TEST(LaminateWall, CrosscheckShellOfRevolution) {
     const auto wall = flexspline_wall(fs, lift, R, wall_materials(gear, lift, R), !open);
     const int n = static_cast<int>(row("mode"));
     const auto mode = wall_mode(wall, n);
-    const double EI = row("ring_bending") +
-                      206 * GPa * row("rim_width") * std::pow(row("rim_thickness"), 3) / 12;
+    const double EI =
+        row("ring_bending") + 206 * GPa * row("rim_width") * std::pow(row("rim_thickness"), 3) / 12;
     const double ours = tilt ? mode.tilt
                              : pi * EI / std::pow(R, 3) * (n * n - 1.0) * (n * n - 1.0) +
                                    mode.barrel + mode.diaphragm;
@@ -133,9 +132,8 @@ TEST(LaminateWall, CrosscheckBottomOfPlies) {
   int between = 0;
   for (const test::CsvRow& row : test::read_reference_csv("laminate_bottom")) {
     const double h = row("thickness");
-    gear.material["layer"] = row.quantity == "steel"
-                                 ? layer_of(208 * GPa, 208 * GPa, 80 * GPa, 0.3)
-                                 : gear.material.at("carbon");
+    gear.material["layer"] = row.quantity == "steel" ? layer_of(208 * GPa, 208 * GPa, 80 * GPa, 0.3)
+                                                     : gear.material.at("carbon");
     gear.material["plate"] = plies_at("layer", kStacks.at(row.quantity));
     const auto wall = wall_laminate(lift, gear, gear.material.at("plate"), h).value();
     const auto stiffness = [&](const EvenPlate<>& plate) {
@@ -219,11 +217,11 @@ TEST(LaminateWall, IdentitySeriesOfRingAndTube) {
   const double in_series = (small.twist - small.ring_rotation) / 0.5;
   const MemberCompliance sum = flexspline_compliance(gear);
   const TubeSection& rim = *fs.rim;
-  const double whole_rim = torsional_compliance(
-      Tube{.outer_diameter = rim.outer_diameter,
-           .inner_diameter = rim.outer_diameter - 2 * rim.wall_thickness,
-           .length = rim.length},
-      elastic_constants(gear.material.at("steel")).G);
+  const double whole_rim =
+      torsional_compliance(Tube{.outer_diameter = rim.outer_diameter,
+                                .inner_diameter = rim.outer_diameter - 2 * rim.wall_thickness,
+                                .length = rim.length},
+                           elastic_constants(gear.material.at("steel")).G);
   test::expect_relative(in_series, sum.intact - whole_rim * 2 / 3, 1e-10);
   GearSet soft = gear;
   soft.flexspline->joint_compliance += 1e-6;
@@ -275,9 +273,9 @@ TEST(LaminateWall, BehaviourNoHoopStressOfTheBarrel) {
   const double ratio = *states[1].barrel_bending_stress /
                        (states[1].rim_outside_stress - states[1].rim_inside_stress);
   const Flexspline& fs = *two_metals.flexspline;
-  test::expect_relative(ratio, 0.5 * fs.barrel->wall_thickness / (2 * fs.rim->wall_thickness) *
-                                   103 / (two_metals.material.at("steel").youngs_modulus.value() /
-                                          GPa / 2),
+  test::expect_relative(ratio,
+                        0.5 * fs.barrel->wall_thickness / (2 * fs.rim->wall_thickness) * 103 /
+                            (two_metals.material.at("steel").youngs_modulus.value() / GPa / 2),
                         1e-9);
 }
 

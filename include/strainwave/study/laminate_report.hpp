@@ -85,8 +85,7 @@ struct PlyState {
     field({"worst_sense", "", "sense of torque under which it fails first; 0: not known"},
           &P::worst_sense);
     stress("worst_along", "stress there along the fibres by load and assembly", &P::worst_along);
-    stress("worst_across", "stress there across the fibres by load and assembly",
-           &P::worst_across);
+    stress("worst_across", "stress there across the fibres by load and assembly", &P::worst_across);
     stress("worst_shear", "stress there in shear by load and assembly", &P::worst_shear);
     field({"haigh", "1", "share of the Haigh line over a turn; absent: no endurance is given"},
           &P::haigh);

@@ -207,8 +207,8 @@ struct RimState {
   double tangential = 0.0;          ///< v, toward +theta [m]
   double rim_outside_stress = 0.0;  ///< hoop stress at the tooth roots [Pa]
   double rim_inside_stress = 0.0;   ///< hoop stress at the bore [Pa]
-  /// hoop stress at the outer surface of the barrel's end [Pa]; absent: the plies of a laminate have
-  /// stresses of their own
+  /// hoop stress at the outer surface of the barrel's end [Pa]; absent: the plies of a laminate
+  /// have stresses of their own
   std::optional<double> barrel_bending_stress = {};
   double barrel_shear_stress = 0.0;  ///< from the torque, mean over the wall [Pa]
 

@@ -40,6 +40,24 @@ class Plies(Part):
     """least factor on the loads at which the ply fails by the criterion of Tsai and Wu"""
     largest_strain: FloatArray
     """least factor on the loads at which the ply fails by the largest strain"""
+    proportional: FloatArray
+    """least factor on the loads and the assembly together at which the ply fails"""
+    worst_face: AnyArray
+    """face of the ply that fails first"""
+    worst_angle: FloatArray
+    """its angle from a lobe [rad]"""
+    worst_sense: AnyArray
+    """sense of torque under which it fails first; 0: not known"""
+    worst_along: FloatArray
+    """stress there along the fibres by load and assembly [Pa]"""
+    worst_across: FloatArray
+    """stress there across the fibres by load and assembly [Pa]"""
+    worst_shear: FloatArray
+    """stress there in shear by load and assembly [Pa]"""
+    haigh: FloatArray
+    """share of the Haigh line over a turn; absent: no endurance is given"""
+    haigh_factor: FloatArray
+    """factor on the loads at which the share is 1"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "number": ("number", _to.entries),
@@ -54,6 +72,15 @@ class Plies(Part):
         "assembly_shear": ("assembly_shear", _to.floats),
         "tsai_wu": ("tsai_wu", _to.floats),
         "largest_strain": ("largest_strain", _to.floats),
+        "proportional": ("proportional", _to.floats),
+        "worst_face": ("worst_face", _to.entries),
+        "worst_angle": ("worst_angle", _to.floats),
+        "worst_sense": ("worst_sense", _to.entries),
+        "worst_along": ("worst_along", _to.floats),
+        "worst_across": ("worst_across", _to.floats),
+        "worst_shear": ("worst_shear", _to.floats),
+        "haigh": ("haigh", _to.floats),
+        "haigh_factor": ("haigh_factor", _to.floats),
     }
     _units: ClassVar[dict[str, str]] = {
         "angle": "rad",
@@ -66,6 +93,13 @@ class Plies(Part):
         "assembly_shear": "Pa",
         "tsai_wu": "1",
         "largest_strain": "1",
+        "proportional": "1",
+        "worst_angle": "rad",
+        "worst_along": "Pa",
+        "worst_across": "Pa",
+        "worst_shear": "Pa",
+        "haigh": "1",
+        "haigh_factor": "1",
     }
 
 
@@ -113,6 +147,10 @@ class Walls(Part):
     """least factor on the loads at which a ply fails; absent: not known; None if absent"""
     first_ply: int
     """number of the ply that fails first; 0: not known"""
+    proportional: Optional[Quantity]
+    """least factor on the loads and the assembly together; absent: not known; None if absent"""
+    haigh: Optional[Quantity]
+    """largest share of the Haigh line of the plies; absent: not known; None if absent"""
     plies: Plies
     """each ply"""
 
@@ -137,6 +175,8 @@ class Walls(Part):
         "hoop_strain": ("hoop_strain", _to.quantity),
         "reserve": ("reserve", _to.quantity),
         "first_ply": ("first_ply", _to.plain),
+        "proportional": ("proportional", _to.quantity),
+        "haigh": ("haigh", _to.quantity),
         "plies": ("plies", Plies._of),
     }
     _units: ClassVar[dict[str, str]] = {
@@ -154,6 +194,8 @@ class LaminateResult(Result):
     """the answer in words"""
     reserve: Optional[Quantity]
     """least factor on the loads at which a ply fails; absent: not known; None if absent"""
+    haigh: Optional[Quantity]
+    """largest share of the Haigh line of the plies; absent: not known; None if absent"""
     walls: tuple[Walls, ...]
     """each section of a laminate"""
 
@@ -162,5 +204,6 @@ class LaminateResult(Result):
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "sentence": ("sentence", _to.plain),
         "reserve": ("reserve", _to.quantity),
+        "haigh": ("haigh", _to.quantity),
         "walls": ("walls", _to.many(Walls._of)),
     }

@@ -410,7 +410,7 @@ class Rim(Part):
     rim_inside_stress: FloatArray
     """hoop stress at the bore [Pa]"""
     barrel_bending_stress: FloatArray
-    """hoop stress at the outer surface of the barrel's end [Pa]"""
+    """hoop stress at the outer surface of the barrel's end; absent for a laminate [Pa]"""
     barrel_shear_stress: FloatArray
     """shear stress from the torque in the barrel [Pa]"""
 
