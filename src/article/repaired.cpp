@@ -39,14 +39,14 @@ double lobe_stiffness(const GearSet& gear) {
 CrackedRace race_of(const GearSet& gear, const RaceSurfaceCrack& crack) {
   const WaveGenerator& wg = *gear.wave_generator;
   const auto& [a_contact, b_contact] = *wg.contact_semi_axes;
-  return {
-      .depth = crack.depth,
-      .ring_thickness = *wg.inner_ring_thickness,
-      .flaw_parameter = 1 + 1.464 * std::pow(crack.aspect_ratio, 1.65),
-      .contact_factor = *crack.contact_factor,
-      .contact_semi_major = a_contact,
-      .contact_semi_minor = b_contact,
-      .youngs_modulus = material_of(gear, wg.material, "wave_generator.material").youngs_modulus.value()};
+  return {.depth = crack.depth,
+          .ring_thickness = *wg.inner_ring_thickness,
+          .flaw_parameter = 1 + 1.464 * std::pow(crack.aspect_ratio, 1.65),
+          .contact_factor = *crack.contact_factor,
+          .contact_semi_major = a_contact,
+          .contact_semi_minor = b_contact,
+          .youngs_modulus =
+              material_of(gear, wg.material, "wave_generator.material").youngs_modulus.value()};
 }
 
 /// Radial compliance that the race crack adds [m/N],

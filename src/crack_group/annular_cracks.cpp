@@ -37,7 +37,8 @@ class ShaftModes {
   /// @param count  of modes
   ShaftModes(double inner, std::size_t count) : inner_(inner) {
     const double step = pi / (1 - inner);
-    // The modes are a step apart; the first is at 1.63 steps in a solid shaft and at 1 in a thin tube.
+    // The modes are a step apart; the first is at 1.63 steps in a solid shaft and at 1 in a thin
+    // tube.
     double begin = 0.8 * step;
     double end = 1.8 * step;
     while (wave_numbers_.size() < count) {
@@ -100,9 +101,9 @@ Eigen::VectorXd polynomials(double x) {
   for (Eigen::Index m = 2; m < kFunctions; ++m) {
     const double n = static_cast<double>(m);
     const double c = 2 * n + 0.5;
-    p[m] = ((c - 1) * (c * (c - 2) * x + 0.25) * p[m - 1] -
-            2 * (n - 0.5) * (n - 1) * c * p[m - 2]) /
-           (2 * n * (n + 0.5) * (c - 2));
+    p[m] =
+        ((c - 1) * (c * (c - 2) * x + 0.25) * p[m - 1] - 2 * (n - 0.5) * (n - 1) * c * p[m - 2]) /
+        (2 * n * (n + 0.5) * (c - 2));
   }
   return p;
 }
@@ -161,8 +162,8 @@ Eigen::MatrixXd stress_between(const Jump& one, const Jump& other, bool same,
     const double tip = 1 - one.depth;
     const auto last = static_cast<std::size_t>(count);
     const double end = (modes.wave_number(last - 1) + modes.wave_number(last)) / 2;
-    stress += one.at_tip * one.at_tip.transpose() *
-              (tip * tip * tip / (8 * one.depth * end));  // (CG-12)
+    stress +=
+        one.at_tip * one.at_tip.transpose() * (tip * tip * tip / (8 * one.depth * end));  // (CG-12)
   }
   return stress;
 }
@@ -178,7 +179,7 @@ Eigen::VectorXd solved(const std::vector<Jump>& jumps,
     for (Eigen::Index j = 0; j < count; ++j)
       matrix.block(i * functions, j * functions, functions, functions) =
           stress[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].topLeftCorner(functions,
-                                                                                          functions);
+                                                                                         functions);
     right.segment(i * functions, functions) =
         jumps[static_cast<std::size_t>(i)].of_torque.head(functions);
   }
@@ -194,7 +195,8 @@ AnnularGroup group_of(const std::vector<Jump>& jumps,
   AnnularGroup group;
   for (std::size_t j = 0; j < jumps.size(); ++j) {
     const Jump& jump = jumps[j];
-    const Eigen::VectorXd among = together.segment(static_cast<Eigen::Index>(j) * functions, functions);
+    const Eigen::VectorXd among =
+        together.segment(static_cast<Eigen::Index>(j) * functions, functions);
     const Eigen::VectorXd alone = solved({jump}, {{stress[j][j]}}, functions);
     // K_III is in proportion to the jump at the tip; the constant cancels.
     const auto at_tip = [&](const Eigen::VectorXd& weights) {
@@ -212,24 +214,27 @@ AnnularGroup group_of(const std::vector<Jump>& jumps,
 
 void require_in_range(std::span<const PlacedAnnularCrack> cracks, const ShaftRadii& radii) {
   if (!(radii.outer > 0 && radii.inner >= 0 && radii.inner < radii.outer))
-    throw InputError("radii", fmt::format("outer {:.6g} m and inner {:.6g} m are no shaft; the outer "
-                                          "radius must be > 0 and the inner in [0, outer)",
-                                          radii.outer, radii.inner));
+    throw InputError("radii",
+                     fmt::format("outer {:.6g} m and inner {:.6g} m are no shaft; the outer "
+                                 "radius must be > 0 and the inner in [0, outer)",
+                                 radii.outer, radii.inner));
   const double wall = radii.outer - radii.inner;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     const double share = cracks[i].depth / wall;
     if (!(share >= kLeastAnnularDepth && share <= kLargestAnnularDepth &&
           std::isfinite(cracks[i].place)))
-      throw InputError(fmt::format("cracks[{}]", i),
-                       fmt::format("the depth is {:.4g} of the wall at {:.6g} m; the depth must be {} "
-                                   "to {} of the wall, and the place finite",
-                                   share, cracks[i].place, kLeastAnnularDepth, kLargestAnnularDepth));
+      throw InputError(
+          fmt::format("cracks[{}]", i),
+          fmt::format("the depth is {:.4g} of the wall at {:.6g} m; the depth must be {} "
+                      "to {} of the wall, and the place finite",
+                      share, cracks[i].place, kLeastAnnularDepth, kLargestAnnularDepth));
   }
   if (const auto pair = touching_annular_cracks(cracks))
-    throw InputError(fmt::format("cracks[{}]", pair->second),
-                     fmt::format("is nearer to cracks[{}] than {} of the deeper crack; replace both "
-                                 "by one crack",
-                                 pair->first, kLeastAnnularDistance));
+    throw InputError(
+        fmt::format("cracks[{}]", pair->second),
+        fmt::format("is nearer to cracks[{}] than {} of the deeper crack; replace both "
+                    "by one crack",
+                    pair->first, kLeastAnnularDistance));
 }
 
 }  // namespace

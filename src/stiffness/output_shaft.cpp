@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "member_support.hpp"
-#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/core/compare.hpp"
+#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -288,8 +288,8 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
     for (AddedCompliance* const added : {&report.positive, &report.negative}) {
       const auto shield = [&](Quantity& quantity) {
         quantity.value *= ratio;  // (CG-12)
-        quantity.relative_uncertainty = accuracy::combined(
-            quantity.relative_uncertainty.value_or(0.0), solved.error / ratio);
+        quantity.relative_uncertainty =
+            accuracy::combined(quantity.relative_uncertainty.value_or(0.0), solved.error / ratio);
       };
       if (added == &report.positive) alone += added->at_output.value;
       shield(added->at_output);
@@ -298,16 +298,17 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
     }
     least = std::min(least, solved.cracks[j].factor);
   }
-  member.notes.push_back(
-      {.code = "crack.shielding",
-       .text = fmt::format(
-           "{} annular cracks shield each other in torsion: together they add {:.3f} times the sum of "
-           "their compliances alone, which this answer contains; K_III is down to {:.3f} times that of "
-           "a crack alone, but K, strength and growth take each crack alone, which is on the safe side",
-           group.index.size(), together / alone, least),
-       .path = "output_shaft.crack",
-       .equation = "CG-12",
-       .severity = Severity::information});
+  member.notes.push_back({.code = "crack.shielding",
+                          .text = fmt::format("{} annular cracks shield each other in torsion: "
+                                              "together they add {:.3f} times the sum of "
+                                              "their compliances alone, which this answer "
+                                              "contains; K_III is down to {:.3f} times that of "
+                                              "a crack alone, but K, strength and growth take each "
+                                              "crack alone, which is on the safe side",
+                                              group.index.size(), together / alone, least),
+                          .path = "output_shaft.crack",
+                          .equation = "CG-12",
+                          .severity = Severity::information});
   return group.index.size() == member.cracks.size();
 }
 

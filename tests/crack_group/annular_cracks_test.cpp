@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Annular cracks of a shaft in torsion: one crack, pairs by finite elements, a sheet, energy, rules.
+// Annular cracks of a shaft in torsion: one crack, pairs by finite elements, a sheet, energy,
+// rules.
 #include "strainwave/crack_group/annular_cracks.hpp"
 
 #include <gtest/gtest.h>
@@ -21,9 +22,9 @@ namespace {
 using std::numbers::pi;
 using Cracks = std::vector<PlacedAnnularCrack>;
 
-// Kind: reference (CG-10), (CG-12).  One crack of a solid shaft against (FR-12), which is fitted to finite
-// elements, and of a hollow one against the table of (FR-14), which is a dual series.  Tolerance: 0.1 %
-// of the rotation, which is the accuracy of those fits and of the jump.
+// Kind: reference (CG-10), (CG-12).  One crack of a solid shaft against (FR-12), which is fitted to
+// finite elements, and of a hollow one against the table of (FR-14), which is a dual series.
+// Tolerance: 0.1 % of the rotation, which is the accuracy of those fits and of the jump.
 TEST(AnnularCracks, ReferenceOneCrack) {
   for (const double depth : {0.02, 0.1, 0.3, 0.5, 0.7}) {
     const GroupedAnnularCrack crack = annular_group(Cracks{{0, depth}}, {1, 0}).cracks[0];
@@ -42,7 +43,8 @@ TEST(AnnularCracks, ReferenceOneCrack) {
   for (const double inner : {0.3, 0.6, 0.9})
     for (const double share : {0.05, 0.4, 0.8}) {
       const double wall = 1 - inner;
-      const GroupedAnnularCrack crack = annular_group(Cracks{{0, share * wall}}, {1, inner}).cracks[0];
+      const GroupedAnnularCrack crack =
+          annular_group(Cracks{{0, share * wall}}, {1, inner}).cracks[0];
       const sif::AnnularCrackHollow tabulated(
           {.depth = share * wall, .outer_radius = 1, .inner_radius = inner});
       const double polar = pi / 2 * (1 - std::pow(inner, 4));
@@ -51,8 +53,8 @@ TEST(AnnularCracks, ReferenceOneCrack) {
     }
 }
 
-// Kind: crosscheck (CG-11).  Pairs and a triple by finite elements, solid and hollow, deep and shallow,
-// equal and unequal.  Tolerance: 0.15 %, the error of these elements.
+// Kind: crosscheck (CG-11).  Pairs and a triple by finite elements, solid and hollow, deep and
+// shallow, equal and unequal.  Tolerance: 0.15 %, the error of these elements.
 TEST(AnnularCracks, CrosscheckFiniteElements) {
   for (const test::CsvRow& row : test::read_reference_csv("annular_cracks")) {
     Cracks cracks;
@@ -65,8 +67,9 @@ TEST(AnnularCracks, CrosscheckFiniteElements) {
   }
 }
 
-// Kind: limit (CG-11).  Shallow cracks of a large shaft are cracks out of the plane of a sheet, twice as
-// long, since the surface is a mirror.  Tolerance: depth over radius, and the error of the jump.
+// Kind: limit (CG-11).  Shallow cracks of a large shaft are cracks out of the plane of a sheet,
+// twice as long, since the surface is a mirror.  Tolerance: depth over radius, and the error of the
+// jump.
 TEST(AnnularCracks, LimitShallowCracksAreThoseOfASheet) {
   const Cracks cracks{{0, 0.01}, {0.006, 0.01}, {0.02, 0.013}};
   std::vector<StraightCrack> sheet;
@@ -79,8 +82,9 @@ TEST(AnnularCracks, LimitShallowCracksAreThoseOfASheet) {
                 std::abs(flat.cracks[j].ahead.mode_3) / std::sqrt(pi * cracks[j].depth), 5e-3);
 }
 
-// Kind: limit (CG-10).  Far apart, what two cracks do to each other falls like the first mode of the shaft,
-// whose wave number is 5.1356/R in a solid one (second Bessel function).  Tolerance: the next mode.
+// Kind: limit (CG-10).  Far apart, what two cracks do to each other falls like the first mode of
+// the shaft, whose wave number is 5.1356/R in a solid one (second Bessel function).  Tolerance: the
+// next mode.
 TEST(AnnularCracks, LimitFarApart) {
   const auto influence = [](double distance) {
     return 1 - annular_group(Cracks{{0, 0.4}, {distance, 0.4}}, {1, 0}).cracks[0].compliance;
@@ -89,9 +93,9 @@ TEST(AnnularCracks, LimitFarApart) {
   EXPECT_LT(influence(2), 3e-5);
 }
 
-// Kind: identity (CG-12).  Energy: the rotation grows with the depth of a crack by 2 pi c K_III^2/G, also
-// beside another crack.  K of the crack alone is that of (FR-12).  Tolerance: 0.5 %, the errors of the
-// factor and of (FR-12).
+// Kind: identity (CG-12).  Energy: the rotation grows with the depth of a crack by 2 pi c
+// K_III^2/G, also beside another crack.  K of the crack alone is that of (FR-12).  Tolerance: 0.5
+// %, the errors of the factor and of (FR-12).
 TEST(AnnularCracks, IdentityEnergy) {
   const double step = 1e-3;
   for (const double depth : {0.1, 0.25, 0.5}) {
@@ -119,8 +123,8 @@ TEST(AnnularCracks, ScalingUnitsAndOrder) {
   }
 }
 
-// Kind: convergence (CG-11).  The stated error contains the change by more functions.  With this solver
-// cracks at a tenth of their depth are within 1 %, and far ones within rounding.
+// Kind: convergence (CG-11).  The stated error contains the change by more functions.  With this
+// solver cracks at a tenth of their depth are within 1 %, and far ones within rounding.
 TEST(AnnularCracks, ConvergenceStatedError) {
   EXPECT_LT(annular_group(Cracks{{0, 0.3}, {0.03, 0.3}}, {1, 0}).error, 0.01);
   EXPECT_GT(annular_group(Cracks{{0, 0.3}, {0.03, 0.3}}, {1, 0}).error, 1e-4);

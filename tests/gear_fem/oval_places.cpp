@@ -17,10 +17,9 @@ int main() {
                              .inner_diameter = 36.8e-3,
                              .thickness = 0.762e-3,
                              .profile = {}}};
-  const gear_fem::OvalCup oval(
-      cup, {.youngs_modulus = 206e9, .poissons_ratio = 0.3},
-      {.radial_displacement = 0.3175e-3, .band_width = 9.2e-3},
-      {.one_sided = false, .large_rotations = LargeRotations::on});
+  const gear_fem::OvalCup oval(cup, {.youngs_modulus = 206e9, .poissons_ratio = 0.3},
+                               {.radial_displacement = 0.3175e-3, .band_width = 9.2e-3},
+                               {.one_sided = false, .large_rotations = LargeRotations::on});
   double r = 0;
   double z = 0;
   double angle = 0;

@@ -44,17 +44,18 @@ double added_by(const GearSet& gear) {
   return sum;
 }
 
-// Kind: identity (CG-12).  The report, the sum without a report and annular_group agree, in a solid and
-// in a hollow shaft; K stays that of a crack alone.  Tolerance: rounding.
+// Kind: identity (CG-12).  The report, the sum without a report and annular_group agree, in a solid
+// and in a hollow shaft; K stays that of a crack alone.  Tolerance: rounding.
 TEST(ShaftGroup, IdentityRatiosOfTheGroup) {
   for (const bool solid : {true, false}) {
     const double depth = solid ? 9 * mm : 2 * mm;
-    const std::vector<AnnularCrack> placed = {ring_at(depth, 150 * mm), ring_at(1.1 * mm, 152 * mm)};
+    const std::vector<AnnularCrack> placed = {ring_at(depth, 150 * mm),
+                                              ring_at(1.1 * mm, 152 * mm)};
     const GearSet gear = shaft_with(placed, solid);
     const OutputShaft& shaft = *gear.output_shaft;
-    const AnnularGroup group = annular_group(
-        std::vector<PlacedAnnularCrack>{{150 * mm, depth}, {152 * mm, 1.1 * mm}},
-        {shaft.outer_diameter / 2, shaft.inner_diameter / 2});
+    const AnnularGroup group =
+        annular_group(std::vector<PlacedAnnularCrack>{{150 * mm, depth}, {152 * mm, 1.1 * mm}},
+                      {shaft.outer_diameter / 2, shaft.inner_diameter / 2});
     const MemberCompliance member = output_shaft_compliance(gear);
     const MemberCompliance alone =
         output_shaft_compliance(shaft_with({ring_at(depth, {}), ring_at(1.1 * mm, {})}, solid));
@@ -63,7 +64,8 @@ TEST(ShaftGroup, IdentityRatiosOfTheGroup) {
       test::expect_relative(member.cracks[j].positive.at_output.value,
                             group.cracks[j].compliance * alone.cracks[j].positive.at_output.value,
                             1e-12);
-      EXPECT_EQ(member.cracks[j].negative.at_output.value, member.cracks[j].positive.at_output.value);
+      EXPECT_EQ(member.cracks[j].negative.at_output.value,
+                member.cracks[j].positive.at_output.value);
       test::expect_relative((*member.cracks[j].positive.axial_torsion)[2].value,
                             member.cracks[j].positive.at_output.value, 1e-12);
       EXPECT_EQ((*member.cracks[j].positive.axial_torsion)[0].value,
@@ -76,8 +78,9 @@ TEST(ShaftGroup, IdentityRatiosOfTheGroup) {
     EXPECT_LT(group.cracks[1].compliance, solid ? 0.5 : 0.8);
     GearSet sound = gear;
     sound.output_shaft->crack.clear();
-    test::expect_relative(series_compliance<double>(gear).positive - series_compliance<double>(sound).positive,
-                          added_by(gear), 1e-9);
+    test::expect_relative(
+        series_compliance<double>(gear).positive - series_compliance<double>(sound).positive,
+        added_by(gear), 1e-9);
   }
 }
 
@@ -93,8 +96,9 @@ TEST(ShaftGroup, LimitFarApart) {
                         at(62 * mm), 1e-12);
 }
 
-// Kind: crosscheck (CG-12).  Derivatives by depth, place and diameters against differences of the whole
-// compliance.  Tolerance: 1e-4 of the added compliance, the error of differences of the group.
+// Kind: crosscheck (CG-12).  Derivatives by depth, place and diameters against differences of the
+// whole compliance.  Tolerance: 1e-4 of the added compliance, the error of differences of the
+// group.
 TEST(ShaftGroup, CrosscheckDerivatives) {
   GearSet gear = shaft_with({ring_at(2 * mm, 150 * mm), ring_at(3 * mm, 153 * mm)});
   OutputShaft& shaft = *gear.output_shaft;
@@ -163,9 +167,8 @@ TEST(ShaftGroup, InputGroupsThatCannotTell) {
   std::vector<AnnularCrack> many;
   for (int i = 0; i < 21; ++i) many.push_back(ring_at(1 * mm, (20 + 10 * i) * mm));
   contains(fault(many), "at most 20 are solved together");
-  contains(test::broken_rule([] {
-             return torsional_stiffness(shaft_with({ring_at(2 * mm, 300 * mm)}));
-           }),
+  contains(test::broken_rule(
+               [] { return torsional_stiffness(shaft_with({ring_at(2 * mm, 300 * mm)})); }),
            "distance < length of the shaft");
 }
 

@@ -134,7 +134,8 @@ TEST(Evaluate, CrosscheckKOverATurn) {
     EXPECT_NE(note->text.find(assumption.text), std::string::npos) << assumption.text;
   EXPECT_NE(std::ranges::find(result.equations, "IN-2"), result.equations.end());
 
-  TurnTable table = turn_table(drive_turn(gear).sizes, turn_conditions(gear, "flexspline.crack[0]"));
+  TurnTable table =
+      turn_table(drive_turn(gear).sizes, turn_conditions(gear, "flexspline.crack[0]"));
   for (auto& K : table.K) K[0] *= 2;
   table.file = "turn.csv";
   std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).turn_table = table.file;

@@ -58,16 +58,17 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 
 /// Annular cracks of a shaft in torsion that influence each other.
 ///
-/// Implements theory manual eqs. (CG-10) to (CG-12): the jump of each crack is a sum of functions, and
-/// its stress at the other cracks a sum over the modes of the shaft.  Cracks beside each other always
-/// shield each other.  The shaft continues far beyond the cracks.
+/// Implements theory manual eqs. (CG-10) to (CG-12): the jump of each crack is a sum of functions,
+/// and its stress at the other cracks a sum over the modes of the shaft.  Cracks beside each other
+/// always shield each other.  The shaft continues far beyond the cracks.
 ///
 /// Accuracy: 0.5 % of factor and compliance for distances of at least a tenth of the depth, 0.1 %
 /// from a third of the depth on; `error` is the estimate for these cracks.
 ///
 /// @param cracks  at least one, in any order
 /// @param radii   of the shaft
-/// @param modes   for each crack; empty: annular_modes of the cracks.  Equal numbers make differences
+/// @param modes   for each crack; empty: annular_modes of the cracks.  Equal numbers make
+/// differences
 ///                of groups smooth.
 /// @throws InputError  naming the crack by its index, if a depth is out of range or two cracks are
 ///                     nearer than kLeastAnnularDistance

@@ -24,8 +24,8 @@ struct ShaftGroup {
   std::vector<PlacedAnnularCrack> cracks;  ///< in the same order
   ShaftRadii radii;                        ///< of the shaft
 
-  /// Why the influence is not known, in a sentence that begins with the path of a crack; empty if it
-  /// is known.
+  /// Why the influence is not known, in a sentence that begins with the path of a crack; empty if
+  /// it is known.
   [[nodiscard]] std::string fault() const;
   /// The influence.  The group must have no fault.
   [[nodiscard]] AnnularGroup solved() const { return annular_group(cracks, radii); }
@@ -35,8 +35,8 @@ struct ShaftGroup {
 /// @param gear  has passed `check`
 [[nodiscard]] ShaftGroup shaft_group(const GearSet& gear);
 
-/// Compliance in torsion of each crack of the output shaft over that of the crack alone [-]; empty if
-/// the drive has no group or the group has a fault.
+/// Compliance in torsion of each crack of the output shaft over that of the crack alone [-]; empty
+/// if the drive has no group or the group has a fault.
 /// @param gear  has passed `check`
 /// @param lift  reads its numbers; the derivatives are differences of the group along each input
 /// @{
