@@ -68,7 +68,7 @@ std::string remark(const std::string& text) {
   return remarks;
 }
 
-std::string in_MPa(double K) { return fmt::format("\"{} MPa*m^0.5\"", exact_text(K / 1e6)); }
+std::string written_K(double K) { return fmt::format("\"{} MPa*m^0.5\"", exact_text(K / 1e6)); }
 
 /// The median rate as a law of the input file; empty: none of them falls over the range.
 std::string law_text(const GrowthFitReport& report) {
@@ -86,11 +86,11 @@ std::string law_text(const GrowthFitReport& report) {
     return text + fmt::format("kind = \"paris\"\ncoefficient = \"{} m\"\nexponent = {}\n",
                               exact_text(coefficient), exact_text(m));
   }
-  std::string ranges = in_MPa(kBeforeFirst * knots[0].delta_K);
+  std::string ranges = written_K(kBeforeFirst * knots[0].delta_K);
   std::string rates = fmt::format(
       "\"{} m\"", exact_text(knots[0].rate * std::pow(kBeforeFirst, slope(0))));  // (GS-14)
   for (const FittedKnot& knot : knots) {
-    ranges += ", " + in_MPa(knot.delta_K);
+    ranges += ", " + written_K(knot.delta_K);
     rates += fmt::format(", \"{} m\"", exact_text(knot.rate));
   }
   text += "kind = \"tabulated\"\n\n[[material.steel.growth.curve]]\n";
@@ -111,7 +111,7 @@ std::string scatter_text(const GrowthFitReport& report) {
     text +=
         fmt::format("exponent = {}\nexponent_correlation = {}\npivot = {}\n", exact_text(exponent),
                     exact_text(std::clamp(of.tilt / exponent, -1.0, 1.0)),  // (GS-14)
-                    in_MPa(report.basis.pivot));
+                    written_K(report.basis.pivot));
   if (report.parts.correlated)
     text += fmt::format("wander = {}\nwander_length = {}\n", exact_text(of.wander),
                         exact_text(std::clamp(std::exp(of.log_length), 0.001, 100.0)));
@@ -189,7 +189,8 @@ std::string growth_fit_toml(const GrowthFitReport& report) {
   text += "\n" + law + "\n[material.steel.growth_bounds]\n";
   if (const auto& R = report.basis.stress_ratio)
     text += fmt::format("stress_ratio = [{0}, {0}]\n", exact_text(*R));
-  text += fmt::format("from = {}\nto = {}\n", in_MPa(report.basis.from), in_MPa(report.basis.to));
+  text +=
+      fmt::format("from = {}\nto = {}\n", written_K(report.basis.from), written_K(report.basis.to));
   const std::string scatter = scatter_text(report);
   return scatter.empty() ? text : text + "\n" + scatter;
 }
