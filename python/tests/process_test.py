@@ -225,14 +225,17 @@ def tried(calls, names):
     for name, call in calls:
         os.write(names, f"{name}\n".encode())
         try:
-            signal.setitimer(signal.ITIMER_REAL, LONGEST)
-            call()
-        except (*EXPECTED, Stopped):
+            try:
+                signal.setitimer(signal.ITIMER_REAL, LONGEST)
+                call()
+            except (*EXPECTED, Stopped):
+                pass
+            except BaseException:
+                return 1
+            finally:
+                signal.setitimer(signal.ITIMER_REAL, 0)
+        except Stopped:  # while the call ended by itself
             pass
-        except BaseException:
-            return 1
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
     return 0
 
 

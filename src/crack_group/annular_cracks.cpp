@@ -261,7 +261,7 @@ std::vector<std::size_t> annular_modes(std::span<const PlacedAnnularCrack> crack
 AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks, const ShaftRadii& radii,
                            const std::vector<std::size_t>& modes_of_cracks) {
   if (cracks.empty()) throw InputError("cracks", "is empty; give at least one crack");
-  require_in_range(cracks, radii);
+  if (modes_of_cracks.empty()) require_in_range(cracks, radii);
   const std::vector<std::size_t> counts =
       modes_of_cracks.empty() ? annular_modes(cracks, radii) : modes_of_cracks;
   const ShaftModes modes(radii.inner / radii.outer, std::ranges::max(counts) + 1);

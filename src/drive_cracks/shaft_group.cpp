@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -73,43 +73,105 @@ std::vector<double> shaft_ratios(const GearSet& gear, const Lift<double>&) {
   return ratios;
 }
 
+namespace {
+
+/// Slopes of the ratios of a group by each length that moves it [1/m]; the inner index is that of
+/// the crack whose ratio changes.
+struct ShaftSlopes {
+  std::vector<std::vector<double>> depth;
+  std::vector<std::vector<double>> place;
+  std::vector<double> outer;  ///< by the outer radius
+  std::vector<double> inner;  ///< by the inner radius
+};
+
+ShaftSlopes slopes_of(const ShaftGroup& group) {
+  constexpr double kShareOfRoom = 5e-4;
+  const std::size_t n = group.cracks.size();
+  const auto modes = annular_modes(group.cracks, group.radii);
+  double room = group.radii.outer - group.radii.inner;  // the smallest depth, gap or wall
+  for (std::size_t i = 0; i < n; ++i) {
+    room = std::min(room, group.cracks[i].depth);
+    for (std::size_t j = 0; j < i; ++j)
+      room = std::min(room, std::abs(group.cracks[i].place - group.cracks[j].place));
+  }
+  // Differences with an error of the fourth power of the step.
+  const auto slope = [&](double step, const auto& move) {
+    const auto moved = [&](double by) {
+      ShaftGroup other = group;
+      move(other, by);
+      return annular_group(other.cracks, other.radii, modes);
+    };
+    const AnnularGroup two_before = moved(-2 * step);
+    const AnnularGroup one_before = moved(-step);
+    const AnnularGroup one_behind = moved(step);
+    const AnnularGroup two_behind = moved(2 * step);
+    std::vector<double> result;
+    for (std::size_t j = 0; j < n; ++j)
+      result.push_back((8 * (one_behind.cracks[j].compliance - one_before.cracks[j].compliance) -
+                        (two_behind.cracks[j].compliance - two_before.cracks[j].compliance)) /
+                       (12 * step));
+    return result;
+  };
+  ShaftSlopes slopes;
+  const double step = kShareOfRoom * room;
+  for (std::size_t i = 0; i < n; ++i)
+    slopes.depth.push_back(
+        slope(step, [i](ShaftGroup& of, double by) { of.cracks[i].depth += by; }));
+  // A shift of all cracks together changes nothing.
+  slopes.place.emplace_back(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    slopes.place.push_back(
+        slope(step, [i](ShaftGroup& of, double by) { of.cracks[i].place += by; }));
+    for (std::size_t j = 0; j < n; ++j) slopes.place[0][j] -= slopes.place[i][j];
+  }
+  // A small bore changes the ratios by its fourth power, so that of a solid shaft has no slope.
+  slopes.inner.assign(n, 0.0);
+  if (group.radii.inner > 0)
+    slopes.inner = slope(kShareOfRoom * std::min(room, group.radii.inner),
+                         [](ShaftGroup& of, double by) { of.radii.inner += by; });
+  // The ratios have no dimension, so all lengths in proportion change nothing.
+  slopes.outer.assign(n, 0.0);
+  for (std::size_t j = 0; j < n; ++j) {
+    double sum = group.radii.inner * slopes.inner[j];
+    for (std::size_t i = 0; i < n; ++i)
+      sum += group.cracks[i].depth * slopes.depth[i][j] +
+             (group.cracks[i].place - group.cracks[0].place) * slopes.place[i][j];
+    slopes.outer[j] = -sum / group.radii.outer;
+  }
+  return slopes;
+}
+
+}  // namespace
+
 std::vector<DualReal> shaft_ratios(const GearSet& gear, const Lift<DualReal>& lift) {
   const std::vector<double> values = shaft_ratios(gear, Lift<double>());
   std::vector<DualReal> ratios(values.begin(), values.end());
   if (ratios.empty()) return ratios;
   const ShaftGroup group = shaft_group(gear);
-  const auto modes = annular_modes(group.cracks, group.radii);
-  // A number of the drive that moves the group, and what it moves.
-  const auto add = [&](const double& number, const auto& move) {
-    const DualReal input = lift(number);
-    if (std::ranges::all_of(input.partial, [](double partial) { return partial == 0; })) return;
-    const double step = 1e-4 * std::max(number, group.radii.outer - group.radii.inner);
-    // At the end of a range the difference is one-sided.
-    const auto moved = [&](double by) {
-      ShaftGroup other = group;
-      move(other, by);
-      return std::pair(other, by);
-    };
-    auto [above, up] = moved(step);
-    auto [below, down] = moved(-step);
-    if (!above.fault().empty()) std::tie(above, up) = moved(0.0);
-    if (!below.fault().empty()) std::tie(below, down) = moved(0.0);
-    const AnnularGroup of_above = annular_group(above.cracks, above.radii, modes);
-    const AnnularGroup of_below = annular_group(below.cracks, below.radii, modes);
-    for (std::size_t j = 0; j < group.index.size(); ++j) {
-      const double slope =
-          (of_above.cracks[j].compliance - of_below.cracks[j].compliance) / (up - down);
-      ratios[group.index[j]] += slope * (input - number);
-    }
-  };
   const OutputShaft& shaft = *gear.output_shaft;
-  for (std::size_t j = 0; j < group.index.size(); ++j) {
-    const auto& crack = std::get<AnnularCrack>(shaft.crack[group.index[j]]);
-    add(crack.depth, [j](ShaftGroup& of, double by) { of.cracks[j].depth += by; });
-    add(*crack.distance, [j](ShaftGroup& of, double by) { of.cracks[j].place += by; });
+  bool any = false;
+  const auto change = [&](const double& number) {
+    const DualReal result = lift(number) - number;
+    any = any || std::ranges::any_of(result.partial, [](double partial) { return partial != 0; });
+    return result;
+  };
+  std::vector<DualReal> depth;
+  std::vector<DualReal> place;
+  for (const std::size_t i : group.index) {
+    const auto& crack = std::get<AnnularCrack>(shaft.crack[i]);
+    depth.push_back(change(crack.depth));
+    place.push_back(change(*crack.distance));
   }
-  add(shaft.outer_diameter, [](ShaftGroup& of, double by) { of.radii.outer += by / 2; });
-  add(shaft.inner_diameter, [](ShaftGroup& of, double by) { of.radii.inner += by / 2; });
+  const DualReal outer = change(shaft.outer_diameter) / 2;
+  const DualReal inner = change(shaft.inner_diameter) / 2;
+  if (!any) return ratios;
+  const ShaftSlopes slopes = slopes_of(group);
+  for (std::size_t j = 0; j < group.index.size(); ++j) {
+    DualReal& ratio = ratios[group.index[j]];
+    for (std::size_t i = 0; i < group.index.size(); ++i)
+      ratio += slopes.depth[i][j] * depth[i] + slopes.place[i][j] * place[i];
+    ratio += slopes.outer[j] * outer + slopes.inner[j] * inner;
+  }
   return ratios;
 }
 

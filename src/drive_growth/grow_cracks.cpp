@@ -19,6 +19,7 @@
 #include "notes.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/drive_growth/longest_duty.hpp"
@@ -48,6 +49,15 @@ using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
 double stiffness_at(const GearSet& gear) {
   const StiffnessResult result = torsional_stiffness(gear);
   return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
+}
+
+/// The drive without the influence of annular cracks on each other: one solution of it would take
+/// longer than a step, and without it the stiffness is a lower bound (CG-12).
+GearSet without_shielding(GearSet gear) {
+  if (gear.output_shaft)
+    for (auto& crack : gear.output_shaft->crack)
+      if (auto* const annular = std::get_if<AnnularCrack>(&crack)) annular->distance.reset();
+  return gear;
 }
 
 /// The steps of the duty and its peaks that the failure assessment looks at: those that no other
@@ -92,14 +102,15 @@ class Growing {
   /// @param drawn  how the rates deviate from the laws; null: not at all
   Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
           double step_factor, const DrawnGrowth* drawn = nullptr)
-      : gear_(gear),
+      : gear_(without_shielding(gear)),
+        leaves_out_shielding_(!shaft_group(gear).cracks.empty()),
         options_(options),
         report_(report),
         step_factor_(step_factor),
         history_(duty_history(gear)),
         at_flexspline_(at_flexspline(history_)),
         heaviest_(heaviest_steps(history_)),
-        first_stiffness_(stiffness_at(gear)) {
+        first_stiffness_(stiffness_at(gear_)) {
     if (drawn != nullptr) deviating_.emplace(gear, drive_cracks(gear), *drawn);
     take_cracks();
     const double factor = amplification(start(0.0));
@@ -115,6 +126,8 @@ class Growing {
   [[nodiscard]] const GearSet& gear() const { return gear_; }
   [[nodiscard]] const std::vector<GrowingCrack>& cracks() const { return cracks_; }
   [[nodiscard]] bool none() const { return cracks_.empty(); }
+  /// Whether annular cracks of the output shaft shield each other, which growth leaves out.
+  [[nodiscard]] bool leaves_out_shielding() const { return leaves_out_shielding_; }
 
   /// Time of a repetition [s].
   [[nodiscard]] double duration() const { return history_.duration; }
@@ -519,6 +532,7 @@ class Growing {
   }
 
   GearSet gear_;
+  bool leaves_out_shielding_;
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
@@ -936,6 +950,10 @@ class Path {
       report_.notes.push_back(
           group_note(at_begin != first_groups_.end() ? *at_begin : at_end, at_end));
       cite(report_, std::array<std::string_view, 1>{"CG-9"});
+    }
+    if (growing_.leaves_out_shielding()) {
+      report_.notes.push_back(shielding_note());
+      cite(report_, std::array<std::string_view, 1>{"CG-12"});
     }
   }
 

@@ -301,6 +301,16 @@ Note group_note(const WallGroup& at_begin, const WallGroup& at_end) {
           .severity = left_out > kSmall ? Severity::care : Severity::information};
 }
 
+Note shielding_note() {
+  return {.code = "growth.shielding",
+          .text =
+              "annular cracks of the output shaft shield each other in torsion, which growth "
+              "leaves out: the lives and the stiffness over them are lower bounds",
+          .path = "output_shaft.crack",
+          .equation = "CG-12",
+          .severity = Severity::information};
+}
+
 Note no_curve_note(const std::string& why) {
   return {.code = "growth.no_curve",
           .text = "the coupled drive has no solution with the grown cracks: " + why,

@@ -58,6 +58,8 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// @param at_begin  the group at the first sizes
 /// @param at_end    the group at the last ones
 [[nodiscard]] Note group_note(const WallGroup& at_begin, const WallGroup& at_end);
+/// That growth leaves out how annular cracks of the output shaft shield each other (CG-12).
+[[nodiscard]] Note shielding_note();
 
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);

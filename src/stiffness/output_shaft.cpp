@@ -261,6 +261,20 @@ void ShaftCracks::add(CrackReport report, const ShaftSurfaceCrack& crack,
   add_surface(std::move(report), loaded, accuracy);
 }
 
+/// Adds an uncertainty to what the cracks of a group add.
+void widen(MemberCompliance& member, const ShaftGroup& group, double share) {
+  const auto take = [share](Quantity& quantity) {
+    quantity.relative_uncertainty =
+        accuracy::combined(quantity.relative_uncertainty.value_or(0.0), share);
+  };
+  for (const std::size_t index : group.index)
+    for (AddedCompliance* const added :
+         {&member.cracks[index].positive, &member.cracks[index].negative}) {
+      take(added->at_output);
+      if (added->axial_torsion) take((*added->axial_torsion)[2]);
+    }
+}
+
 /// Takes what annular cracks that have a place do to each other's compliance, and says so.
 /// @return  whether all cracks of the shaft are in the group
 bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
@@ -268,6 +282,15 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
   if (group.cracks.empty()) return false;
   use_equations(member.equations, {"CG-12"});
   if (std::string fault = group.fault(); !fault.empty()) {
+    // The deepest crack alone is the least that the group adds.
+    double sum = 0.0;
+    double most = 0.0;
+    for (const std::size_t index : group.index) {
+      const double added = member.cracks[index].positive.at_output.value;
+      sum += added;
+      most = std::max(most, added);
+    }
+    if (sum > 0) widen(member, group, 1 - most / sum);
     member.notes.push_back(
         {.code = "crack.shielding",
          .text = "annular cracks shield each other, which this answer leaves out, so it adds too "

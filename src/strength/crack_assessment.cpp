@@ -162,21 +162,36 @@ CrackStrength in_unknown_group(CrackStrength report, const std::string& fault) {
 /// present sizes.
 void end_in_group(DriveCrack& crack) {
   WallGroup group = *crack.group;
-  const auto shorten = [&](int halvings, const auto& known) {
+  const double present = crack.size.size;
+  const auto shorten = [&](int halvings, const char* text, const auto& known) {
     if (known(crack.range_end)) return;
-    double inside = crack.size.size;
+    double inside = present;
     for (int i = 0; i < halvings; ++i) {
       const double middle = (inside + crack.range_end) / 2;
       (known(middle) ? inside : crack.range_end) = middle;
     }
     crack.range_end = inside;
-    crack.range_text = "the end of what is known of the cracks' influence on each other";
+    crack.range_text = text;
   };
-  shorten(40, [&](double half_length) {
+  // A narrower ligament may collapse (CG-9).
+  const auto wide = [&](double half_length) {
+    group.set_half_length(crack.in_group, half_length);
+    std::vector<StraightCrack> places;
+    for (const WallGroup::Member& member : group.members()) places.push_back(member.place);
+    return nearest_crack(places, crack.in_group, group.wall().round).gap >= 1;
+  };
+  if (wide(present))
+    shorten(
+        40,
+        "where the ligament to the next crack becomes narrower than the longer half length, whose "
+        "collapse is not assessed",
+        wide);
+  const char* const kEndOfGroup = "the end of what is known of the cracks' influence on each other";
+  shorten(40, kEndOfGroup, [&](double half_length) {
     group.set_half_length(crack.in_group, half_length);
     return group.fault_of_places().empty();
   });
-  shorten(16, [&](double half_length) {
+  shorten(16, kEndOfGroup, [&](double half_length) {
     group.set_half_length(crack.in_group, half_length);
     return group.fault().empty();
   });

@@ -106,5 +106,27 @@ TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
   EXPECT_EQ(note->path, "flexspline.crack[1]");
 }
 
+// Kind: behaviour (CG-12).  Growth leaves out that annular cracks of the shaft shield each other,
+// and a note says so; lives and stiffness are those without places.
+TEST(UnlikeGrowth, BehaviourShieldingIsLeftOut) {
+  GearSet placed = test::growing_shaft();
+  placed.output_shaft->crack = {AnnularCrack{}, AnnularCrack{}};
+  double place = placed.output_shaft->length / 2;
+  for (auto& any : placed.output_shaft->crack) {
+    auto& crack = std::get<AnnularCrack>(any);
+    crack.depth = 2 * mm;
+    crack.distance = place;
+    place += 1 * mm;
+  }
+  GearSet far = placed;
+  for (auto& any : far.output_shaft->crack) std::get<AnnularCrack>(any).distance.reset();
+  const GrowthOptions options = test::until_size("output_shaft.crack[0]", 2.2 * mm);
+  const GrowthReport with = grow_cracks(placed, options);
+  const GrowthReport without = grow_cracks(far, options);
+  EXPECT_EQ(with.time, without.time);
+  EXPECT_EQ(test::count_notes(with.notes, "growth.shielding"), 1);
+  EXPECT_EQ(test::count_notes(without.notes, "growth.shielding"), 0);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -67,9 +67,9 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 ///
 /// @param cracks  at least one, in any order
 /// @param radii   of the shaft
-/// @param modes   for each crack; empty: annular_modes of the cracks.  Equal numbers make
-/// differences
-///                of groups smooth.
+/// @param modes   for each crack, of cracks whose range the caller has checked; empty:
+/// annular_modes
+///                of the cracks.  Equal numbers make differences of groups smooth.
 /// @throws InputError  naming the crack by its index, if a depth is out of range or two cracks are
 ///                     nearer than kLeastAnnularDistance
 [[nodiscard]] AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks,
