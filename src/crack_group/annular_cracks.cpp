@@ -134,7 +134,9 @@ Jump jump_of(const PlacedAnnularCrack& crack, const ShaftRadii& radii, const Sha
   jump.of_torque = Eigen::VectorXd::Zero(kFunctions);
   jump.at_tip = polynomials(1);
   // s is the root of the distance from the tip over the depth.
-  for (const auto& [s, weight] : points_for(2 * kLastPhase)) {
+  // The phase of the last mode, which moves twice as fast at the surface.
+  const double phase = 2 * modes.wave_number(count - 1) * jump.depth;
+  for (const auto& [s, weight] : points_for(phase)) {
     const double r = tip + jump.depth * s * s;
     const Eigen::VectorXd psi = r * s * polynomials(1 - 2 * s * s);  // (CG-11)
     const double area = weight * 2 * s * jump.depth * r;
@@ -251,10 +253,15 @@ std::optional<std::pair<std::size_t, std::size_t>> touching_annular_cracks(
 
 std::vector<std::size_t> annular_modes(std::span<const PlacedAnnularCrack> cracks,
                                        const ShaftRadii& radii) {
+  // Few different numbers, so that a small change of a depth mostly keeps its number, and the
+  // answer has no small step.
+  const double wall = radii.outer - radii.inner;
   std::vector<std::size_t> modes;
-  for (const PlacedAnnularCrack& crack : cracks)
-    modes.push_back(static_cast<std::size_t>(
-        std::ceil(kLastPhase * (radii.outer - radii.inner) / (pi * crack.depth))));
+  for (const PlacedAnnularCrack& crack : cracks) {
+    const double least = kLastPhase * wall / (pi * crack.depth);
+    modes.push_back(
+        static_cast<std::size_t>(std::ceil(std::pow(2.0, std::ceil(2 * std::log2(least)) / 2))));
+  }
   return modes;
 }
 

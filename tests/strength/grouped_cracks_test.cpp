@@ -81,15 +81,16 @@ TEST(GroupedCracks, BehaviourWhatCannotBeTold) {
             "both by one crack, or move one of them by position or distance");
 }
 
-// Kind: behaviour (CG-9).  A critical size is searched up to where the larger crack comes near the
-// other one, which keeps its size.
+// Kind: behaviour (CG-9).  A critical size is searched up to where the ligament to the other crack,
+// which keeps its size, is as narrow as the crack is long; beyond it, a crack of this size cannot
+// be told.
 TEST(GroupedCracks, BehaviourTheRangeEndsAtTheNeighbour) {
   const CrackStrength crack = crack_strength(in_one_line({2 * mm, 2 * mm}, {0.0, 10 * mm})).at(0);
   const auto& critical = crack.states.at(0).critical_size;
   ASSERT_TRUE(critical && critical->none_up_to) << crack.sentence;
-  // The gap 10 mm - a - 2 mm is a fifth of a.
-  test::expect_relative(*critical->none_up_to, 8 * mm / 1.2, 1e-3);
-  EXPECT_NE(critical->text.find("the end of what is known of the cracks' influence on each other"),
+  // The gap 10 mm - a - 2 mm is a.
+  test::expect_relative(*critical->none_up_to, 4 * mm, 1e-3);
+  EXPECT_NE(critical->text.find("where the ligament to the next crack becomes narrower"),
             std::string::npos)
       << critical->text;
 }
