@@ -53,6 +53,7 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 
 /// Number of modes of the shaft for each crack with which annular_group has its accuracy.
 /// @param cracks  each of a depth > 0
+/// @param radii   of the shaft
 [[nodiscard]] std::vector<std::size_t> annular_modes(std::span<const PlacedAnnularCrack> cracks,
                                                      const ShaftRadii& radii);
 

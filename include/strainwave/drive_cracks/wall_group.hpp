@@ -82,10 +82,13 @@ class WallGroup {
     double torque = 0.0;           ///< |T| of the file [N*m]
   };
 
+  /// @param wall     that contains the cracks, with its loads
   /// @param members  at least two, which do not touch
   WallGroup(Wall wall, std::vector<Member> members);
 
+  /// The wall and its loads.
   [[nodiscard]] const Wall& wall() const { return wall_; }
+  /// The cracks in the order of the file.
   [[nodiscard]] const std::vector<Member>& members() const { return members_; }
 
   /// Sets the half length of one crack [m]; > 0.
@@ -119,7 +122,7 @@ class WallGroup {
       Real half_length{};  ///< a [m]
       Real angle{};        ///< beta [rad]
     };
-    std::vector<Place> cracks;
+    std::vector<Place> cracks;  ///< in the order of the members
     Real round{};  ///< circumference [m]
   };
   /// Compliance of each crack in torsion over that of the crack alone, under both senses of the
@@ -149,6 +152,7 @@ class WallGroup {
                                                  const CrackLoads<double>& loads);
 
 /// The places of a group as numbers of the drive.
+/// @param group  of the drive
 /// @param gear   the drive of the group
 /// @param lift   reads its numbers
 /// @param loads  with the same lift

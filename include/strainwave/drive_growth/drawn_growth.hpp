@@ -53,7 +53,9 @@ class DeviatingCracks {
   [[nodiscard]] double log_end(std::size_t crack) const;
   /// Goes on behind this end.
   void next(std::size_t crack);
-  /// As GrowthPath::go_on.  @param size  of the crack in its new measure [m]; > 0
+  /// As GrowthPath::go_on.
+  /// @param crack  its index
+  /// @param size   of the crack in its new measure [m]; > 0
   void go_on(std::size_t crack, double size);
 
  private:
