@@ -123,7 +123,7 @@ class WallGroup {
       Real angle{};        ///< beta [rad]
     };
     std::vector<Place> cracks;  ///< in the order of the members
-    Real round{};  ///< circumference [m]
+    Real round{};               ///< circumference [m]
   };
   /// Compliance of each crack in torsion over that of the crack alone, under both senses of the
   /// torque; 1 if the group has a fault.
