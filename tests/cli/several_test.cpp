@@ -209,7 +209,7 @@ TEST_F(SeveralFiles, BehaviourTheGuideListsStatusesAndFactors) {
 // Words of the program itself are explained too.
 TEST_F(SeveralFiles, BehaviourExplainKnowsTheOptionsOfTheProgram) {
   for (const auto& [word, says] : std::vector<std::pair<std::string, std::string>>{
-           {"--force", "option of calibrate, new"},
+           {"--force", "option of fit, calibrate, new"},
            {"-o", "short for --output"},
            {"--units", "of the answer, such as mm"},
            {"completion", "Print a script that completes words in a shell"},
