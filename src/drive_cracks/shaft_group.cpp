@@ -50,15 +50,13 @@ std::string ShaftGroup::fault() const {
     if (share < kLeastAnnularDepth || share > kLargestAnnularDepth)
       return fmt::format(
           "{}: the depth is {:.3g} of the wall, and the influence is known from {:g} to {:g}; "
-          "leave out "
-          "its distance if it is more than a radius away from the others",
+          "leave out its distance if it is more than a radius away from the others",
           path_of(index[i]), share, kLeastAnnularDepth, kLargestAnnularDepth);
   }
   if (const auto near = touching_annular_cracks(cracks))
     return fmt::format(
         "{}: the distance to {} is less than {:g} of the deeper crack; replace both by one crack, "
-        "whose "
-        "compliance is about that of the deeper one",
+        "whose compliance is about that of the deeper one",
         path_of(index[near->second]), path_of(index[near->first]), kLeastAnnularDistance);
   return {};
 }

@@ -45,19 +45,20 @@ constexpr double kAssessmentStep = 0.02;  // path between two failure assessment
 using State = std::vector<double>;  // ln of the size of each tip, then repetitions
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
 
-/// The stiffness under the softer sense of torque [N*m/rad].
-double stiffness_at(const GearSet& gear) {
-  const StiffnessResult result = torsional_stiffness(gear);
-  return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
-}
-
-/// The drive without the influence of annular cracks on each other: one solution of it would take
-/// longer than a step, and without it the stiffness is a lower bound (CG-12).
+/// The drive without the influence of annular cracks on each other (CG-12).
 GearSet without_shielding(GearSet gear) {
   if (gear.output_shaft)
     for (auto& crack : gear.output_shaft->crack)
       if (auto* const annular = std::get_if<AnnularCrack>(&crack)) annular->distance.reset();
   return gear;
+}
+
+/// The stiffness under the softer sense of torque [N*m/rad].  It is asked at each step, so it
+/// leaves out that annular cracks shield each other, which takes longer to solve and only makes the
+/// drive stiffer; the rows of the report contain it.
+double stiffness_at(const GearSet& gear) {
+  const StiffnessResult result = torsional_stiffness(without_shielding(gear));
+  return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
 }
 
 /// The steps of the duty and its peaks that the failure assessment looks at: those that no other
@@ -102,7 +103,7 @@ class Growing {
   /// @param drawn  how the rates deviate from the laws; null: not at all
   Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
           double step_factor, const DrawnGrowth* drawn = nullptr)
-      : gear_(without_shielding(gear)),
+      : gear_(gear),
         leaves_out_shielding_(!shaft_group(gear).cracks.empty()),
         options_(options),
         report_(report),

@@ -289,23 +289,24 @@ Note group_note(const WallGroup& at_begin, const WallGroup& at_end) {
   const std::string begin = words(at_begin);
   const std::string end = words(at_end);
   constexpr double kSmall = 0.05;
-  return {.code = "growth.group",
-          .text = fmt::format(
-              "the {} through cracks of the {} influence each other, as in a flat sheet with all "
-              "faces apart: K of the given load is {} times that of a crack alone at the begin, "
-              "and {} times at the end; the curvature between the cracks may change K by {:.2g} "
-              "%; each crack keeps its middle and grows at both tips by the larger K",
-              at_end.members().size(), at_end.wall().name, begin, end, 100 * left_out),
-          .path = "flexspline.crack",
-          .equation = "CG-9",
-          .severity = left_out > kSmall ? Severity::care : Severity::information};
+  return {
+      .code = "growth.group",
+      .text = fmt::format(
+          "the {} through cracks of the {} influence each other, as in a flat sheet with all "
+          "faces apart: K of the given load is {} times that of a crack alone at the beginning, "
+          "and {} times at the end; the curvature between the cracks may change K by {:.2g} "
+          "%; each crack keeps its middle and grows at both tips by the larger K",
+          at_end.members().size(), at_end.wall().name, begin, end, 100 * left_out),
+      .path = "flexspline.crack",
+      .equation = "CG-9",
+      .severity = left_out > kSmall ? Severity::care : Severity::information};
 }
 
 Note shielding_note() {
   return {.code = "growth.shielding",
           .text =
-              "annular cracks of the output shaft shield each other in torsion, which growth "
-              "leaves out: the lives and the stiffness over them are lower bounds",
+              "annular cracks of the output shaft shield each other in torsion; the stiffness over "
+              "the life contains this, and the growth leaves it out, so the lives are lower bounds",
           .path = "output_shaft.crack",
           .equation = "CG-12",
           .severity = Severity::information};

@@ -13,6 +13,7 @@
 
 #include "growth_support.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -107,7 +108,7 @@ TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
 }
 
 // Kind: behaviour (CG-12).  Growth leaves out that annular cracks of the shaft shield each other,
-// and a note says so; lives and stiffness are those without places.
+// and a note says so; lives are those without places.  The stiffness over the life contains it.
 TEST(UnlikeGrowth, BehaviourShieldingIsLeftOut) {
   GearSet placed = test::growing_shaft();
   placed.output_shaft->crack = {AnnularCrack{}, AnnularCrack{}};
@@ -124,6 +125,9 @@ TEST(UnlikeGrowth, BehaviourShieldingIsLeftOut) {
   const GrowthReport with = grow_cracks(placed, options);
   const GrowthReport without = grow_cracks(far, options);
   EXPECT_EQ(with.time, without.time);
+  EXPECT_EQ(with.stiffness.front().positive, torsional_stiffness(placed).positive.stiffness.value);
+  EXPECT_EQ(without.stiffness.front().positive, torsional_stiffness(far).positive.stiffness.value);
+  EXPECT_GT(with.stiffness.back().change, without.stiffness.back().change);
   EXPECT_EQ(test::count_notes(with.notes, "growth.shielding"), 1);
   EXPECT_EQ(test::count_notes(without.notes, "growth.shielding"), 0);
 }
