@@ -41,15 +41,15 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
           .solutions = solutions};
 }
 
-/// Three crack sizes, each with one factorisation for both senses of torque.
-constexpr std::size_t kTubeSolutions = 3;
+/// Two crack sizes, each with one factorisation for both senses of torque.
+constexpr std::size_t kTubeSolutions = 2;
 /// Number of solutions; fields of a cup add the sound cup.
 std::size_t tube_solutions(const gear_fem::TubeWithThroughCrack& tube, RunFields fields) {
   return kTubeSolutions + (tube.ends.any() && fields != RunFields::none ? 1 : 0);
 }
-/// Solutions of a surface crack; a fully closed crack needs fewer, because it is not compared with
-/// its neighbours.
-constexpr std::size_t kSurfaceSolutions = 3;
+/// Solutions of a surface crack; a fully closed crack needs only the first, because it is not compared
+/// with another size.
+constexpr std::size_t kSurfaceSolutions = 2;
 
 std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/crack_response.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
+#include "tube_body.hpp"
 #include "turn_body.hpp"
 
 namespace strainwave::gear_fem {
@@ -116,9 +118,8 @@ class Steps {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Solves the state of the largest release under each torque in full, at one size.
-std::vector<fem::SolidResult> full_solutions(const TurnBody& body, double size,
-                                             const CrackTurn& turn, SoundStress& sound) {
+/// The state of the largest release under each torque.
+std::vector<fem::SolidLoad> checked_states(const CrackTurn& turn, SoundStress& sound) {
   std::vector<fem::SolidLoad> loads;
   for (const TorqueTurn& one : turn.torques)
     loads.push_back({.tractions = {},
@@ -126,41 +127,39 @@ std::vector<fem::SolidResult> full_solutions(const TurnBody& body, double size,
                          [&sound, angle = one.checked_angle, torque = one.torque](
                              const fem::Point3& place) { return sound.at(place, angle, torque); },
                      .released = true});
-  return fem::solve_solid(body.mesh(size), body.problem(), loads);
+  return loads;
 }
 
-/// The solutions of one torque at three sizes.
-struct Neighbours {
-  const fem::SolidResult& now;
-  const fem::SolidResult* less;  ///< null without a comparison of sizes
-  const fem::SolidResult* more;
-  double step;  ///< by which the sizes differ, over the given one [-]
+/// A full solution under one torque, and what judges it.
+struct FullSolution {
+  const fem::SolidResult& solid;
   ProportionalRelease release;
-  double largest;  ///< largest mean G of all torques [J/m^2]
+  std::optional<SizedRelease> smaller;  ///< a smaller crack; absent without a comparison of sizes
+  double largest;                       ///< largest mean G of all torques [J/m^2]
 };
 
 /// Fills in the checks of one torque, and returns the reason why they fail; empty if they agree.
-std::string judge(TorqueTurn& turn, const Neighbours& sizes) {
-  const fem::SolidResult& solid = sizes.now;
+std::string judge(TorqueTurn& turn, const FullSolution& full) {
+  const fem::SolidResult& solid = full.solid;
   turn.checks = {.energy_balance = solid.energy_balance,
                  .equilibrium_residual = solid.equilibrium_residual,
                  .worst_jacobian = solid.worst_jacobian,
                  .unknowns = solid.dofs};
-  const double G = sizes.release.mean();
+  const double G = full.release.mean();
   const auto above = [](double value, double limit) { return !(std::abs(value) <= limit); };
-  const double limit = kOfRelease * G + kOfLargest * sizes.largest;
-  if (G > kOfLargest * sizes.largest) {  // else nothing is released that could be compared
+  const double limit = kOfRelease * G + kOfLargest * full.largest;
+  if (G > kOfLargest * full.largest) {  // else nothing is released that could be compared
     turn.checks.ring_spread = 0.0;
     for (const fem::CrackFront& front : solid.fronts)
       turn.checks.ring_spread = std::max(*turn.checks.ring_spread, front.ring_spread);
-    turn.checks.mode_check = sizes.release.of_K / sizes.release.rate - 1;
+    turn.checks.mode_check = full.release.of_K / full.release.rate - 1;
   }
-  if (sizes.less != nullptr) {
-    const double derivative = (sizes.more->work - sizes.less->work) / 2 /
-                              (2 * sizes.step * sizes.release.sweep);  // (FE-28), (FE-34)
+  if (full.smaller) {
+    const double derivative =
+        release_by_work({solid.work, full.release.rate}, *full.smaller) / full.release.sweep;
     if (turn.checks.ring_spread) turn.checks.growth_check = derivative / G - 1;
     if (above(derivative - G, limit))
-      return fmt::format("dC/dA of neighbouring sizes differs from G by {:.2g}",
+      return fmt::format("dC/dA between two sizes differs from G by {:.2g}",
                          derivative / G - 1);
   }
   if (above(solid.equilibrium_residual, 1e-7))
@@ -168,9 +167,9 @@ std::string judge(TorqueTurn& turn, const Neighbours& sizes) {
   if (above(solid.energy_balance, 1e-6))
     return fmt::format("work and strain energy differ by {:.2g}", solid.energy_balance);
   if (above(solid.contact_overlap, 1e-6)) return "the faces of the crack overlap";
-  if (above(sizes.release.of_K / sizes.release.sweep - G, limit))
+  if (above(full.release.of_K / full.release.sweep - G, limit))
     return fmt::format("K carries {:.4g} of the energy release rate",
-                       sizes.release.of_K / sizes.release.rate);
+                       full.release.of_K / full.release.rate);
   return {};
 }
 
@@ -230,18 +229,19 @@ CrackTurn turn_crack(const TurningCrack& turning) {
   const OvalCup cup(section, steel, turning.fit, {.large_rotations = turning.large_rotations});
   steps.done("sound cup");
   SoundStress sound(cup, section.diaphragm ? section.diaphragm->thickness : 0.0);
-  const fem::CrackResponse crack(body->mesh(1), body->problem());
-  steps.done(fmt::format("crack, {} solutions", crack.solutions()));
+  // The factors of this body are freed before those of the smaller crack are made.
+  auto crack = std::make_unique<fem::CrackResponse>(body->mesh(1), body->problem());
+  steps.done(fmt::format("crack, {} solutions", crack->solutions()));
 
   CrackTurn result;
   result.contact = cup.contact();
   result.second_order_stress = cup.second_order_stress();
-  result.unknowns = crack.unknowns();
+  result.unknowns = crack->unknowns();
   result.states = turning.torques.size() * static_cast<std::size_t>(turning.angles);
-  const std::vector<LabelledStation> labels = body->labels(crack.stations());
+  const std::vector<LabelledStation> labels = body->labels(crack->stations());
   for (const double torque : turning.torques)
     result.torques.push_back(
-        turn_under(torque, turning.angles, crack, labels, sound, steel.poissons_ratio, result));
+        turn_under(torque, turning.angles, *crack, labels, sound, steel.poissons_ratio, result));
   double range = -1;
   for (const TorqueTurn& turn : result.torques)
     if (const StationTurn& station = *governing_station(turn.stations);
@@ -257,30 +257,28 @@ CrackTurn turn_crack(const TurningCrack& turning) {
   if (!(cup.equilibrium_residual() <= kOvalEquilibrium))
     refuse(fmt::format("the sound cup: nodal forces out of equilibrium by {:.2g}",
                        cup.equilibrium_residual()));
-  const std::vector<fem::SolidResult> now = full_solutions(*body, 1, result, sound);
-  std::vector<fem::SolidResult> less;
-  std::vector<fem::SolidResult> more;
-  constexpr double kStep = 0.01;
-  if (turning.check_growth) {
-    less = full_solutions(*body, 1 - kStep, result, sound);
-    more = full_solutions(*body, 1 + kStep, result, sound);
-  }
+  const std::vector<fem::SolidLoad> states = checked_states(result, sound);
+  const std::vector<fem::SolidResult> full = crack->solve(states);
+  crack.reset();
+  std::vector<fem::SolidResult> smaller;
+  if (turning.check_growth)
+    smaller = fem::solve_solid(body->mesh(1 - kSizeStep), body->problem(), states);
   steps.done("checks");
   double largest = 0;
-  for (const fem::SolidResult& solid : now)
-    largest = std::max(largest, body->release(solid).mean());
+  for (const fem::SolidResult& solid : full)
+    largest = std::max(largest, body->release(solid, 1).mean());
   for (std::size_t n = 0; n < result.torques.size(); ++n) {
     TorqueTurn& turn = result.torques[n];
-    const Neighbours sizes{.now = now[n],
-                           .less = turning.check_growth ? &less[n] : nullptr,
-                           .more = turning.check_growth ? &more[n] : nullptr,
-                           .step = kStep,
-                           .release = body->release(now[n]),
-                           .largest = largest};
-    if (std::string why = judge(turn, sizes); !why.empty())
+    FullSolution of{.solid = full[n],
+                    .release = body->release(full[n], 1),
+                    .smaller = {},
+                    .largest = largest};
+    if (turning.check_growth)
+      of.smaller = {smaller[n].work, body->release(smaller[n], 1 - kSizeStep).rate};
+    if (std::string why = judge(turn, of); !why.empty())
       refuse(fmt::format("torque {:.6g} N*m: {}", turn.torque, why));
   }
-  if (!turning.check_growth) refuse("not compared with neighbouring crack sizes");
+  if (!turning.check_growth) refuse("not compared with another size of the crack");
   result.usable = result.reason.empty();
   return result;
 }

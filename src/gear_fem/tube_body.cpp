@@ -107,6 +107,11 @@ double tube_polar_moment(double mean_radius, double wall_thickness) {
   return pi / 2 * (std::pow(outer, 4) - std::pow(inner, 4));
 }
 
+double release_by_work(const SizedRelease& given, const SizedRelease& smaller) {
+  return (given.work - smaller.work) / (2 * kSizeStep) +
+         (given.release - smaller.release) / 2;  // (FE-28)
+}
+
 fem::Traction end_torque(double mean_radius, double wall_thickness, double torque) {
   const double rate = torque / tube_polar_moment(mean_radius, wall_thickness);
   return {.tag = kTubeLoad, .value = [rate](const fem::Point3& p) {
@@ -162,11 +167,11 @@ void judge(TubeCrackResult& result, bool derivative, bool overlap) {
       refuse(fmt::format("K carries {:.4g} of the energy release rate", front.mode_energy_ratio));
   }
   if (!derivative)
-    refuse("not compared with neighbouring crack sizes");
+    refuse("not compared with another size of the crack");
   else if (released ? above(result.growth_check, 0.01)
                     : above(result.derivative_release_rate, result.closed_release_rate))
     refuse(
-        fmt::format("dC/dA of neighbouring sizes differs from G by {:.2g}", result.growth_check));
+        fmt::format("dC/dA between two sizes differs from G by {:.2g}", result.growth_check));
   result.usable = result.reason.empty();
 }
 

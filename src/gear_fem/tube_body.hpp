@@ -61,6 +61,17 @@ inline constexpr std::array kBothSenses = {TorqueSense::positive, TorqueSense::n
   return sense == TorqueSense::positive ? 1.0 : -1.0;
 }
 
+/// By how much smaller the crack is that judges the given one, over its size [-].
+inline constexpr double kSizeStep = 0.01;
+
+/// A crack of one size.
+struct SizedRelease {
+  double work;     ///< added by the crack [J], (FE-26)
+  double release;  ///< its release per unit of size over the given one, int G dA/ds [J]
+};
+/// The release of the given crack by the work that a crack smaller by kSizeStep lacks [J], (FE-28).
+[[nodiscard]] double release_by_work(const SizedRelease& given, const SizedRelease& smaller);
+
 /// Polar moment J = pi/2 (ro^4 - ri^4) [m^4].
 [[nodiscard]] double tube_polar_moment(double mean_radius, double wall_thickness);
 

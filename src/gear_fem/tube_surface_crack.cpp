@@ -235,13 +235,15 @@ std::vector<TubeSurfaceCrackResult> solve_senses(const TubeWithSurfaceCrack& tub
   std::vector<TorqueSense> again;
   for (const std::size_t n : compared) again.push_back(senses[n]);
   if (tube.check_growth && !again.empty()) {
-    constexpr double kStep = 0.01;
-    const std::vector<SolvedSurfaceCrack> less = solve_surface_crack(tube, 1 - kStep, again);
-    const std::vector<SolvedSurfaceCrack> more = solve_surface_crack(tube, 1 + kStep, again);
+    const std::vector<SolvedSurfaceCrack> smaller =
+        solve_surface_crack(tube, 1 - kSizeStep, again);
     for (std::size_t k = 0; k < again.size(); ++k) {
       TubeSurfaceCrackResult& result = results[compared[k]];
-      result.derivative_release_rate = (more[k].solid.added_work - less[k].solid.added_work) /
-                                       (2 * 2 * kStep * sweeps[compared[k]]);  // (FE-28), (FE-34)
+      const double sweep = sweeps[compared[k]];
+      result.derivative_release_rate =
+          release_by_work({result.solid.added_work, result.energy_release_rate * sweep},
+                          {smaller[k].solid.added_work, smaller[k].release}) /
+          sweep;  // (FE-34)
       result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
     }
   }

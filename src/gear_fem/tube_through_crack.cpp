@@ -43,7 +43,7 @@ constexpr double kSoundTolerance = 0.005;
 /// One size of the crack under the torques of several senses.
 struct Solved {
   std::vector<fem::SolidResult> solids;  ///< one for each sense
-  double area;                           ///< area of the crack
+  double area;                           ///< of the crack [m^2]; also its growth per unit of size
 };
 
 }  // namespace
@@ -268,13 +268,8 @@ std::vector<TubeCrackResult> solve_senses(const TubeWithThroughCrack& tube,
   Solved now = solve_size(tube, a, senses);
   std::optional<CupResult> cup;
   if (tube.ends.any()) cup = solve_cup(cup_of(tube), tube.material);
-  std::optional<Solved> less;
-  std::optional<Solved> more;
-  if (tube.check_growth) {
-    constexpr double kStep = 0.01;
-    less = solve_size(tube, a * (1 - kStep), senses);
-    more = solve_size(tube, a * (1 + kStep), senses);
-  }
+  std::optional<Solved> smaller;
+  if (tube.check_growth) smaller = solve_size(tube, a * (1 - kSizeStep), senses);
   std::vector<TubeCrackResult> results;
   for (std::size_t n = 0; n < senses.size(); ++n) {
     TubeCrackResult& result = results.emplace_back();
@@ -299,9 +294,12 @@ std::vector<TubeCrackResult> solve_senses(const TubeWithThroughCrack& tube,
     const OverFronts over = over_fronts(solid);
     result.closed = over.closed;
     result.energy_release_rate = over.energy_release_rate;
-    if (less && more) {
-      result.derivative_release_rate = (more->solids[n].added_work - less->solids[n].added_work) /
-                                       2 / (more->area - less->area);  // (FE-28)
+    if (smaller) {
+      const fem::SolidResult& other = smaller->solids[n];
+      result.derivative_release_rate =
+          release_by_work({solid.added_work, over.energy_release_rate * now.area},
+                          {other.added_work, over_fronts(other).energy_release_rate * now.area}) /
+          now.area;
       result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
     }
     result.closed_release_rate =

@@ -55,8 +55,9 @@ class ThroughCrackBody : public TurnBody {
       labels.push_back({s, kTips.at(stations[s].front), 2 * stations[s].position - 1});
     return labels;
   }
-  [[nodiscard]] ProportionalRelease release(const fem::SolidResult& solid) const override {
-    ProportionalRelease sum;
+  [[nodiscard]] ProportionalRelease release(const fem::SolidResult& solid,
+                                            double /*size*/) const override {
+    ProportionalRelease sum;  // the fronts grow by the same length at any size
     for (const fem::CrackFront& front : solid.fronts) {
       sum.rate += tube_.half_length * front.release;
       sum.of_K += tube_.half_length * front.release * front.mode_energy_ratio;
@@ -95,16 +96,17 @@ class SurfaceCrackBody : public TurnBody {
       }
     return labels;
   }
-  [[nodiscard]] ProportionalRelease release(const fem::SolidResult& solid) const override {
+  [[nodiscard]] ProportionalRelease release(const fem::SolidResult& solid,
+                                            double size) const override {
     const fem::CrackFront& front = solid.fronts.at(0);
-    const SweptRelease over = swept_release(tube_, map_, 1, front);
+    const SweptRelease over = swept_release(tube_, map_, size, front);
     return {
         .rate = over.release, .of_K = over.release * front.mode_energy_ratio, .sweep = over.sweep};
   }
 
  private:
   TubeWithSurfaceCrack tube_;
-  fem::PointMap map_;  ///< of the template at the given size
+  fem::PointMap map_;  ///< of the template; sizes near the given one share it at the crack
   fem::SolidProblem problem_;
 };
 

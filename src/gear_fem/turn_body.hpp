@@ -50,8 +50,9 @@ class TurnBody {
   /// The places of the fronts in the order of the results: for each tip, ascending labels.
   [[nodiscard]] virtual std::vector<LabelledStation> labels(
       std::span<const fem::StationPlace> stations) const = 0;
-  /// @param solid  of the given size
-  [[nodiscard]] virtual ProportionalRelease release(const fem::SolidResult& solid) const = 0;
+  /// @param size  that of the solid, over the given one [-]; near 1
+  [[nodiscard]] virtual ProportionalRelease release(const fem::SolidResult& solid,
+                                                    double size) const = 0;
 };
 
 /// The body of the crack.

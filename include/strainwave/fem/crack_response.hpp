@@ -83,6 +83,10 @@ class CrackResponse {
   [[nodiscard]] CrackState state(std::span<const Point3> traction,
                                  CrackFaces faces = CrackFaces::contact) const;
 
+  /// The body of the response solved in full, with the factorisation that it keeps.
+  /// @throws InputError, SolverError  as solve_solid
+  [[nodiscard]] std::vector<SolidResult> solve(std::span<const SolidLoad> loads) const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

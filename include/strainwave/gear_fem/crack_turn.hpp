@@ -35,7 +35,7 @@ struct TurningCrack {
   LargeRotations large_rotations = LargeRotations::automatic;
   std::vector<double> torques;  ///< T [N*m], in the sense of +theta on the rim; one or more
   int angles = 36;              ///< angles over one wave, half a turn [-]; 8 to 720
-  /// Also solve sizes 1 % smaller and larger, and compare G with dC/dA.
+  /// Also solve a crack 1 % smaller, and compare G with dC/dA (FE-28).
   bool check_growth = true;
   /// Called after each step with its name and its time [s]; may be empty.
   std::function<void(const std::string&, double)> done = {};

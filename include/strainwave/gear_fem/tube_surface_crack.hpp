@@ -34,7 +34,7 @@ struct TubeWithSurfaceCrack {
   int rings = 3;      ///< circular rings about the front [-]; 3 to 12
   int segments = 4;   ///< segments along the front [-]; a multiple of 4, 4 to 32
   double growth = 0;  ///< growth from cell to cell away from the crack [-]; 1.5 to 4, 0: by a/t
-  /// Also solve sizes 1 % smaller and larger, and compare G with dC/dA.
+  /// Also solve a crack 1 % smaller, and compare G with dC/dA (FE-28).
   bool check_growth = true;
   /// Also solve three smaller cracks of the same shape, and integrate G over their growth.
   bool check_sizes = false;

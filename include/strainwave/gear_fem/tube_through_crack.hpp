@@ -51,7 +51,7 @@ struct TubeWithThroughCrack {
       0;
   int rings = 0;   ///< rings about each tip [-]; 2 to 16, 0: down to 4 % of wall or crack
   int layers = 0;  ///< layers of cells through the wall [-]; 1 to 8, 0: by a/t
-  /// Also solve sizes 1 % smaller and larger, and compare G with dC/dA.
+  /// Also solve a crack 1 % smaller, and compare G with dC/dA (FE-28).
   bool check_growth = true;
   /// Called after the solution of each mesh with one of its loads, and the time of all loads
   /// including the mesh [s]; may be empty.
@@ -110,7 +110,7 @@ struct TubeCrackResult {
   double added_compliance{};         ///< added compliance by reciprocity [rad/(N*m)], (FE-26)
   double nominal_shear{};            ///< tau of the middle surface, T r/J [Pa]
   double energy_release_rate{};      ///< G over both fronts [J/m^2], (FE-23)
-  double derivative_release_rate{};  ///< T^2/2 dC/dA of neighbouring sizes [J/m^2]; 0: not computed
+  double derivative_release_rate{};  ///< T^2/2 dC/dA by two sizes [J/m^2], (FE-28); 0: not computed
   double growth_check{};             ///< derivative_release_rate/energy_release_rate - 1 [-]
   double closed_release_rate{};      ///< 1e-3 K0^2/E; a smaller G counts as zero [J/m^2]
   bool closed = false;  ///< the faces touch along both fronts, so K_I = 0 through the wall

@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/fem/complementarity.hpp"
 
 namespace strainwave::fem::solid {
 FaceContact::FaceContact(const Space& space, const Constraints& constraints, Equations& equations)
     : space_(space), constraints_(constraints), equations_(equations) {
   find_places();
+  solved_.assign(pairs(), false);
   if (rows_.empty()) throw InputError("mesh", "has no crack faces that could touch");
   area_.resize(static_cast<Eigen::Index>(pairs()));
   for (std::size_t i = 0; i < pairs(); ++i) area_[static_cast<Eigen::Index>(i)] = places_[i].area;
@@ -107,44 +108,91 @@ double FaceContact::largest_jump(const Vector& u) const {
   return jump;
 }
 
-/// Solves for a unit pressure at each pair and calls visit(pair, unknowns) for each.
+/// Solves for a unit pressure at each of some pairs, fills in their columns of the flexibility, and
+/// calls visit(pair, unknowns) for each.
 template <class Visit>
-void FaceContact::solve_pressures(const Visit& visit) const {
+void FaceContact::solve_pressures(const std::vector<Eigen::Index>& of, const Visit& visit) {
   constexpr std::size_t kBlock = 64;
   const std::vector<int>& number = equations_.numbering().number;
   const auto unknowns = static_cast<std::size_t>(equations_.numbering().unknowns);
-  for (std::size_t first = 0; first < pairs(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, pairs() - first);
+  const auto n = static_cast<Eigen::Index>(pairs());
+  if (flexibility_.size() == 0) flexibility_ = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t first = 0; first < of.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, of.size() - first);
     std::vector<double> columns(count * unknowns, 0.0);
-    for (std::size_t j = 0; j < count; ++j)
-      for (const auto& [dof, value] : rows_[first + j])
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto pair = static_cast<std::size_t>(of[first + j]);
+      for (const auto& [dof, value] : rows_[pair])
         columns[j * unknowns + static_cast<std::size_t>(number[dof])] +=
-            value * places_[first + j].area;
+            value * places_[pair].area;
+    }
     columns = equations_.solver().solve(std::move(columns), static_cast<int>(count));
-    for (std::size_t j = 0; j < count; ++j)
-      visit(static_cast<Eigen::Index>(first + j),
-            std::span<const double>(columns).subspan(j * unknowns, unknowns));
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::span<const double> u =
+          std::span<const double>(columns).subspan(j * unknowns, unknowns);
+      const Eigen::Index pair = of[first + j];
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (const auto& [dof, value] : rows_[static_cast<std::size_t>(i)])
+          flexibility_(i, pair) += value * u[static_cast<std::size_t>(number[dof])];
+      solved_[static_cast<std::size_t>(pair)] = true;
+      visit(pair, u);
+    }
   }
-}
-
-const Eigen::MatrixXd& FaceContact::flexibility() {
-  if (flexibility_.size() == 0) (void)displacements({});
-  return flexibility_;
 }
 
 Eigen::MatrixXd FaceContact::displacements(const std::vector<Index>& at) {
   const std::vector<int>& number = equations_.numbering().number;
-  const auto n = static_cast<Eigen::Index>(pairs());
-  Eigen::MatrixXd displaced(static_cast<Eigen::Index>(at.size()), n);
-  flexibility_ = Eigen::MatrixXd::Zero(n, n);
-  solve_pressures([&](Eigen::Index j, std::span<const double> u) {
-    for (Eigen::Index i = 0; i < n; ++i)
-      for (const auto& [dof, value] : rows_[static_cast<std::size_t>(i)])
-        flexibility_(i, j) += value * u[static_cast<std::size_t>(number[dof])];
+  Eigen::MatrixXd displaced(static_cast<Eigen::Index>(at.size()),
+                            static_cast<Eigen::Index>(pairs()));
+  flexibility_.resize(0, 0);
+  std::vector<Eigen::Index> all(pairs());
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  solve_pressures(all, [&](Eigen::Index j, std::span<const double> u) {
     for (Eigen::Index i = 0; i < displaced.rows(); ++i)
       displaced(i, j) = u[static_cast<std::size_t>(number[at[static_cast<std::size_t>(i)]])];
   });
   return displaced;
+}
+
+/// The pressures that keep the faces from passing through each other [Pa].
+///
+/// Mostly few pairs touch.  So only the pairs that overlap are solved for, and those that overlap
+/// under the pressures of the others join them until none is left.  All pairs together have one
+/// solution, and this is the one.
+Complementarity FaceContact::pressures(const Eigen::VectorXd& free_gap) {
+  const Eigen::VectorXd weighted = area_.asDiagonal() * free_gap;
+  const double nothing = 1e-9 * weighted.cwiseAbs().maxCoeff();
+  std::vector<Eigen::Index> among;
+  std::vector<bool> chosen(pairs(), false);
+  Eigen::VectorXd slack = weighted;
+  Complementarity answer{.x = std::vector<double>(pairs(), 0.0)};
+  for (;;) {
+    std::vector<Eigen::Index> unsolved;
+    bool complete = true;
+    for (Eigen::Index i = 0; i < slack.size(); ++i) {
+      const auto pair = static_cast<std::size_t>(i);
+      if (chosen[pair] || !(slack[i] < -nothing)) continue;
+      complete = false;
+      chosen[pair] = true;
+      among.push_back(i);
+      if (!solved_[pair]) unsolved.push_back(i);
+    }
+    if (complete) return answer;
+    solve_pressures(unsolved, [](Eigen::Index, std::span<const double>) {});
+    // Weights by area make the matrix symmetric.
+    const Eigen::VectorXd weight = area_(among);
+    const Eigen::MatrixXd matrix = weight.asDiagonal() * flexibility_(among, among);
+    const Eigen::VectorXd gap = weighted(among);
+    const Complementarity part = solve_complementarity(
+        {matrix.data(), static_cast<std::size_t>(matrix.size())},
+        {gap.data(), static_cast<std::size_t>(gap.size())}, "the crack faces");
+    answer.steps += part.steps;
+    slack = weighted;
+    for (std::size_t k = 0; k < among.size(); ++k) {
+      answer.x[static_cast<std::size_t>(among[k])] = part.x[k];
+      slack += part.x[k] * (area_.asDiagonal() * flexibility_.col(among[k]));
+    }
+  }
 }
 
 std::map<Index, Index> FaceContact::neighbours_of_fronts() const {
@@ -173,12 +221,7 @@ std::optional<Contact> FaceContact::close(const Vector& load, const Vector& u) {
   const double jump = largest_jump(u);
   const Eigen::VectorXd free_gap = gaps(u);
   if (free_gap.minCoeff() >= -kNothing * jump) return std::nullopt;
-  // Weights by area make the matrix symmetric.
-  const Eigen::MatrixXd matrix = area_.asDiagonal() * flexibility();
-  const Eigen::VectorXd gap = area_.asDiagonal() * free_gap;
-  const Complementarity answer =
-      solve_complementarity({matrix.data(), static_cast<std::size_t>(matrix.size())},
-                            {gap.data(), static_cast<std::size_t>(gap.size())}, "the crack faces");
+  const Complementarity answer = pressures(free_gap);
   Contact contact{.u = {},
                   .forces = Vector(space_.dofs.n_dofs()),
                   .pressure = std::vector<double>(space_.dofs.n_dofs(), 0.0),

@@ -10,6 +10,7 @@
 
 #include "assembly.hpp"
 #include "space.hpp"
+#include "strainwave/fem/complementarity.hpp"
 
 namespace strainwave::fem::solid {
 
@@ -43,12 +44,12 @@ class FaceContact {
   [[nodiscard]] const std::vector<FacePlace>& places() const { return places_; }
   /// Number of places that can touch.
   [[nodiscard]] std::size_t pairs() const { return rows_.size(); }
-  /// Gap of each pair, in rows, under a unit pressure at each pair, in columns: that is, under a
-  /// pair of forces equal to its area [m/Pa].
-  [[nodiscard]] const Eigen::MatrixXd& flexibility();
-  /// Displacements at unknowns `at`, in rows, under the same pressures [m/Pa].
+  /// Displacements at unknowns `at`, in rows, under a unit pressure at each pair, in columns: that
+  /// is, under a pair of forces equal to its area [m/Pa].
   /// @param at  dofs without constraints
   [[nodiscard]] Eigen::MatrixXd displacements(const std::vector<Index>& at);
+  /// Gap of each pair, in rows, under the same pressures [m/Pa]; complete after `displacements`.
+  [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
 
   /// The nearest paired node of a face, for each node at a front, by their first dofs.  At a front
   /// both sides share their nodes, so no pair gives a pressure there; that of the neighbour is
@@ -70,7 +71,8 @@ class FaceContact {
   [[nodiscard]] Eigen::VectorXd gaps(const Vector& u) const;
   [[nodiscard]] double largest_jump(const Vector& u) const;
   template <class Visit>
-  void solve_pressures(const Visit& visit) const;
+  void solve_pressures(const std::vector<Eigen::Index>& of, const Visit& visit);
+  [[nodiscard]] Complementarity pressures(const Eigen::VectorXd& free_gap);
 
   const Space& space_;
   const Constraints& constraints_;
@@ -79,7 +81,8 @@ class FaceContact {
   std::vector<Row> rows_;          ///< gap of each pair as a sum over unconstrained dofs
   std::set<Index> on_front_;       ///< first dofs of the nodes that both sides share
   Eigen::VectorXd area_;           ///< of each pair [m^2]
-  Eigen::MatrixXd flexibility_;    ///< empty before it is needed
+  Eigen::MatrixXd flexibility_;    ///< empty before it is needed; columns of the pairs solved for
+  std::vector<bool> solved_;       ///< pairs whose columns are there
 };
 
 }  // namespace strainwave::fem::solid

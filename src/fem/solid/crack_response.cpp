@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "assembly.hpp"
-#include "contact.hpp"
+#include "factored_solid.hpp"
 #include "fronts.hpp"
-#include "space.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/complementarity.hpp"
 
@@ -62,6 +61,9 @@ struct Faces {
 }  // namespace
 
 struct CrackResponse::Parts {
+  Parts(const HexMesh& mesh, const SolidProblem& problem) : solid(mesh, problem) {}
+
+  FactoredSolid solid;
   std::vector<CrackNode> nodes;
   std::vector<StationPlace> stations;
   std::vector<std::vector<std::size_t>> beside;  ///< pairs beside each station, may repeat
@@ -77,18 +79,17 @@ struct CrackResponse::Parts {
   Column area;             ///< of each pair [m^2]
 };
 
-CrackResponse::CrackResponse(const HexMesh& mesh, const SolidProblem& problem)
-    : parts_(std::make_unique<Parts>()) {
-  Parts& parts = *parts_;
-  if (mesh.cells.empty()) throw InputError("mesh", "has no cells");
+CrackResponse::CrackResponse(const HexMesh& mesh, const SolidProblem& problem) {
   if (problem.crack_tag == 0 || problem.crack_faces != CrackFaces::contact)
     throw InputError("problem", "must have a crack whose faces can touch");
-  const Space space(mesh, problem);
+  parts_ = std::make_unique<Parts>(mesh, problem);
+  Parts& parts = *parts_;
+  const Space& space = parts.solid.space();
+  const Constraints& constraints = parts.solid.constraints();
+  Equations& equations = parts.solid.equations();
+  FaceContact& contact = parts.solid.contact();
   parts.worst_jacobian = space.jacobian;
   parts.unknowns = space.dofs.n_dofs();
-  const Constraints constraints = support_constraints(space);
-  Equations equations(space, constraints);
-  FaceContact contact(space, constraints, equations);
   const std::vector<FacePlace>& places = contact.places();
   const Faces faces(space, places);
   for (const Index dof : faces.dofs)
@@ -186,6 +187,10 @@ std::span<const StationPlace> CrackResponse::stations() const { return parts_->s
 std::size_t CrackResponse::unknowns() const { return parts_->unknowns; }
 double CrackResponse::worst_jacobian() const { return parts_->worst_jacobian; }
 std::size_t CrackResponse::solutions() const { return parts_->solutions; }
+
+std::vector<SolidResult> CrackResponse::solve(std::span<const SolidLoad> loads) const {
+  return parts_->solid.solve(loads, Factors::kept);
+}
 
 CrackState CrackResponse::state(std::span<const Point3> traction, CrackFaces faces) const {
   const Parts& parts = *parts_;
