@@ -38,6 +38,16 @@ double relative_release(const TubeWithThroughCrack& tube, const TubeCrackResult&
          (std::pow(result.nominal_shear, 2) * pi * tube.half_length);
 }
 
+// (FE-28): of a release g = s^2, whose work is 2/3 s^3, the rule differs from g by delta^2 g''/12.
+// The tolerance is the term of the next order, delta^3/6, and rounding.
+TEST(TubeThroughCrack, ConvergenceOfReleaseByWork) {
+  const auto at = [](double s) {
+    return SizedRelease{.work = 2.0 / 3.0 * s * s * s, .release = s * s};
+  };
+  const double difference = release_by_work(at(1), at(1 - kSizeStep)) - 1;
+  EXPECT_NEAR(difference, -kSizeStep * kSizeStep / 6, kSizeStep * kSizeStep * kSizeStep / 6);
+}
+
 // (FE-23), (FE-26), (FE-28), (FE-29)
 TEST(TubeThroughCrack, ReferenceAt45Degrees) {
   TubeWithThroughCrack tube = flexspline();
