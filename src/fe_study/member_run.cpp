@@ -47,8 +47,8 @@ constexpr std::size_t kTubeSolutions = 2;
 std::size_t tube_solutions(const gear_fem::TubeWithThroughCrack& tube, RunFields fields) {
   return kTubeSolutions + (tube.ends.any() && fields != RunFields::none ? 1 : 0);
 }
-/// Solutions of a surface crack; a fully closed crack needs only the first, because it is not compared
-/// with another size.
+/// Solutions of a surface crack; a fully closed crack needs only the first, because it is not
+/// compared with another size.
 constexpr std::size_t kSurfaceSolutions = 2;
 
 std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }

@@ -20,7 +20,8 @@
 namespace strainwave::fe_study {
 namespace {
 
-/// Solutions of one size, in terms of time: the crack's response, and a smaller crack that judges it.
+/// Solutions of one size, in terms of time: the crack's response, and a smaller crack that judges
+/// it.
 constexpr std::size_t kTurnSolutions = 2;
 
 /// Memory of the responses of the crack's nodes, over that of one solution [-].

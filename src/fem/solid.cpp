@@ -17,6 +17,8 @@ SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem, const 
   return std::move(solve_solid(mesh, problem, std::span(&load, 1)).front());
 }
 
-double check_jacobians(const HexMesh& mesh) { return solid::worst_jacobian(mesh, solid::Body(mesh, 1)); }
+double check_jacobians(const HexMesh& mesh) {
+  return solid::worst_jacobian(mesh, solid::Body(mesh, 1));
+}
 
 }  // namespace strainwave::fem

@@ -159,8 +159,7 @@ std::string judge(TorqueTurn& turn, const FullSolution& full) {
         release_by_work({solid.work, full.release.rate}, *full.smaller) / full.release.sweep;
     if (turn.checks.ring_spread) turn.checks.growth_check = derivative / G - 1;
     if (above(derivative - G, limit))
-      return fmt::format("dC/dA between two sizes differs from G by {:.2g}",
-                         derivative / G - 1);
+      return fmt::format("dC/dA between two sizes differs from G by {:.2g}", derivative / G - 1);
   }
   if (above(solid.equilibrium_residual, 1e-7))
     return fmt::format("nodal forces out of equilibrium by {:.2g}", solid.equilibrium_residual);
@@ -269,10 +268,8 @@ CrackTurn turn_crack(const TurningCrack& turning) {
     largest = std::max(largest, body->release(solid, 1).mean());
   for (std::size_t n = 0; n < result.torques.size(); ++n) {
     TorqueTurn& turn = result.torques[n];
-    FullSolution of{.solid = full[n],
-                    .release = body->release(full[n], 1),
-                    .smaller = {},
-                    .largest = largest};
+    FullSolution of{
+        .solid = full[n], .release = body->release(full[n], 1), .smaller = {}, .largest = largest};
     if (turning.check_growth)
       of.smaller = {smaller[n].work, body->release(smaller[n], 1 - kSizeStep).rate};
     if (std::string why = judge(turn, of); !why.empty())

@@ -170,8 +170,7 @@ void judge(TubeCrackResult& result, bool derivative, bool overlap) {
     refuse("not compared with another size of the crack");
   else if (released ? above(result.growth_check, 0.01)
                     : above(result.derivative_release_rate, result.closed_release_rate))
-    refuse(
-        fmt::format("dC/dA between two sizes differs from G by {:.2g}", result.growth_check));
+    refuse(fmt::format("dC/dA between two sizes differs from G by {:.2g}", result.growth_check));
   result.usable = result.reason.empty();
 }
 

@@ -235,8 +235,7 @@ std::vector<TubeSurfaceCrackResult> solve_senses(const TubeWithSurfaceCrack& tub
   std::vector<TorqueSense> again;
   for (const std::size_t n : compared) again.push_back(senses[n]);
   if (tube.check_growth && !again.empty()) {
-    const std::vector<SolvedSurfaceCrack> smaller =
-        solve_surface_crack(tube, 1 - kSizeStep, again);
+    const std::vector<SolvedSurfaceCrack> smaller = solve_surface_crack(tube, 1 - kSizeStep, again);
     for (std::size_t k = 0; k < again.size(); ++k) {
       TubeSurfaceCrackResult& result = results[compared[k]];
       const double sweep = sweeps[compared[k]];

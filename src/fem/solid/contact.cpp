@@ -123,8 +123,7 @@ void FaceContact::solve_pressures(const std::vector<Eigen::Index>& of, const Vis
     for (std::size_t j = 0; j < count; ++j) {
       const auto pair = static_cast<std::size_t>(of[first + j]);
       for (const auto& [dof, value] : rows_[pair])
-        columns[j * unknowns + static_cast<std::size_t>(number[dof])] +=
-            value * places_[pair].area;
+        columns[j * unknowns + static_cast<std::size_t>(number[dof])] += value * places_[pair].area;
     }
     columns = equations_.solver().solve(std::move(columns), static_cast<int>(count));
     for (std::size_t j = 0; j < count; ++j) {

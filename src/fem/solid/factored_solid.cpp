@@ -56,7 +56,6 @@ double equilibrium_residual(Vector residual, const Vector& load, const Contact* 
   return largest / load.linfty_norm();  // (FE-21)
 }
 
-
 SolidProblem checked(const HexMesh& mesh, const SolidProblem& problem) {
   const Elasticity& m = problem.material;
   require(m.youngs_modulus > 0 && std::isfinite(m.youngs_modulus), "youngs_modulus",
@@ -146,8 +145,7 @@ std::vector<SolidResult> FactoredSolid::solve(std::span<const SolidLoad> loads, 
     equations_.reset();
   }
   std::vector<SolidResult> results;
-  for (std::size_t n = 0; n < loads.size(); ++n)
-    results.push_back(evaluated(loads[n], loaded[n]));
+  for (std::size_t n = 0; n < loads.size(); ++n) results.push_back(evaluated(loads[n], loaded[n]));
   return results;
 }
 
