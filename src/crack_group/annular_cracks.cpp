@@ -5,11 +5,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/bessel.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
+#include <deque>
+#include <memory>
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
@@ -27,67 +28,188 @@ constexpr double kLastPhase = 80;
 
 /// Bessel functions in the precision of their argument, which is all that they need here.
 using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-double bessel_j(int order, double x) { return boost::math::cyl_bessel_j(order, x, Plain()); }
-double bessel_y(int order, double x) { return boost::math::cyl_neumann(order, x, Plain()); }
 
-/// The modes of a shaft of outer radius 1, in torsion: phi(r) exp(-k |z|) with free surfaces.
+/// Bessel functions of both kinds, J = m cos(phase) and Y = m sin(phase).
+struct BesselPair {
+  double square = 0.0;  ///< m^2
+  double phase = 0.0;   ///< continuous in the argument [rad]
+};
+
+/// From here on the terms of Hankel's series fall to 1e-11.
+constexpr double kLarge = 25;
+
+/// The series P and Q of Hankel, J = sqrt(2/(pi x)) (P cos(chi) - Q sin(chi)) and
+/// Y = sqrt(2/(pi x)) (P sin(chi) + Q cos(chi)) with chi = x - (order/2 + 1/4) pi.
+template <int kOrder>
+std::array<double, 2> hankel(double x) {
+  constexpr std::size_t kTerms = 12;
+  static const std::array<double, kTerms> terms = [] {
+    std::array<double, kTerms> result{1.0};
+    for (std::size_t j = 1; j < kTerms; ++j) {
+      const double odd = 2.0 * static_cast<double>(j) - 1;
+      result[j] =
+          result[j - 1] * (4.0 * kOrder * kOrder - odd * odd) / (8.0 * static_cast<double>(j));
+    }
+    return result;
+  }();
+  const double y = -1 / (x * x);
+  double p = 0.0;
+  double q = 0.0;
+  for (std::size_t j = kTerms; j > 0; j -= 2) {
+    q = q * y + terms[j - 1];
+    p = p * y + terms[j - 2];
+  }
+  return {p, q / x};
+}
+
+/// The Bessel functions of order 2; x > 0.
+BesselPair second_order(double x) {
+  const double chi = x - 5 * pi / 4;
+  if (x >= kLarge) {
+    const auto [p, q] = hankel<2>(x);
+    return {.square = 2 / (pi * x) * (p * p + q * q), .phase = chi + std::atan2(q, p)};
+  }
+  const double j = boost::math::cyl_bessel_j(2, x, Plain());
+  const double y = boost::math::cyl_neumann(2, x, Plain());
+  double phase = std::atan2(y, j);
+  constexpr double kFirstTurn = 5;  // up to which the phase is less than half a turn
+  if (x > kFirstTurn) phase += 2 * pi * std::round((chi + 15 / (8 * x) - phase) / (2 * pi));
+  return {.square = j * j + y * y, .phase = phase};
+}
+
+/// A mode of a shaft of outer radius 1 in torsion.
+struct Mode {
+  double wave_number = 0.0;  ///< k
+  double surface = 0.0;      ///< phase of the Bessel functions of order 2 at k
+  double weight = 0.0;       ///< k/(2 N) times the modes that this one stands for (CG-11)
+
+  /// phi at a radius, J_1(kr) sin(surface) - Y_1(kr) cos(surface) (CG-10).
+  [[nodiscard]] double at(double r) const {
+    const double x = wave_number * r;
+    if (x < kLarge)
+      return boost::math::cyl_bessel_j(1, x, Plain()) * std::sin(surface) -
+             boost::math::cyl_neumann(1, x, Plain()) * std::cos(surface);
+    const auto [p, q] = hankel<1>(x);
+    const double angle = surface - x + 3 * pi / 4;
+    return std::sqrt(2 / (pi * x)) * (p * std::sin(angle) - q * std::cos(angle));
+  }
+};
+
+/// Points and weights of Gauss for the sum over the integers 0 to `of` - 1: exact for polynomials
+/// up to degree 2 `points` - 1 (CG-13).
+std::vector<std::pair<double, double>> gauss_of_sum(std::size_t of, std::size_t points) {
+  // The polynomials that are orthogonal in the sum (Gram) have this recurrence.
+  const auto m = static_cast<Eigen::Index>(points);
+  const double count = static_cast<double>(of);
+  const Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(m);
+  Eigen::VectorXd beside(m - 1);
+  for (Eigen::Index j = 1; j < m; ++j) {
+    const double square = static_cast<double>(j) * static_cast<double>(j);
+    beside[j - 1] =
+        std::sqrt(square * (count * count - square) / (4 * (4 * square - 1)));  // (CG-13)
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, beside);
+  std::vector<std::pair<double, double>> result;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const double first = solver.eigenvectors()(0, i);
+    result.emplace_back(solver.eigenvalues()[i] + (count - 1) / 2, count * first * first);
+  }
+  return result;
+}
+
+/// Number of modes up to which a block of modes reaches; each block is longer by the root of 2.
+std::size_t end_of_block(int block) {
+  return static_cast<std::size_t>(std::ceil(std::pow(2.0, block / 2.0)));
+}
+
+/// The modes of a shaft of outer radius 1, in torsion: phi(r) exp(-k |z|) with free surfaces.  A
+/// long block of modes is represented by fewer ones at numbers between whole ones.
 class ShaftModes {
  public:
-  /// @param inner  inner radius [-]
-  /// @param count  of modes
-  ShaftModes(double inner, std::size_t count) : inner_(inner) {
-    const double step = pi / (1 - inner);
-    // The modes are a step apart; the first is at 1.63 steps in a solid shaft and at 1 in a thin
-    // tube.
-    double begin = 0.8 * step;
-    double end = 1.8 * step;
-    while (wave_numbers_.size() < count) {
-      wave_numbers_.push_back(root(begin, end));
-      begin = wave_numbers_.back() + 0.5 * step;
-      end = wave_numbers_.back() + 1.5 * step;
-    }
-    for (const double k : wave_numbers_) {
-      second_.push_back(inner > 0 ? bessel_j(2, k * inner) / bessel_y(2, k * inner) : 0.0);
-      const std::size_t n = second_.size() - 1;
-      const double outside = at(n, 1);
-      const double inside = inner > 0 ? inner * at(n, inner) : 0.0;
-      norms_.push_back((outside * outside - inside * inside) / 2);  // (CG-10)
+  /// @param inner   inner radius [-]
+  /// @param counts  of modes of each crack; each the end of a block
+  ShaftModes(double inner, const std::vector<std::size_t>& counts) : inner_(inner) {
+    const std::size_t most = std::ranges::max(counts);
+    std::size_t begin = 0;
+    for (int block = 0; begin < most; ++block) {
+      const std::size_t end = end_of_block(block);
+      if (end <= begin) continue;
+      // The deepest crack that this block concerns has the fewest modes, and its phase moves most.
+      std::size_t fewest = most;
+      for (const std::size_t count : counts)
+        if (count >= end) fewest = std::min(fewest, count);
+      const double phase = std::numbers::sqrt2 * kLastPhase * static_cast<double>(end - begin) /
+                           static_cast<double>(fewest);
+      constexpr double kMore = 14;
+      const auto points = static_cast<std::size_t>(std::ceil(kMore + phase));
+      if (points < end - begin) {
+        for (const auto& [place, weight] : gauss_of_sum(end - begin, points))
+          add(static_cast<double>(begin) + place + 1, weight);
+      } else {
+        for (std::size_t n = begin; n < end; ++n) add(static_cast<double>(n) + 1, 1.0);
+      }
+      begin = end;
+      ends_.emplace_back(end, modes_.size());
     }
   }
 
-  [[nodiscard]] double wave_number(std::size_t n) const { return wave_numbers_[n]; }
-  /// Integral of r phi^2 over the wall [-].
-  [[nodiscard]] double norm(std::size_t n) const { return norms_[n]; }
-  /// phi of mode n at a radius [-].
-  [[nodiscard]] double at(std::size_t n, double r) const {
-    const double x = wave_numbers_[n] * r;
-    return bessel_j(1, x) - (second_[n] == 0 ? 0.0 : second_[n] * bessel_y(1, x));  // (CG-10)
+  [[nodiscard]] const std::vector<Mode>& modes() const { return modes_; }
+  /// How many of `modes` represent the first `count` modes, the end of a block.
+  [[nodiscard]] std::size_t size(std::size_t count) const {
+    for (const auto& [end, size] : ends_)
+      if (end >= count) return size;
+    return modes_.size();
+  }
+  /// Wave number between the last one of `count` modes and the next.
+  [[nodiscard]] double end(std::size_t count) const {
+    return wave_number(static_cast<double>(count) + 0.5);
   }
 
  private:
-  /// Zero where the surfaces carry no stress (CG-10).
-  [[nodiscard]] double root(double begin, double end) const {
-    const auto stress = [&](double k) {
-      if (inner_ == 0) return bessel_j(2, k);
-      return bessel_j(2, k) * bessel_y(2, k * inner_) - bessel_y(2, k) * bessel_j(2, k * inner_);
-    };
-    std::uintmax_t steps = 60;
-    const auto [below, above] = boost::math::tools::toms748_solve(
-        stress, begin, end, boost::math::tools::eps_tolerance<double>(44), steps);
-    return (below + above) / 2;
+  /// Wave number of mode n, counted from 1, by Newton's method (CG-13).
+  [[nodiscard]] double wave_number(double n) const {
+    double k = modes_.empty() ? (n + 0.75) * pi / (1 - 0.5 * inner_)
+                              : modes_.back().wave_number + (n - last_) * pi / (1 - inner_);
+    constexpr int kSteps = 60;
+    for (int i = 0; i < kSteps; ++i) {
+      const BesselPair outside = second_order(k);
+      double value = outside.phase - n * pi + pi / 2;
+      double slope = 1 / outside.square;
+      if (inner_ > 0) {
+        const BesselPair inside = second_order(k * inner_);
+        value -= inside.phase + pi / 2;
+        slope -= 1 / inside.square;
+      }
+      // The phase grows by 2/(pi k square).
+      const double step = value * pi * k / (2 * slope);
+      k = std::max(k - step, k / 2);
+      if (std::abs(step) < 1e-14 * k) break;
+    }
+    return k;
+  }
+  void add(double n, double weight) {
+    const double k = wave_number(n);
+    const BesselPair outside = second_order(k);
+    const double bore = inner_ > 0 ? 1 / second_order(k * inner_).square : 0.0;
+    const double norm = 2 / (pi * pi * k * k) * (1 / outside.square - bore);  // (CG-13)
+    modes_.push_back(
+        {.wave_number = k, .surface = outside.phase, .weight = weight * k / (2 * norm)});
+    last_ = n;
   }
 
   double inner_;
-  std::vector<double> wave_numbers_;
-  std::vector<double> second_;  ///< share of the second Bessel function
-  std::vector<double> norms_;
+  double last_ = 0.0;  ///< number of the last one of `modes_`
+  std::vector<Mode> modes_;
+  std::vector<std::pair<std::size_t, std::size_t>> ends_;  ///< modes up to a block, and size there
 };
 
 /// A crack in a shaft of outer radius 1, by the functions of its jump.
 struct Jump {
   double place = 0.0;
   double depth = 0.0;
-  Eigen::MatrixXd modes;      ///< integral of r phi_n psi_m, a row for each mode
+  double end = 0.0;           ///< wave number at which its sum over the modes ends
+  Eigen::MatrixXd modes;      ///< integral of r phi_n psi_m, a column for each mode
   Eigen::VectorXd of_torque;  ///< integral of r^2 psi_m
   Eigen::VectorXd at_tip;     ///< psi_m over c sqrt(xi/a) at the tip
 };
@@ -111,7 +233,7 @@ Eigen::VectorXd polynomials(double x) {
 /// Points and weights on [0, 1] for functions with some `phase` of oscillation.
 std::vector<std::pair<double, double>> points_for(double phase) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
-  constexpr double kPhaseOfPiece = 24;
+  constexpr double kPhaseOfPiece = 36;
   const auto pieces = static_cast<std::size_t>(std::ceil(1 + phase / kPhaseOfPiece));
   const double half = 0.5 / static_cast<double>(pieces);
   std::vector<std::pair<double, double>> points;
@@ -124,25 +246,39 @@ std::vector<std::pair<double, double>> points_for(double phase) {
   return points;
 }
 
-Jump jump_of(const PlacedAnnularCrack& crack, const ShaftRadii& radii, const ShaftModes& modes,
-             std::size_t count) {
+Jump jump_of(double place, double depth, const ShaftModes& modes, std::size_t count) {
   Jump jump;
-  jump.place = crack.place / radii.outer;
-  jump.depth = crack.depth / radii.outer;
-  const double tip = 1 - jump.depth;
-  jump.modes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), kFunctions);
+  jump.place = place;
+  jump.depth = depth;
+  jump.end = modes.end(count);
+  const double tip = 1 - depth;
+  const std::size_t size = modes.size(count);
+  jump.modes = Eigen::MatrixXd::Zero(kFunctions, static_cast<Eigen::Index>(size));
   jump.of_torque = Eigen::VectorXd::Zero(kFunctions);
   jump.at_tip = polynomials(1);
   // s is the root of the distance from the tip over the depth.
-  // The phase of the last mode, which moves twice as fast at the surface.
-  const double phase = 2 * modes.wave_number(count - 1) * jump.depth;
-  for (const auto& [s, weight] : points_for(phase)) {
-    const double r = tip + jump.depth * s * s;
-    const Eigen::VectorXd psi = r * s * polynomials(1 - 2 * s * s);  // (CG-11)
-    const double area = weight * 2 * s * jump.depth * r;
-    jump.of_torque += area * r * psi;
-    for (std::size_t n = 0; n < count; ++n)
-      jump.modes.row(static_cast<Eigen::Index>(n)) += area * modes.at(n, r) * psi.transpose();
+  struct Point {
+    double r;
+    Eigen::Matrix<double, kFunctions, 1> weights;
+  };
+  std::vector<Point> points;
+  double reach = -1.0;  // phase up to which the points serve
+  for (std::size_t n = 0; n < size; ++n) {
+    const Mode& mode = modes.modes()[n];
+    // The phase moves twice as fast at the surface.
+    const double phase = 2 * mode.wave_number * depth;
+    if (phase > reach) {
+      points.clear();
+      reach = std::min(1.25 * phase + 10, 2 * modes.modes()[size - 1].wave_number * depth);
+      for (const auto& [s, weight] : points_for(reach)) {
+        const double r = tip + depth * s * s;
+        points.push_back({r, weight * 2 * s * depth * r * r * s * polynomials(1 - 2 * s * s)});
+      }
+      if (n == 0)
+        for (const Point& point : points) jump.of_torque += point.r * point.weights;  // (CG-11)
+    }
+    for (const Point& point : points)
+      jump.modes.col(static_cast<Eigen::Index>(n)) += mode.at(point.r) * point.weights;  // (CG-11)
   }
   return jump;
 }
@@ -150,22 +286,19 @@ Jump jump_of(const PlacedAnnularCrack& crack, const ShaftRadii& radii, const Sha
 /// Stress that the functions of one jump cause at another, weighted by the functions there; G = 1.
 Eigen::MatrixXd stress_between(const Jump& one, const Jump& other, bool same,
                                const ShaftModes& modes) {
-  const Eigen::Index count = std::min(one.modes.rows(), other.modes.rows());
+  const Eigen::Index count = std::min(one.modes.cols(), other.modes.cols());
   Eigen::VectorXd weights(count);
   for (Eigen::Index n = 0; n < count; ++n) {
-    const auto mode = static_cast<std::size_t>(n);
-    const double k = modes.wave_number(mode);
-    weights[n] = 0.5 * k * std::exp(-k * std::abs(one.place - other.place)) / modes.norm(mode);
+    const Mode& mode = modes.modes()[static_cast<std::size_t>(n)];
+    weights[n] = mode.weight * std::exp(-mode.wave_number * std::abs(one.place - other.place));
   }
-  Eigen::MatrixXd stress = one.modes.topRows(count).transpose() * weights.asDiagonal() *
-                           other.modes.topRows(count);  // (CG-11)
+  Eigen::MatrixXd stress = one.modes.leftCols(count) * weights.asDiagonal() *
+                           other.modes.leftCols(count).transpose();  // (CG-11)
   if (same) {
     // The modes that follow see the root at the tip alone; their sum is an integral.
     const double tip = 1 - one.depth;
-    const auto last = static_cast<std::size_t>(count);
-    const double end = (modes.wave_number(last - 1) + modes.wave_number(last)) / 2;
-    stress +=
-        one.at_tip * one.at_tip.transpose() * (tip * tip * tip / (8 * one.depth * end));  // (CG-12)
+    stress += one.at_tip * one.at_tip.transpose() *
+              (tip * tip * tip / (8 * one.depth * one.end));  // (CG-12)
   }
   return stress;
 }
@@ -214,6 +347,48 @@ AnnularGroup group_of(const std::vector<Jump>& jumps,
   return group;
 }
 
+/// The modes of a shaft, which this thread keeps for the last shafts: an assessment asks at some
+/// hundred sizes.
+std::shared_ptr<const ShaftModes> modes_of(double inner, const std::vector<std::size_t>& counts) {
+  struct Known {
+    double inner;
+    std::vector<std::size_t> counts;
+    std::shared_ptr<const ShaftModes> modes;
+  };
+  constexpr std::size_t kKept = 16;
+  thread_local std::deque<Known> last;
+  std::vector<std::size_t> sorted = counts;
+  std::ranges::sort(sorted);
+  for (const Known& known : last)
+    if (known.inner == inner && known.counts == sorted) return known.modes;
+  last.push_front({inner, sorted, std::make_shared<const ShaftModes>(inner, sorted)});
+  if (last.size() > kKept) last.pop_back();
+  return last.front().modes;
+}
+
+/// The jump of a crack, which this thread keeps for the last depths, because only some cracks of a
+/// group change from one question to the next.
+Jump kept_jump(double place, double depth, const std::shared_ptr<const ShaftModes>& modes,
+               std::size_t count) {
+  struct Known {
+    double depth;
+    std::size_t count;
+    std::shared_ptr<const ShaftModes> modes;
+    Jump jump;
+  };
+  constexpr std::size_t kKept = 64;
+  thread_local std::deque<Known> last;
+  for (const Known& known : last)
+    if (known.depth == depth && known.count == count && known.modes == modes) {
+      Jump jump = known.jump;
+      jump.place = place;
+      return jump;
+    }
+  last.push_front({depth, count, modes, jump_of(place, depth, *modes, count)});
+  if (last.size() > kKept) last.pop_back();
+  return last.front().jump;
+}
+
 void require_in_range(std::span<const PlacedAnnularCrack> cracks, const ShaftRadii& radii) {
   if (!(radii.outer > 0 && radii.inner >= 0 && radii.inner < radii.outer))
     throw InputError("radii",
@@ -259,8 +434,7 @@ std::vector<std::size_t> annular_modes(std::span<const PlacedAnnularCrack> crack
   std::vector<std::size_t> modes;
   for (const PlacedAnnularCrack& crack : cracks) {
     const double least = kLastPhase * wall / (pi * crack.depth);
-    modes.push_back(
-        static_cast<std::size_t>(std::ceil(std::pow(2.0, std::ceil(2 * std::log2(least)) / 2))));
+    modes.push_back(end_of_block(static_cast<int>(std::ceil(2 * std::log2(least)))));
   }
   return modes;
 }
@@ -269,16 +443,22 @@ AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks, const Sha
                            const std::vector<std::size_t>& modes_of_cracks) {
   if (cracks.empty()) throw InputError("cracks", "is empty; give at least one crack");
   if (modes_of_cracks.empty()) require_in_range(cracks, radii);
-  const std::vector<std::size_t> counts =
+  std::vector<std::size_t> counts =
       modes_of_cracks.empty() ? annular_modes(cracks, radii) : modes_of_cracks;
-  const ShaftModes modes(radii.inner / radii.outer, std::ranges::max(counts) + 1);
+  for (std::size_t& count : counts) {
+    int block = 0;
+    while (end_of_block(block) < count) ++block;
+    count = end_of_block(block);
+  }
+  const std::shared_ptr<const ShaftModes> modes = modes_of(radii.inner / radii.outer, counts);
   std::vector<Jump> jumps;
   for (std::size_t j = 0; j < cracks.size(); ++j)
-    jumps.push_back(jump_of(cracks[j], radii, modes, counts[j]));
+    jumps.push_back(
+        kept_jump(cracks[j].place / radii.outer, cracks[j].depth / radii.outer, modes, counts[j]));
   std::vector<std::vector<Eigen::MatrixXd>> stress(jumps.size());
   for (std::size_t i = 0; i < jumps.size(); ++i)
     for (std::size_t j = 0; j < jumps.size(); ++j)
-      stress[i].push_back(stress_between(jumps[i], jumps[j], i == j, modes));
+      stress[i].push_back(stress_between(jumps[i], jumps[j], i == j, *modes));
   AnnularGroup group = group_of(jumps, stress, radii, kFunctions);
   const AnnularGroup coarse = group_of(jumps, stress, radii, kFewerFunctions);
   for (std::size_t j = 0; j < jumps.size(); ++j)

@@ -188,6 +188,8 @@ class Maker {
   explicit Maker(const GearSet& gear) : gear_(gear), loads_(gear) {
     for (WallGroup& group : wall_groups(gear_, loads_))
       groups_.push_back(std::make_shared<WallGroup>(std::move(group)));
+    if (ShaftGroup group = shaft_group(gear_); !group.cracks.empty())
+      annular_ = std::make_shared<ShaftGroup>(std::move(group));
   }
 
   [[nodiscard]] std::vector<DriveCrack> all() const {
@@ -283,8 +285,39 @@ class Maker {
     made.front = [states](const CrackSize& size, Faces faces) {
       return along(states->with(faces), size.size, {0.0});
     };
+    join_shaft_group(made, crack);
     made.reference_stress = [=](const CrackSize& size, double P, double T) {
       return ring_reference_stress({.outer_radius = r_o - size.size, .inner_radius = r_i}, P, T);
+    };
+  }
+
+  /// Gives an annular crack the others that shield it in torsion (CG-12).
+  void join_shaft_group(DriveCrack& made, const AnnularCrack& crack) const {
+    if (!annular_) return;
+    for (std::size_t j = 0; j < annular_->index.size(); ++j)
+      if (&crack == std::get_if<AnnularCrack>(&gear_.output_shaft->crack[annular_->index[j]])) {
+        made.shaft_group = annular_;
+        made.in_shaft_group = j;
+      }
+    if (!made.shaft_group) return;
+    use(made, {"CG-12"});
+    const std::string fault = annular_->fault();
+    made.notes.push_back(
+        {fault.empty()
+             ? std::string("K_III contains that the other annular cracks of the shaft shield this "
+                           "one in torsion; K_I of an axial force or a bending moment, and the "
+                           "collapse of the section, are those of the crack alone")
+             : "K is that of the crack alone, which is an upper bound in torsion, because the "
+               "other "
+               "annular cracks of the shaft shield it; " +
+                   fault,
+         "CG-12"});
+    made.front = [alone = made.front, group = annular_, j = made.in_shaft_group](
+                     const CrackSize& size, Faces faces) {
+      std::vector<FrontIntensity> front = alone(size, faces);
+      const double ratio = group->intensity(j, size.size);
+      for (FrontIntensity& at : front) at.load.III[kTorsion] *= ratio;  // (CG-12)
+      return front;
     };
   }
 
@@ -958,6 +991,7 @@ class Maker {
   const GearSet& gear_;
   CrackLoads<double> loads_;
   std::vector<std::shared_ptr<WallGroup>> groups_;
+  std::shared_ptr<ShaftGroup> annular_;  ///< null: none
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <utility>
 #include <variant>
 
@@ -53,12 +54,58 @@ std::string ShaftGroup::fault() const {
           "leave out its distance if it is more than a radius away from the others",
           path_of(index[i]), share, kLeastAnnularDepth, kLargestAnnularDepth);
   }
-  if (const auto near = touching_annular_cracks(cracks))
-    return fmt::format(
-        "{}: the distance to {} is less than {:g} of the deeper crack; replace both by one crack, "
-        "whose compliance is about that of the deeper one",
-        path_of(index[near->second]), path_of(index[near->first]), kLeastAnnularDistance);
+  for (std::size_t j = 0; j < cracks.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (cracks[i].place == cracks[j].place)
+        return fmt::format(
+            "{}: the distance is that of {}; replace both by one crack, the deeper one",
+            path_of(index[j]), path_of(index[i]));
   return {};
+}
+
+double ShaftGroup::stretch() const {
+  double most = 1.0;
+  for (std::size_t j = 0; j < cracks.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      most = std::max(most, kLeastAnnularDistance * std::max(cracks[i].depth, cracks[j].depth) /
+                                std::abs(cracks[i].place - cracks[j].place));
+  return most;  // (CG-12)
+}
+
+AnnularGroup ShaftGroup::solved_with(const std::vector<std::size_t>& modes) const {
+  // Rounding must not leave two cracks nearer than the limit.
+  const double apart = stretch() * (1 + 1e-12);
+  std::vector<PlacedAnnularCrack> stretched = cracks;
+  if (apart > 1 + 1e-11)
+    for (PlacedAnnularCrack& crack : stretched) crack.place *= apart;
+  return annular_group(stretched, radii, modes);
+}
+
+AnnularGroup ShaftGroup::solved() const {
+  // This thread keeps the last groups: an assessment asks several times at each of some hundred
+  // sizes.
+  constexpr std::size_t kKept = 32;
+  struct Known {
+    ShaftRadii radii;
+    std::vector<PlacedAnnularCrack> cracks;
+    AnnularGroup solved;
+  };
+  thread_local std::deque<Known> last;
+  for (const Known& known : last)
+    if (known.radii.outer == radii.outer && known.radii.inner == radii.inner &&
+        std::ranges::equal(known.cracks, cracks, [](const auto& a, const auto& b) {
+          return a.place == b.place && a.depth == b.depth;
+        }))
+      return known.solved;
+  last.push_front({radii, cracks, solved_with(annular_modes(cracks, radii))});
+  if (last.size() > kKept) last.pop_back();
+  return last.front().solved;
+}
+
+double ShaftGroup::intensity(std::size_t member, double depth) const {
+  ShaftGroup at = *this;
+  at.cracks[member].depth = depth;
+  return at.fault().empty() ? at.solved().cracks[member].factor : 1.0;  // (CG-12)
 }
 
 std::vector<double> shaft_ratios(const GearSet& gear, const Lift<double>&) {
@@ -97,7 +144,7 @@ ShaftSlopes slopes_of(const ShaftGroup& group) {
     const auto moved = [&](double by) {
       ShaftGroup other = group;
       move(other, by);
-      return annular_group(other.cracks, other.radii, modes);
+      return other.solved_with(modes);
     };
     const AnnularGroup two_before = moved(-2 * step);
     const AnnularGroup one_before = moved(-step);

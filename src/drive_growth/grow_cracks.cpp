@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -19,6 +20,7 @@
 #include "notes.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/crack_group/merged_crack.hpp"
 #include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
@@ -31,6 +33,8 @@
 
 namespace strainwave {
 namespace {
+
+using std::numbers::pi;
 
 constexpr double kLongestStep = 0.05;  // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
@@ -53,11 +57,9 @@ GearSet without_shielding(GearSet gear) {
   return gear;
 }
 
-/// The stiffness under the softer sense of torque [N*m/rad].  It is asked at each step, so it
-/// leaves out that annular cracks shield each other, which takes longer to solve and only makes the
-/// drive stiffer; the rows of the report contain it.
+/// The stiffness under the softer sense of torque [N*m/rad].
 double stiffness_at(const GearSet& gear) {
-  const StiffnessResult result = torsional_stiffness(without_shielding(gear));
+  const StiffnessResult result = torsional_stiffness(gear);
   return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
 }
 
@@ -104,7 +106,6 @@ class Growing {
   Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
           double step_factor, const DrawnGrowth* drawn = nullptr)
       : gear_(gear),
-        leaves_out_shielding_(!shaft_group(gear).cracks.empty()),
         options_(options),
         report_(report),
         step_factor_(step_factor),
@@ -127,8 +128,6 @@ class Growing {
   [[nodiscard]] const GearSet& gear() const { return gear_; }
   [[nodiscard]] const std::vector<GrowingCrack>& cracks() const { return cracks_; }
   [[nodiscard]] bool none() const { return cracks_.empty(); }
-  /// Whether annular cracks of the output shaft shield each other, which growth leaves out.
-  [[nodiscard]] bool leaves_out_shielding() const { return leaves_out_shielding_; }
 
   /// Time of a repetition [s].
   [[nodiscard]] double duration() const { return history_.duration; }
@@ -159,11 +158,20 @@ class Growing {
   }
 
   /// Gives the cracks of groups the sizes of a state, at which K of each one contains the others
-  /// (CG-9).
+  /// (CG-9), (CG-12).
   void take_sizes(const State& state) const {
     for (std::size_t k = 0; k < cracks_.size(); ++k)
       if (const DriveCrack& crack = cracks_[k].crack(); crack.group)
         crack.group->set_half_length(crack.in_group, size_of(state, k).size);
+      else if (crack.shaft_group)
+        crack.shaft_group->cracks[crack.in_shaft_group].depth = size_of(state, k).size;
+  }
+  /// The annular cracks that shield each other at the sizes of a state; empty: none do.
+  [[nodiscard]] ShaftGroup annular(const State& state) const {
+    take_sizes(state);
+    for (const GrowingCrack& crack : cracks_)
+      if (crack.crack().shaft_group) return *crack.crack().shaft_group;
+    return {};
   }
   /// The groups at the sizes of a state, each once.
   [[nodiscard]] std::vector<WallGroup> groups(const State& state) const {
@@ -253,7 +261,8 @@ class Growing {
     const double factor = amplification(state);
     bool severed = false;
     try {
-      severed = stiffness_at(gear_at(state)) < kSevered * first_stiffness_;
+      // A severed shaft has one deep crack, which the others do not shield.
+      severed = stiffness_at(without_shielding(gear_at(state))) < kSevered * first_stiffness_;
     } catch (const InputError& error) {  // cracks that meet, for example
       return End{CrackEvent::range, crack_of(error.field()), error.what()};
     }
@@ -272,6 +281,54 @@ class Growing {
         return End{CrackEvent::range, k};
       if (cracks_[k].crack().path == options_.stop.crack && a >= options_.stop.size)
         return End{CrackEvent::wanted_size, k};
+    }
+    return std::nullopt;
+  }
+
+  /// Two cracks of a group that are about to grow together in one line (CG-14).
+  struct Merger {
+    std::size_t first = 0;   ///< among `cracks`
+    std::size_t second = 0;  ///< likewise
+    WallThroughCrack crack;  ///< in place of both
+    double before = 0.0;     ///< stiffness of the drive with both, under the softer sense [N*m/rad]
+    double after = 0.0;      ///< the same with the one
+  };
+  /// The merger at a state where a group ends; absent: no two cracks of one line meet there.
+  [[nodiscard]] std::optional<Merger> merger(const State& state) const {
+    for (const WallGroup& group : groups(state)) {
+      std::vector<StraightCrack> places;
+      for (const WallGroup::Member& member : group.members()) places.push_back(member.place);
+      for (std::size_t j = 0; j < places.size(); ++j) {
+        const NearestCrack nearest = nearest_crack(places, j, group.wall().round);
+        // A path ends just before its limit.
+        constexpr double kAtLimit = 1e-6;
+        if (nearest.index <= j || nearest.gap > kLeastGroupGap + kAtLimit) continue;
+        const auto one = merged_crack(places[j], places[nearest.index], group.wall().round);
+        if (!one) continue;
+        const auto [first, second] = std::pair(group.members()[j], group.members()[nearest.index]);
+        GearSet gear = gear_at(state);
+        auto& cracks = gear.flexspline->crack;
+        auto& merged = std::get<WallThroughCrack>(cracks[first.index]);
+        merged.half_length = one->half_length;
+        merged.angle = std::remainder(one->angle - pi / 2, pi);
+        if (merged.angle <= -pi / 2) merged.angle += pi;
+        merged.position = one->centre.real() * 2 * pi / group.wall().round;
+        merged.distance = one->centre.imag();
+        merged.compliance_table.reset();
+        merged.turn_table.reset();
+        Merger result{.first = crack_of(first.path),
+                      .second = crack_of(second.path),
+                      .crack = merged,
+                      .before = stiffness_at(gear_at(state))};
+        cracks.erase(cracks.begin() + static_cast<std::ptrdiff_t>(second.index));
+        try {
+          result.after = stiffness_at(gear);
+        } catch (const InputError&) {  // the one crack is too long for the drive
+          continue;
+        }
+        // The ligament gives energy when it breaks, so the drive becomes softer.
+        if (result.after < result.before) return result;
+      }
     }
     return std::nullopt;
   }
@@ -533,7 +590,6 @@ class Growing {
   }
 
   GearSet gear_;
-  bool leaves_out_shielding_;
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
@@ -851,6 +907,10 @@ class Path {
     const std::string path = growing_.cracks()[end.crack].crack().path;
     if (end.event == CrackEvent::range) {
       const State before = state;
+      if (const auto merger = end.refused.empty() ? std::nullopt : growing_.merger(before)) {
+        merge(before, *merger);
+        return false;
+      }
       event(before, end.crack, CrackEvent::range);
       const bool had_table = growing_.cracks()[end.crack].crack().turn_table != nullptr;
       if (!end.refused.empty()) {
@@ -882,6 +942,19 @@ class Path {
     return false;
   }
 
+  /// Ends the path where two cracks become one.
+  void merge(const State& state, const Growing::Merger& merger) {
+    for (const std::size_t k : {merger.first, merger.second}) event(state, k, CrackEvent::merges);
+    const auto& cracks = growing_.cracks();
+    report_.notes.push_back(merger_note(cracks[merger.first].crack().path,
+                                        cracks[merger.second].crack().path, merger.crack,
+                                        merger.after / merger.before - 1));
+    cite(report_, std::array<std::string_view, 1>{"CG-14"});
+    report_.end = DriveEnd::range;
+    report_.governing = cracks[merger.first].crack().path;
+    stop_at(state);
+  }
+
   void stop_at(const State& state) {
     record(state);
     report_.repetitions = state.back();
@@ -904,6 +977,7 @@ class Path {
     const State start = growing_.start(0.0);
     const double factor = growing_.amplification(start);
     first_groups_ = growing_.groups(start);
+    first_annular_ = growing_.annular(start);
     for (const GrowingCrack& crack : cracks) {
       const RateChoice choice = choice_of(crack.crack(), options_.rate);
       report_.cracks.push_back(described_crack(growing_.gear(), crack, choice, factor));
@@ -952,8 +1026,8 @@ class Path {
           group_note(at_begin != first_groups_.end() ? *at_begin : at_end, at_end));
       cite(report_, std::array<std::string_view, 1>{"CG-9"});
     }
-    if (growing_.leaves_out_shielding()) {
-      report_.notes.push_back(shielding_note());
+    if (const ShaftGroup at_end = growing_.annular(state); !at_end.cracks.empty()) {
+      report_.notes.push_back(shielding_note(first_annular_, at_end));
       cite(report_, std::array<std::string_view, 1>{"CG-12"});
     }
   }
@@ -984,6 +1058,14 @@ class Path {
       });
       if (grows && !told && note.severity != Severity::information) report_.notes.push_back(note);
     }
+  }
+
+  /// Notes that cracks of a member grow without the influence of the others, if one of them grows.
+  void note_superposed(const std::string& member) {
+    if (std::ranges::any_of(growing_.cracks(), [&](const GrowingCrack& crack) {
+          return crack.crack().path.starts_with(member);
+        }))
+      report_.notes.push_back(superposed_note(member));
   }
 
   void take_trace(const State& state) {
@@ -1076,6 +1158,9 @@ class Path {
       first_negative_ = row.negative;
     }
     take_notes(stiffness.notes);
+    if (report_.stiffness.empty())
+      for (const Note& note : stiffness.notes)
+        if (note.code == "crack.superposed") note_superposed(note.path);
     row.change = std::min(row.positive / first_positive_, row.negative / first_negative_) - 1;
     row.resonance = std::sqrt(1 + row.change);  // (GR-25)
     row.reserve = growing_.assessed(state).reserve;
@@ -1103,6 +1188,7 @@ class Path {
   State acceptable_;
   State end_;
   std::vector<WallGroup> first_groups_;  // at the first sizes
+  ShaftGroup first_annular_;             // likewise
   double first_positive_ = 0.0;
   double first_negative_ = 0.0;
 };

@@ -302,11 +302,57 @@ Note group_note(const WallGroup& at_begin, const WallGroup& at_end) {
       .severity = left_out > kSmall ? Severity::care : Severity::information};
 }
 
-Note shielding_note() {
-  return {.code = "growth.shielding",
+Note merger_note(const std::string& first, const std::string& second,
+                 const WallThroughCrack& merged, double change) {
+  return {
+      .code = "growth.merges",
+      .text = fmt::format(
+          "{} and {} lie in one line, and the gap between them is down to {:g} of the longer "
+          "half length: they count as one crack from here on, from outer tip to outer tip, "
+          "which lets the ligament break at once; it has half_length = \"{:.6g} mm\", "
+          "angle = \"{:.6g} deg\", distance = \"{:.6g} mm\" and position = \"{:.6g} deg\", "
+          "and changes the stiffness under the softer sense by {:.3g} %",
+          first, second, kLeastGroupGap, merged.half_length / units::mm, merged.angle / units::deg,
+          *merged.distance / units::mm, *merged.position / units::deg, 100 * change),
+      .path = first,
+      .equation = "CG-14",
+      .severity = Severity::care,
+      .next_step =
+          "Replace both by this crack and grow it; the life is the time up to here and "
+          "that of the one crack."};
+}
+
+Note superposed_note(const std::string& member) {
+  return {.code = "growth.superposed",
           .text =
-              "annular cracks of the output shaft shield each other in torsion; the stiffness over "
-              "the life contains this, and the growth leaves it out, so the lives are lower bounds",
+              "K of the cracks of this member leaves out the influence of all cracks that no "
+              "other note names as a group: cracks without a place, part-through cracks, cracks "
+              "of a laminate, and cracks of another section; cracks in one line near each other "
+              "grow faster",
+          .path = member,
+          .equation = "CG-9",
+          .severity = Severity::care,
+          .next_step = "Give through cracks of a wall a position, or annular cracks a distance."};
+}
+
+Note shielding_note(const ShaftGroup& at_begin, const ShaftGroup& at_end) {
+  const auto words = [](const ShaftGroup& group) {
+    if (!group.fault().empty()) return std::string("1 (an upper bound)");
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const GroupedAnnularCrack& crack : group.solved().cracks) {
+      least = std::min(least, crack.factor);
+      most = std::max(most, crack.factor);
+    }
+    return fmt::format("{:.3f} to {:.3f}{}", least, most,
+                       group.stretch() > 1 ? " (an upper bound)" : "");
+  };
+  return {.code = "growth.shielding",
+          .text = fmt::format(
+              "the {} annular cracks of the output shaft shield each other in torsion: K_III is {} "
+              "times that of a crack alone at the beginning, and {} times at the end; K_I of axial "
+              "forces and bending moments is that of a crack alone",
+              at_end.cracks.size(), words(at_begin), words(at_end)),
           .path = "output_shaft.crack",
           .equation = "CG-12",
           .severity = Severity::information};
@@ -326,15 +372,12 @@ std::vector<Note> crack_notes(const GearSet& gear, const GrowingCrack& crack,
   std::vector<Note> notes;
   const DriveCrack& of = crack.crack();
   if (!of.unknown.empty())
-    notes.push_back(
-        {.code = "growth.unknown_stress",
-         .text = "a part of the stress is not known, so the growth is that of the known "
-                 "part: " +
-                 of.unknown,
-         .path = of.path,
-         .equation = "GR-22",
-         .severity = Severity::cannot_tell,
-         .next_step = of.next_step});
+    notes.push_back({.code = "growth.unknown_stress",
+                     .text = "the growth leaves out what is not known of the crack: " + of.unknown,
+                     .path = of.path,
+                     .equation = "GR-22",
+                     .severity = Severity::cannot_tell,
+                     .next_step = of.next_step});
   const auto material = gear.material.find(std::string(solid_name(gear, of.material)));
   if (material != gear.material.end() && material->second.growth_scatter)
     notes.push_back(
@@ -554,6 +597,14 @@ void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choic
           hours(report.time), but);
       break;
     case DriveEnd::range:
+      if (governing && !governing->events.empty() &&
+          governing->events.back().event == CrackEvent::merges) {
+        report.sentence = fmt::format(
+            "{} grows together with another crack after {}{}; a note describes the one "
+            "crack, whose growth is to be computed next.",
+            report.governing, hours(report.time), size_at_end());
+        break;
+      }
       report.sentence =
           fmt::format("The solution for {} ends after {}{}; nobody can tell what follows.",
                       report.governing, hours(report.time), size_at_end());

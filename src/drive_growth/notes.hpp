@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 
 // What a report says in words.
@@ -58,8 +59,19 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// @param at_begin  the group at the first sizes
 /// @param at_end    the group at the last ones
 [[nodiscard]] Note group_note(const WallGroup& at_begin, const WallGroup& at_end);
-/// That growth leaves out how annular cracks of the output shaft shield each other (CG-12).
-[[nodiscard]] Note shielding_note();
+/// Two cracks of one line that become one (CG-14).
+/// @param first   path of the one that stands first in the file
+/// @param second  path of the other one
+/// @param merged  the crack in place of both
+/// @param change  relative change of the stiffness by the merger [-]
+[[nodiscard]] Note merger_note(const std::string& first, const std::string& second,
+                               const WallThroughCrack& merged, double change);
+/// The cracks of a member grow without the influence of those that are in no group.
+[[nodiscard]] Note superposed_note(const std::string& member);
+/// How annular cracks of the output shaft shield each other (CG-12).
+/// @param at_begin  the group at the first sizes
+/// @param at_end    the group at the last ones
+[[nodiscard]] Note shielding_note(const ShaftGroup& at_begin, const ShaftGroup& at_end);
 
 /// The coupled drive has no curve with the grown cracks.
 [[nodiscard]] Note no_curve_note(const std::string& why);

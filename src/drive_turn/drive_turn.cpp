@@ -115,6 +115,15 @@ std::vector<Note> notes_of(const GearSet& gear, const CrackOfWall& of) {
                                  "under torque",
                                  count),
                      of.path, "CG-7", Severity::care});
+  // The wall has several cracks, and none of the others is in the model.
+  if (gear.flexspline->crack.size() > 1)
+    notes.push_back({"turn.other_cracks",
+                     fmt::format("the other {} of the flexspline {} left out; the answer of "
+                                 "strainwave stiffness states what cracks with a position change "
+                                 "of each other under torque",
+                                 gear.flexspline->crack.size() == 2 ? "crack" : "cracks",
+                                 gear.flexspline->crack.size() == 2 ? "is" : "are"),
+                     of.path, "CG-9", Severity::care});
   if (of.mouth_unknown())
     notes.push_back({"turn.mouth_outside",
                      "the mouth of the surface crack is assumed on the outer surface, because the "

@@ -319,19 +319,41 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
       if (added == &report.positive) together += added->at_output.value;
       if (added->axial_torsion) shield((*added->axial_torsion)[2]);
     }
-    least = std::min(least, solved.cracks[j].factor);
+    const double factor = solved.cracks[j].factor;
+    least = std::min(least, factor);
+    for (auto* const K : {&report.deepest, &report.largest}) {
+      if (!*K) continue;
+      (*K)->K_III.value *= factor;  // (CG-12)
+      (*K)->K_III.relative_uncertainty =
+          accuracy::combined((*K)->K_III.relative_uncertainty.value_or(0.0), solved.error / factor);
+    }
+    if (report.intensity_uncertainty)
+      report.intensity_uncertainty =
+          accuracy::combined(*report.intensity_uncertainty, solved.error / factor);
+  }
+  std::string bound;
+  if (const double apart = group.stretch(); apart > 1) {
+    // The deepest crack alone is the least that the group adds.
+    double most = 0.0;
+    for (const std::size_t index : group.index)
+      most = std::max(most, member.cracks[index].positive.at_output.value);
+    if (together > 0) widen(member, group, 1 - most / together);
+    bound = fmt::format(
+        "; two of them are nearer than {:g} of the deeper one, so all distances count as {:.3g} "
+        "times as long, which is an upper bound; replace two cracks that are so near by the "
+        "deeper one",
+        kLeastAnnularDistance, apart);
   }
   member.notes.push_back({.code = "crack.shielding",
                           .text = fmt::format("{} annular cracks shield each other in torsion: "
                                               "together they add {:.3f} times the sum of "
                                               "their compliances alone, which this answer "
                                               "contains; K_III is down to {:.3f} times that of "
-                                              "a crack alone, but K, strength and growth take each "
-                                              "crack alone, which is on the safe side",
-                                              group.index.size(), together / alone, least),
+                                              "a crack alone{}",
+                                              group.index.size(), together / alone, least, bound),
                           .path = "output_shaft.crack",
                           .equation = "CG-12",
-                          .severity = Severity::information});
+                          .severity = bound.empty() ? Severity::information : Severity::care});
   return group.index.size() == member.cracks.size();
 }
 

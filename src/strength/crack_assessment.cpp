@@ -164,8 +164,22 @@ void end_in_group(DriveCrack& crack) {
   WallGroup group = *crack.group;
   const double present = crack.size.size;
   const auto shorten = [&](int halvings, const char* text, const auto& known) {
-    if (known(crack.range_end)) return;
+    // What is known may end in the middle of the range and begin again, so some sizes are asked
+    // one after the other.
+    constexpr int kSizes = 8;
     double inside = present;
+    const double end = crack.range_end;
+    bool all = true;
+    for (int i = 1; i <= kSizes && all; ++i) {
+      const double size = present + (end - present) * i / kSizes;
+      if (known(size)) {
+        inside = size;
+      } else {
+        crack.range_end = size;
+        all = false;
+      }
+    }
+    if (all) return;
     for (int i = 0; i < halvings; ++i) {
       const double middle = (inside + crack.range_end) / 2;
       (known(middle) ? inside : crack.range_end) = middle;

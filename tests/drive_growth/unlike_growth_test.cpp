@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Growth of through cracks that influence each other.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,11 +9,15 @@
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "growth_support.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/crack_group/annular_cracks.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/expect.hpp"
 
@@ -89,8 +94,9 @@ TEST(UnlikeGrowth, LimitFarApart) {
   test::expect_relative(pair.time, grow_cracks(one, options).time, 2e-3);
 }
 
-// Kind: behaviour (CG-9).  The growth ends where the cracks are about to meet, and a note names
-// both; at the end, the gap is a fifth of the longer half length.
+// Kind: behaviour (CG-9), (CG-14).  Cracks of one line merge where the gap is a fifth of the longer
+// half length: both have the event, and a note gives the one crack from outer tip to outer tip and
+// how the stiffness falls, which is that of the drive with this crack.
 TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
   const double apart = 6 * mm;
   const GrowthReport report = grow_cracks(pair_in_line(2 * mm, 1.5 * mm, apart));
@@ -99,6 +105,42 @@ TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
   const double second = report.cracks.at(1).series.back().size;
   test::expect_relative(apart - first - second, 0.2 * std::max(first, second), 1e-4);
   EXPECT_GT(second, 1.6 * mm);
+  for (const CrackGrowth& crack : report.cracks) {
+    EXPECT_EQ(crack.events.back().event, CrackEvent::merges);
+    EXPECT_EQ(crack.events.back().time, report.time);
+  }
+  EXPECT_NE(report.sentence.find("flexspline.crack[0] grows together with another crack after"),
+            std::string::npos)
+      << report.sentence;
+  EXPECT_EQ(test::count_notes(report.notes, "growth.refused_size"), 0);
+  const auto note = std::ranges::find(report.notes, "growth.merges", &Note::code);
+  ASSERT_NE(note, report.notes.end());
+  EXPECT_EQ(note->path, "flexspline.crack[0]");
+  // The drives before and after.
+  GearSet merged = pair_in_line(first, second, apart);
+  const double before = torsional_stiffness(merged).positive.stiffness.value;
+  merged.flexspline->crack.pop_back();
+  auto& one = std::get<WallThroughCrack>(merged.flexspline->crack[0]);
+  one.half_length = (apart + first + second) / 2;
+  one.position = (apart + second - first) / 2 / kWall;
+  const double after = torsional_stiffness(merged).positive.stiffness.value;
+  EXPECT_LT(after, before);  // the ligament gives energy
+  for (const std::string& part :
+       {fmt::format("half_length = \"{:.6g} mm\", angle = \"90 deg\"", one.half_length / mm),
+        fmt::format("position = \"{:.6g} deg\"", *one.position / units::deg),
+        fmt::format("by {:.3g} %", 100 * (after / before - 1))})
+    EXPECT_NE(note->text.find(part), std::string::npos) << note->text << " lacks " << part;
+}
+
+// Kind: behaviour (CG-9).  Cracks that come near each other in two lines do not become a straight
+// crack, so the growth ends, and a note names both.
+TEST(UnlikeGrowth, BehaviourTheEndWhereCracksOfTwoLinesMeet) {
+  GearSet pair = pair_in_line(2 * mm, 1.5 * mm, 4.6 * mm);
+  std::get<WallThroughCrack>(pair.flexspline->crack[0]).distance = 80 * mm;
+  std::get<WallThroughCrack>(pair.flexspline->crack[1]).distance = 80.3 * mm;
+  const GrowthReport report = grow_cracks(pair);
+  ASSERT_EQ(report.end, DriveEnd::range) << report.sentence;
+  EXPECT_EQ(test::count_notes(report.notes, "growth.merges"), 0);
   const auto note = std::ranges::find(report.notes, "growth.refused_size", &Note::code);
   ASSERT_NE(note, report.notes.end());
   EXPECT_NE(note->text.find("flexspline.crack[1]: the gap to flexspline.crack[0] is less than 0.2"),
@@ -107,29 +149,87 @@ TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
   EXPECT_EQ(note->path, "flexspline.crack[1]");
 }
 
-// Kind: behaviour (CG-12).  Growth leaves out that annular cracks of the shaft shield each other,
-// and a note says so; lives are those without places.  The stiffness over the life contains it.
-TEST(UnlikeGrowth, BehaviourShieldingIsLeftOut) {
-  GearSet placed = test::growing_shaft();
-  placed.output_shaft->crack = {AnnularCrack{}, AnnularCrack{}};
-  double place = placed.output_shaft->length / 2;
-  for (auto& any : placed.output_shaft->crack) {
+// Kind: behaviour.  Cracks without places grow without each other, and a note says so; the ligament
+// of a pair is named as what it is.
+TEST(UnlikeGrowth, BehaviourWhatIsLeftOut) {
+  GearSet pair = pair_in_line(2 * mm, 1.5 * mm, 5 * mm);
+  const GrowthOptions options = test::until_size("flexspline.crack[0]", 2.02 * mm);
+  const GrowthReport near = grow_cracks(pair, options);
+  EXPECT_EQ(test::count_notes(near.notes, "growth.superposed"), 0);
+  const auto ligament = std::ranges::find(near.notes, "growth.unknown_stress", &Note::code);
+  ASSERT_NE(ligament, near.notes.end());
+  EXPECT_NE(ligament->text.find("the growth leaves out what is not known of the crack: the "
+                                "ligament to flexspline.crack[1] is narrower than the longer half "
+                                "length"),
+            std::string::npos)
+      << ligament->text;
+  for (auto& any : pair.flexspline->crack) std::get<WallThroughCrack>(any).position.reset();
+  std::get<WallThroughCrack>(pair.flexspline->crack[0]).distance = 40 * mm;
+  EXPECT_EQ(test::count_notes(grow_cracks(pair, options).notes, "growth.superposed"), 1);
+}
+
+/// Two equal annular cracks of a solid shaft, and without their places.
+GearSet annular_pair(double depth, std::optional<double> apart) {
+  GearSet gear = test::unbreakable_shaft();
+  gear.output_shaft->crack = {AnnularCrack{}, AnnularCrack{}};
+  double place = gear.output_shaft->length / 2;
+  for (auto& any : gear.output_shaft->crack) {
     auto& crack = std::get<AnnularCrack>(any);
-    crack.depth = 2 * mm;
-    crack.distance = place;
-    place += 1 * mm;
+    crack.depth = depth;
+    if (apart) crack.distance = place;
+    place += apart.value_or(0.0);
   }
-  GearSet far = placed;
-  for (auto& any : far.output_shaft->crack) std::get<AnnularCrack>(any).distance.reset();
-  const GrowthOptions options = test::until_size("output_shaft.crack[0]", 2.2 * mm);
+  return gear;
+}
+
+// Kind: reference (CG-12), (GR-24).  Two equal annular cracks grow alike, so the time up to a depth
+// is an integral over the depth with K alone times the factor of (CG-12).  Tolerance: 3e-4, the
+// error of the path.
+TEST(UnlikeGrowth, ReferenceTwoEqualAnnularCracks) {
+  const double begin = 2 * mm;
+  const double end = 3 * mm;
+  const double apart = 1 * mm;
+  const GearSet placed = annular_pair(begin, apart);
+  const GearSet far = annular_pair(begin, std::nullopt);
+  const GrowthOptions options = test::until_size("output_shaft.crack[0]", end);
   const GrowthReport with = grow_cracks(placed, options);
   const GrowthReport without = grow_cracks(far, options);
-  EXPECT_EQ(with.time, without.time);
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 15>;
+  const double diameter = placed.output_shaft->outer_diameter;
+  const auto time = [&](bool together) {
+    return Quadrature::integrate(
+        [&](double a) {
+          const sif::AnnularCrackSolid alone{.depth = a, .diameter = diameter};
+          const double factor =
+              together ? annular_group(std::vector<PlacedAnnularCrack>{{0, a}, {apart, a}},
+                                       {diameter / 2, 0})
+                             .cracks[0]
+                             .factor
+                       : 1.0;
+          return std::pow(factor * alone.stress_intensity(a, 0).III[1], -3.0);
+        },
+        begin, end);
+  };
+  test::expect_relative(with.time / without.time, time(true) / time(false), 3e-4);
+  EXPECT_GT(with.time, 1.5 * without.time);
   EXPECT_EQ(with.stiffness.front().positive, torsional_stiffness(placed).positive.stiffness.value);
   EXPECT_EQ(without.stiffness.front().positive, torsional_stiffness(far).positive.stiffness.value);
   EXPECT_GT(with.stiffness.back().change, without.stiffness.back().change);
-  EXPECT_EQ(test::count_notes(with.notes, "growth.shielding"), 1);
+  ASSERT_EQ(test::count_notes(with.notes, "growth.shielding"), 1);
   EXPECT_EQ(test::count_notes(without.notes, "growth.shielding"), 0);
+}
+
+// Kind: behaviour (CG-12).  Of two unequal annular cracks the deeper one grows nearly as alone,
+// and the shallow one behind it hardly grows.  Tolerance: what the shallow one shields.
+TEST(UnlikeGrowth, BehaviourADeepAnnularCrackShieldsAShallowOne) {
+  GearSet pair = annular_pair(3 * mm, 1 * mm);
+  std::get<AnnularCrack>(pair.output_shaft->crack[1]).depth = 1 * mm;
+  GearSet alone = pair;
+  alone.output_shaft->crack.pop_back();
+  const GrowthOptions options = test::until_size("output_shaft.crack[0]", 3.6 * mm);
+  const GrowthReport together = grow_cracks(pair, options);
+  test::expect_relative(together.time, grow_cracks(alone, options).time, 0.02);
+  EXPECT_LT(together.cracks.at(1).series.back().size, 1.01 * mm);
 }
 
 }  // namespace

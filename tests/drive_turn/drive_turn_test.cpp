@@ -409,6 +409,14 @@ TEST(DriveTurn, BehaviourOfTorque) {
   crack_of(row).count = 4;
   EXPECT_EQ(test::count_notes(drive_turn(row).notes, "turn.row"), 1);
   EXPECT_EQ(drive_turn(row).largest(), turn.largest());  // each crack alone
+  EXPECT_EQ(test::count_notes(turn.notes, "turn.other_cracks"), 0);
+  GearSet two = breathing();
+  WallThroughCrack other = crack_of(two);
+  other.distance = *other.distance + 6 * mm;
+  two.flexspline->crack.emplace_back(other);
+  const DriveTurn beside = drive_turn(two, {.crack = "flexspline.crack[0]"});
+  EXPECT_EQ(test::count_notes(beside.notes, "turn.other_cracks"), 1);
+  EXPECT_EQ(beside.largest(), turn.largest());
   GearSet pulled = breathing();
   pulled.load.axial_force = 5;
   pulled.flexspline->stress_nonuniformity = 1.1;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "strainwave/core/units.hpp"
+#include "strainwave/crack_group/annular_cracks.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
@@ -54,6 +56,55 @@ TEST(GroupedCracks, ReferenceTwoCracksInOneLine) {
                           1 / (1 - 2 * mm / (pi * kRadiusOfWall)), 1e-9);
     EXPECT_NE(std::ranges::find(crack.equations, "CG-9"), crack.equations.end());
   }
+}
+
+// Kind: identity (CG-12).  K of annular cracks that shield each other is that of a crack alone
+// times the factor of the group, in torsion; the collapse is that of each section.  The reserve
+// grows by the same factor where K alone decides.  Tolerance: rounding.
+TEST(GroupedCracks, IdentityAnnularCracks) {
+  const auto shaft = [](std::optional<double> apart, double axial_force) {
+    GearSet gear = in_one_line({}, {});
+    gear.load.axial_force = axial_force;
+    gear.output_shaft->length = 300 * mm;
+    gear.output_shaft->crack.emplace_back(AnnularCrack{.depth = 2 * mm});
+    gear.output_shaft->crack.emplace_back(AnnularCrack{.depth = 1.2 * mm});
+    if (apart) {
+      std::get<AnnularCrack>(gear.output_shaft->crack[0]).distance = 150 * mm;
+      std::get<AnnularCrack>(gear.output_shaft->crack[1]).distance = 150 * mm + *apart;
+    }
+    return gear;
+  };
+  const GearSet near = shaft(1 * mm, 0);
+  const OutputShaft& of = *near.output_shaft;
+  const AnnularGroup group =
+      annular_group(std::vector<PlacedAnnularCrack>{{0, 2 * mm}, {1 * mm, 1.2 * mm}},
+                    {of.outer_diameter / 2, of.inner_diameter / 2});
+  const auto together = crack_strength(near);
+  const auto alone = crack_strength(shaft({}, 0));
+  for (const std::size_t j : {0U, 1U}) {
+    test::expect_relative(together[j].states.at(0).K_load,
+                          group.cracks[j].factor * alone[j].states.at(0).K_load, 1e-9);
+    EXPECT_EQ(together[j].states.at(0).L_r, alone[j].states.at(0).L_r);
+    EXPECT_GE(*together[j].least_reserve(), *alone[j].least_reserve());
+    EXPECT_NE(std::ranges::find(together[j].equations, "CG-12"), together[j].equations.end());
+  }
+  EXPECT_LT(group.cracks[1].factor, 0.7);
+  // An axial force opens each crack as if it were alone.
+  const auto opening = [](const GearSet& gear) {
+    return drive_cracks(gear)[0].front({.size = 2 * mm}, Faces::open)[0].load.I[kAxial];
+  };
+  EXPECT_EQ(opening(shaft(1 * mm, 1e4)), opening(shaft({}, 1e4)));
+  // Without an answer of the group, K is that of a crack alone, and a note says why.
+  const auto at_one_place = crack_strength(shaft(0.0, 0));
+  EXPECT_EQ(at_one_place[1].states.at(0).K_load, alone[1].states.at(0).K_load);
+  const auto says = [](const CrackStrength& crack, const char* part) {
+    return std::ranges::any_of(crack.notes, [&](const StrengthNote& note) {
+      return note.text.find(part) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says(at_one_place[1], "which is an upper bound in torsion"));
+  EXPECT_TRUE(says(together[1], "K_III contains that the other annular cracks"));
+  EXPECT_FALSE(says(alone[1], "annular cracks of the shaft"));
 }
 
 // Kind: behaviour (CG-9).  With a ligament narrower than a crack, and with a group that has no

@@ -47,7 +47,7 @@ inline constexpr double kLeastAnnularDistance = 0.05;
 
 /// Smallest and largest depth of a crack over the wall R - r_i at which annular_group answers [-].
 /// @{
-inline constexpr double kLeastAnnularDepth = 0.01;
+inline constexpr double kLeastAnnularDepth = 0.001;
 inline constexpr double kLargestAnnularDepth = 0.85;
 /// @}
 
@@ -59,9 +59,10 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 
 /// Annular cracks of a shaft in torsion that influence each other.
 ///
-/// Implements theory manual eqs. (CG-10) to (CG-12): the jump of each crack is a sum of functions,
+/// Implements theory manual eqs. (CG-10) to (CG-13): the jump of each crack is a sum of functions,
 /// and its stress at the other cracks a sum over the modes of the shaft.  Cracks beside each other
-/// always shield each other.  The shaft continues far beyond the cracks.
+/// always shield each other.  The shaft continues far beyond the cracks.  Each thread keeps what it
+/// computed of the last depths.
 ///
 /// Accuracy: 0.5 % of factor and compliance for distances of at least a tenth of the depth, 0.1 %
 /// from a third of the depth on; `error` is the estimate for these cracks.
@@ -70,7 +71,8 @@ inline constexpr double kLargestAnnularDepth = 0.85;
 /// @param radii   of the shaft
 /// @param modes   for each crack, of cracks whose range the caller has checked; empty:
 /// annular_modes
-///                of the cracks.  Equal numbers make differences of groups smooth.
+///                of the cracks.  Equal numbers make differences of groups smooth.  A number counts
+///                as the next one that annular_modes gives.
 /// @throws InputError  naming the crack by its index, if a depth is out of range or two cracks are
 ///                     nearer than kLeastAnnularDistance
 [[nodiscard]] AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks,

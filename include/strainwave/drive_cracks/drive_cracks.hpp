@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/drive_cracks/faces.hpp"
+#include "strainwave/drive_cracks/shaft_group.hpp"
 #include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/model/input/gear_set.hpp"
@@ -110,6 +111,12 @@ struct DriveCrack {
   /// K along the front with the faces of all cracks of the group as the given load leaves them
   /// under one sense of the torque; empty without a group.  `front` takes all faces as apart.
   std::function<std::vector<FrontIntensity>(const CrackSize&, TorqueSense)> front_in_group = {};
+
+  /// The annular cracks that shield this one in torsion (CG-12); null: none.  All cracks of one
+  /// call of `drive_cracks` share it, and `front` answers at the depths that it keeps for the
+  /// others.
+  std::shared_ptr<ShaftGroup> shaft_group = {};
+  std::size_t in_shaft_group = 0;  ///< its place among the cracks of that group
 
   int count = 1;  ///< equal cracks of the row (CG-7) [-]
   /// Largest half length of a surface crack at a depth, both [m]; empty: no such limit.

@@ -18,7 +18,8 @@ namespace strainwave {
 /// The annular cracks of an output shaft that have a `distance`: at least two, or none.
 ///
 /// Implements theory manual eq. (CG-12) for a drive.  Cracks one behind the other shield each other
-/// in torsion, so an answer without their influence is too soft, and its K too large.
+/// in torsion, so an answer without their influence is too soft, and its K too large.  The object
+/// keeps depths at which it answers, because cracks grow; it begins with those of the file.
 struct ShaftGroup {
   std::vector<std::size_t> index;          ///< of each crack in `output_shaft.crack`
   std::vector<PlacedAnnularCrack> cracks;  ///< in the same order
@@ -27,8 +28,16 @@ struct ShaftGroup {
   /// Why the influence is not known, in a sentence that begins with the path of a crack; empty if
   /// it is known.
   [[nodiscard]] std::string fault() const;
+  /// Factor on all places that leaves each two cracks as far apart as annular_group asks; 1 if they
+  /// are.  Cracks farther apart shield each other less, so the answer is then an upper bound [-].
+  [[nodiscard]] double stretch() const;
   /// The influence.  The group must have no fault.
-  [[nodiscard]] AnnularGroup solved() const { return annular_group(cracks, radii); }
+  [[nodiscard]] AnnularGroup solved() const;
+  /// The same with given numbers of modes, which make differences of groups smooth.
+  [[nodiscard]] AnnularGroup solved_with(const std::vector<std::size_t>& modes) const;
+  /// K_III of one crack at a depth [m] beside the others, over that of the crack alone; 1 if the
+  /// group has a fault [-].
+  [[nodiscard]] double intensity(std::size_t member, double depth) const;
 };
 
 /// The group of a drive.

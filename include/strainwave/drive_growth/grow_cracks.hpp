@@ -44,11 +44,13 @@ enum class CrackEvent {
   severed,       ///< the crack leaves less than 1 % of the stiffness of the drive
   range,         ///< the solution of the stress intensity ends
   wanted_size,   ///< the size that was asked for
+  merges,        ///< it grows together with another crack in its line (CG-14)
 };
 template <>
 struct EnumNames<CrackEvent> {
-  static constexpr std::array<std::string_view, 7> names = {
-      "arrested", "through_wall", "breaks", "assessment", "severed", "range", "wanted_size"};
+  static constexpr std::array<std::string_view, 8> names = {
+      "arrested", "through_wall", "breaks",      "assessment",
+      "severed",  "range",        "wanted_size", "merges"};
 };
 
 /// When the computation stops, if nothing else ends it before.

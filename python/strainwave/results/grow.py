@@ -16,7 +16,7 @@ from ..parts import Converter, FloatArray, Part, Quantity
 class Events(Part):
     """The field `events`."""
 
-    event: Literal["arrested", "through_wall", "breaks", "assessment", "severed", "range", "wanted_size"]
+    event: Literal["arrested", "through_wall", "breaks", "assessment", "severed", "range", "wanted_size", "merges"]
     """what happens"""
     time: Quantity
     """time of duty [s]"""
