@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <utility>
 
@@ -48,17 +49,31 @@ void transform(std::span<double> values, std::size_t stride) {
   }
 }
 
-/// Sums coefficients over the slowest of their variables.
+/// Two neighbours in one register of any 64-bit processor.
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+/// Sums coefficients over the slowest of their variables.  The order of each sum is that of its
+/// terms, so its bits do not depend on how many sums run at once.
 /// @tparam Size  number of sums, which are contiguous for each value of that variable
 template <std::size_t Size>
 void contract(const Row& T, const double* coefficients, double* sums) {
-  constexpr std::size_t kBlock = std::min(Size, N);  // what registers hold
-  for (std::size_t first = 0; first < Size; first += kBlock) {
-    std::array<double, kBlock> sum{};
-    for (std::size_t k = 0; k < N; ++k)
-      for (std::size_t n = 0; n < kBlock; ++n)
-        sum[n] += T[k] * coefficients[k * Size + first + n];
-    std::copy(sum.begin(), sum.end(), sums + first);
+  if constexpr (Size == 1) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < N; ++k) sum += T[k] * coefficients[k];
+    *sums = sum;
+  } else {
+    constexpr std::size_t kPairs = N / 2;  // registers for the sums of a block
+    static_assert(Size % N == 0);
+    for (std::size_t first = 0; first < Size; first += N) {
+      std::array<Pair, kPairs> sum{};
+      for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t n = 0; n < kPairs; ++n) {
+          Pair two;
+          std::memcpy(&two, coefficients + k * Size + first + 2 * n, sizeof(two));
+          sum[n] += T[k] * two;
+        }
+      std::memcpy(sums + first, sum.data(), sizeof(sum));
+    }
   }
 }
 

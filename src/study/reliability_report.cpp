@@ -196,10 +196,10 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   const DesignPoint from_file =
       find_design_point(stoppable(at_start), std::vector<double>(inputs, 0.0));
   // Tables answer the many draws below; the search above needs the engine's derivatives.
-  const auto draws = static_cast<std::size_t>(
-      settings.draws.value_or(outputs.of_sum()    ? kDraws
-                              : outputs.planned() ? kMarginDraws
-                                                  : kSlowDraws));
+  const auto draws =
+      static_cast<std::size_t>(settings.draws.value_or(outputs.of_sum()    ? kDraws
+                                                       : outputs.planned() ? kMarginDraws
+                                                                           : kSlowDraws));
   const auto fill = [&](std::size_t row, std::span<double> u) {
     counter_normals(settings.seed, row, u);
   };

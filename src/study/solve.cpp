@@ -65,8 +65,8 @@ class Probe {
     // Progress counts the scan and about as many evaluations for its refinement.
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     // The plan computes the same bits without a report; a value without an answer needs the reason.
-    if (double y = 0.0; planned_ && (*planned_)({&x, 1}, {&y, 1}) == Fate::evaluated &&
-                        std::isfinite(y))
+    if (double y = 0.0;
+        planned_ && (*planned_)({&x, 1}, {&y, 1}) == Fate::evaluated && std::isfinite(y))
       return {.x = x, .state = State::usable, .y = y};
     try {
       const StiffnessResult at_x = result(x, {.coupled_drive = is_of_coupled_drive(target_.output),

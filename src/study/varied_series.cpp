@@ -64,8 +64,7 @@ std::optional<double> margin_of(const CrackStrength& crack, std::string_view nam
   std::optional<double> found;
   CrackStrength::describe([&](const Field& field, auto member) {
     if (field.name != name) return;
-    using Value =
-        std::remove_cvref_t<std::invoke_result_t<decltype(member), const CrackStrength&>>;
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(member), const CrackStrength&>>;
     if constexpr (std::is_same_v<Value, std::optional<double>>)
       found = std::invoke(member, crack);
     else if constexpr (std::is_same_v<Value, std::optional<Quantity>>)
@@ -82,8 +81,7 @@ bool is_margin(std::string_view output) {
   const std::string_view name = output.substr(at + kStrength.size());
   bool found = false;
   CrackStrength::describe([&](const Field& field, auto member) {
-    using Value =
-        std::remove_cvref_t<std::invoke_result_t<decltype(member), const CrackStrength&>>;
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(member), const CrackStrength&>>;
     if constexpr (std::is_same_v<Value, std::optional<double>> ||
                   std::is_same_v<Value, std::optional<Quantity>>)
       found = found || (field.name == name && !field.detail);
@@ -133,15 +131,16 @@ Note note_of(const TableEvidence& evidence) {
   constexpr double kWanted = 1e-10;
   double bound = 1e-14;
   while (bound < evidence.largest_error && bound < 1) bound *= 10;
-  return {.code = "tables.error",
-          .text = fmt::format(
-              "the compliances of {} {} are read from tables that the engine filled; at {} random "
-              "drives of this study the outputs differ from the engine by less than {:.0g} of their "
-              "value",
-              evidence.cracks, evidence.cracks == 1 ? "crack" : "cracks", evidence.points, bound),
-          .path = {},
-          .equation = "ST-22",
-          .severity = evidence.largest_error <= kWanted ? Severity::information : Severity::care};
+  return {
+      .code = "tables.error",
+      .text = fmt::format(
+          "the compliances of {} {} are read from tables that the engine filled; at {} random "
+          "drives of this study the outputs differ from the engine by less than {:.0g} of their "
+          "value",
+          evidence.cracks, evidence.cracks == 1 ? "crack" : "cracks", evidence.points, bound),
+      .path = {},
+      .equation = "ST-22",
+      .severity = evidence.largest_error <= kWanted ? Severity::information : Severity::care};
 }
 
 std::span<const SeriesOutput> series_outputs() { return kSeriesOutputs; }
@@ -149,7 +148,7 @@ std::span<const SeriesOutput> series_outputs() { return kSeriesOutputs; }
 struct VariedSeries::Plan {
   const GearSet& gear;  ///< has passed `check`
   std::vector<std::string> paths;
-  std::vector<Field> fields;  ///< of the paths
+  std::vector<Field> fields;     ///< of the paths
   std::vector<RowLimit> limits;  ///< of the paths
   std::vector<PlannedOutput> outputs;
   std::optional<CrackTables> tables;

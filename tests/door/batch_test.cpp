@@ -174,12 +174,11 @@ SingleRow single_row(GearSet gear, const std::vector<std::string>& paths,
 /// The strength margins of a drive, and an output of the sum.
 std::vector<std::string> margins_of(const GearSet& gear) {
   std::vector<std::string> names;
-  for_each_quantity(
-      evaluate(gear, Method::corrected, {.coupled_drive = false}),
-      [&](const std::string& name, const Quantity&) {
-        if (name.find(".strength.") != std::string::npos && !name.ends_with("_size"))
-          names.push_back(name);
-      });
+  for_each_quantity(evaluate(gear, Method::corrected, {.coupled_drive = false}),
+                    [&](const std::string& name, const Quantity&) {
+                      if (name.find(".strength.") != std::string::npos && !name.ends_with("_size"))
+                        names.push_back(name);
+                    });
   if (!names.empty()) names.emplace_back("cracked.negative.stiffness");
   return names;
 }
@@ -207,7 +206,8 @@ TEST(Batch, CrosscheckStrengthMargins) {
     for (std::size_t row = 0; row < kRows; ++row)
       for (const std::string& path : paths)
         values.push_back((row == 3 && path != "load.torque" ? dice.uniform(-0.2, 1.0) : 1.0) *
-                         dice.uniform(0.3, 2) * (dice.chance(0.3) && path == "load.torque" ? -1 : 1) *
+                         dice.uniform(0.3, 2) *
+                         (dice.chance(0.3) && path == "load.torque" ? -1 : 1) *
                          number_at(gear, path).value);
     const BatchResult result =
         batch(gear, {.paths = paths, .values = values, .outputs = outputs, .threads = 2});
@@ -215,18 +215,21 @@ TEST(Batch, CrosscheckStrengthMargins) {
       const SingleRow expected = single_row(
           gear, paths, std::span(values).subspan(row * paths.size(), paths.size()), outputs);
       ++codes[expected.code];
-      ASSERT_EQ(result.codes[row], expected.code) << seed << ", " << row << ": " << expected.message;
+      ASSERT_EQ(result.codes[row], expected.code)
+          << seed << ", " << row << ": " << expected.message;
       for (std::size_t y = 0; y < outputs.size(); ++y)
         test::expect_relative(result.numbers[row * outputs.size() + y], expected.numbers[y], 1e-10);
       const auto fault = std::ranges::find(result.faults, expected.code, &BatchFault::code);
-      if (fault != result.faults.end() && fault->row == row)
+      if (fault != result.faults.end() && fault->row == row) {
         EXPECT_EQ(fault->message, expected.message) << seed;
+      }
       if (HasFailure()) FAIL() << seed << ", " << row;
     }
   }
   if (test::kSanitized) return;
   EXPECT_GE(kinds.size(), 6U);
-  for (const RowCode code : {RowCode::ok, RowCode::refused, RowCode::not_usable, RowCode::output_absent})
+  for (const RowCode code :
+       {RowCode::ok, RowCode::refused, RowCode::not_usable, RowCode::output_absent})
     EXPECT_GT(codes[code], 5) << enum_name(code);
 }
 
@@ -276,14 +279,12 @@ TEST(Batch, BehaviourNoErrorOfTablesWithoutTables) {
       batch(article(), {.paths = paths, .values = values, .outputs = kOutputs}).tables.has_value());
 }
 
-// Kind: input.  A row beyond a [[range]] of the file, or at 0 where a number scatters, is refused as
-// `evaluate` refuses it, also where the plan of the drive could answer.
+// Kind: input.  A row beyond a [[range]] of the file, or at 0 where a number scatters, is refused
+// as `evaluate` refuses it, also where the plan of the drive could answer.
 TEST(Batch, InputRowsKeepToTheLimitsOfTheFile) {
   GearSet gear = article();
-  gear.range = {{.path = "output_shaft.crack[0].depth",
-                 .lower = "0.1 mm",
-                 .upper = "2 mm",
-                 .source = {}}};
+  gear.range = {
+      {.path = "output_shaft.crack[0].depth", .lower = "0.1 mm", .upper = "2 mm", .source = {}}};
   gear.load.axial_force = 100;
   gear.scatter = {{.path = "load.axial_force",
                    .relative_standard_deviation = 0.1,

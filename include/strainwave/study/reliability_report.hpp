@@ -153,8 +153,9 @@ struct RequirementReliability {
     field({"importance_sampling", "", "by draws about the nearest failure"},
           &R::importance_sampling);
     field({"monte_carlo", "", "by plain draws"}, &R::monte_carlo);
-    field({"tables", "", "error of the tables that the draws read; absent: the engine computed all"},
-          &R::tables);
+    field(
+        {"tables", "", "error of the tables that the draws read; absent: the engine computed all"},
+        &R::tables);
   }
 };
 

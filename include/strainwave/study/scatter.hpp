@@ -123,8 +123,9 @@ struct Scatter {
     field({"refused", "", "draws that broke a rule of the input"}, &Scatter::refused);
     field({"unusable", "", "draws beyond the validity of the model"}, &Scatter::unusable);
     field({"seed", "", "seed of the draws"}, &Scatter::seed);
-    field({"tables", "", "error of the tables that the draws read; absent: the engine computed all"},
-          &Scatter::tables);
+    field(
+        {"tables", "", "error of the tables that the draws read; absent: the engine computed all"},
+        &Scatter::tables);
   }
 };
 

@@ -105,8 +105,9 @@ struct Sobol {
     field({"evaluations", "", "evaluated drives"}, &Sobol::evaluations);
     field({"left_out", "", "base points without a usable drive"}, &Sobol::left_out);
     field({"seed", "", "seed of the scramblings"}, &Sobol::seed);
-    field({"tables", "", "error of the tables that the drives read; absent: the engine computed all"},
-          &Sobol::tables);
+    field(
+        {"tables", "", "error of the tables that the drives read; absent: the engine computed all"},
+        &Sobol::tables);
   }
 };
 

@@ -273,12 +273,14 @@ void check_race_crack(const LazyPath& at, const GearSet& gear, const Crack& crac
   check_depth(at, crack.depth, *wg.inner_ring_thickness, "depth < inner_ring_thickness");
   const auto need_of_driver = [&](bool given, const LazyPath& field) {
     if (given) return;
-    need(false, field.text(), at, fmt::format(" (stress_driver = \"{}\" needs it)", enum_name(driver)));
+    need(false, field.text(), at,
+         fmt::format(" (stress_driver = \"{}\" needs it)", enum_name(driver)));
   };
   switch (driver) {
     case StressDriver::orthogonal_shear:
     case StressDriver::contact_edge:
-      need_of_driver(wg.contact_semi_axes || wg.bearing, LazyPath("wave_generator.contact_semi_axes"));
+      need_of_driver(wg.contact_semi_axes || wg.bearing,
+                     LazyPath("wave_generator.contact_semi_axes"));
       break;
     case StressDriver::ring_bending:
       need_of_driver(wg.inner_ring_width.has_value(), LazyPath("wave_generator.inner_ring_width"));
@@ -718,13 +720,13 @@ void check_wave_generator(const GearSet& gear) {
         "displacements, bearing");
   if (wg.displacements) {
     const LobeDisplacements& d = *wg.displacements;
-    require(d.bearing + d.cam + d.shaft > 0, path / "displacements" / "bearing", d.bearing, "m",
+    require(d.bearing + d.cam + d.shaft > 0, path / "displacements.bearing", d.bearing, "m",
             "bearing + cam + shaft > 0");
   }
   if (wg.contact_semi_axes) {
     const double a = (*wg.contact_semi_axes)[0];
     const double b = (*wg.contact_semi_axes)[1];
-    require(b <= a, (path / "contact_semi_axes")[1], b, "m", "second semi-axis <= first semi-axis");
+    require(b <= a, path / "contact_semi_axes[1]", b, "m", "second semi-axis <= first semi-axis");
     if (wg.inner_ring_width)
       require(!clearly_less(*wg.inner_ring_width, 2 * b), path / "inner_ring_width",
               *wg.inner_ring_width, "m", [&] {
@@ -767,8 +769,8 @@ void check_wave_generator(const GearSet& gear) {
       check_groove(path / "inner_ring_width", *wg.inner_ring_width, *wg.bearing);
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
-      require(ring.thickness < ring.mean_radius, bearing / "outer_ring.thickness",
-              ring.thickness, "m", "thickness < mean_radius");
+      require(ring.thickness < ring.mean_radius, bearing / "outer_ring.thickness", ring.thickness,
+              "m", "thickness < mean_radius");
       check_groove(bearing / "outer_ring.width", ring.width, *wg.bearing);
       check_waves_that_bend(gear);
     }
@@ -853,8 +855,8 @@ void check_side_of_diaphragm(const LazyPath& path, const Flexspline& fs) {
 void check_joints(const LazyPath& path, const Flexspline& fs) {
   const double barrel = fs.barrel->outer_diameter;
   if (fs.rim)
-    require(can_join(barrel, fs.rim->outer_diameter), path / "barrel" / "outer_diameter", barrel,
-            "m", [&] {
+    require(can_join(barrel, fs.rim->outer_diameter), path / "barrel.outer_diameter", barrel, "m",
+            [&] {
               return fmt::format(
                   "within {:.4g} % of rim.outer_diameter, {:.4g} mm, because the barrel "
                   "joins the rim",
@@ -864,8 +866,8 @@ void check_joints(const LazyPath& path, const Flexspline& fs) {
   check_side_of_diaphragm(path, fs);
   const bool hat = fs.shape == FlexsplineShape::hat;
   const double edge = hat ? fs.diaphragm->inner_diameter : fs.diaphragm->outer_diameter;
-  require(can_join(edge, barrel), path / "diaphragm" / (hat ? "inner_diameter" : "outer_diameter"),
-          edge, "m", [&] {
+  require(can_join(edge, barrel),
+          path / (hat ? "diaphragm.inner_diameter" : "diaphragm.outer_diameter"), edge, "m", [&] {
             return fmt::format(
                 "within {:.4g} % of barrel.outer_diameter, {:.4g} mm, because the "
                 "diaphragm joins the barrel",
@@ -1227,8 +1229,7 @@ void check(const GearSet& gear) {
 
 void check_rules(const GearSet& gear) {
   const LazyPath materials("material");
-  for (const auto& [name, material] : gear.material)
-    check_material(materials / name, material);
+  for (const auto& [name, material] : gear.material) check_material(materials / name, material);
   check_laminates(gear);
   require(gear.drive.wave_number >= 1 && gear.drive.wave_number <= 8, "drive.wave_number",
           gear.drive.wave_number, "1", ">= 1 and <= 8");
@@ -1255,8 +1256,7 @@ void check_rules(const GearSet& gear) {
   check_compliance_tables(gear);
   check_turn_tables(gear);
   const LazyPath ranges("range");
-  for (std::size_t i = 0; i < gear.range.size(); ++i)
-    check_range(gear, ranges[i], gear.range[i]);
+  for (std::size_t i = 0; i < gear.range.size(); ++i) check_range(gear, ranges[i], gear.range[i]);
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);
   for (std::size_t i = 0; i < gear.correlation.size(); ++i) check_correlation(gear, i);
   if (!gear.correlation.empty()) (void)life_normals(gear);

@@ -92,7 +92,8 @@ NamedMaterial solid_wall(const GearSet& gear, const NamedMaterial& of) {
 NamedMaterial found_material(const GearSet& gear, std::string_view name) {
   constexpr std::size_t kFew = 8;
   if (gear.material.size() > kFew) return gear.material.find(std::string(name));
-  return std::ranges::find_if(gear.material, [&](const auto& named) { return named.first == name; });
+  return std::ranges::find_if(gear.material,
+                              [&](const auto& named) { return named.first == name; });
 }
 
 template <class MakeField>
