@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <utility>
 
@@ -48,6 +49,34 @@ void transform(std::span<double> values, std::size_t stride) {
   }
 }
 
+/// Two neighbours in one register of any 64-bit processor.
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+/// Sums coefficients over the slowest of their variables.  The order of each sum is that of its
+/// terms, so its bits do not depend on how many sums run at once.
+/// @tparam Size  number of sums, which are contiguous for each value of that variable
+template <std::size_t Size>
+void contract(const Row& T, const double* coefficients, double* sums) {
+  if constexpr (Size == 1) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < N; ++k) sum += T[k] * coefficients[k];
+    *sums = sum;
+  } else {
+    constexpr std::size_t kPairs = N / 2;  // registers for the sums of a block
+    static_assert(Size % N == 0);
+    for (std::size_t first = 0; first < Size; first += N) {
+      std::array<Pair, kPairs> sum{};
+      for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t n = 0; n < kPairs; ++n) {
+          Pair two;
+          std::memcpy(&two, coefficients + k * Size + first + 2 * n, sizeof(two));
+          sum[n] += T[k] * two;
+        }
+      std::memcpy(sums + first, sum.data(), sizeof(sum));
+    }
+  }
+}
+
 }  // namespace
 
 /// A box, or a part of a halved box.
@@ -57,7 +86,8 @@ struct ChebyshevCells::Cell {
   Place centre{};
   Place half{};  ///< half widths
   int halvings = 0;
-  std::once_flag filled;
+  std::once_flag filling;
+  std::atomic<bool> filled = false;  ///< tells a reader to skip `filling`, which takes longer
   State state = State::none;
   std::size_t along = 0;  ///< the variable along which the cell is halved
   std::array<std::unique_ptr<Cell>, 2> halves;
@@ -189,20 +219,20 @@ bool ChebyshevCells::read(Cell& cell, const Place& place, Values& values) {
   std::array<Row, kMaxVariables> T;
   for (std::size_t v = 0; v < variables_; ++v)
     T[v] = polynomials((place[v] - cell.centre[v]) / cell.half[v]);
-  std::array<double, N * N> plane;
+  std::array<double, N * N> planes;
+  std::array<double, N> rows;
   for (std::size_t p = 0; p < options_.values; ++p) {
     const double* of = cell.coefficients.data() + p * nodes_;
-    std::size_t size = nodes_;
-    for (std::size_t v = 0; v < variables_; ++v) {
-      // Sum over the slowest variable, so that neighbours are summed alike.
-      size /= N;
-      std::array<double, N * N> sum{};
-      for (std::size_t k = 0; k < N; ++k)
-        for (std::size_t n = 0; n < size; ++n) sum[n] += T[v][k] * of[k * size + n];
-      plane = sum;
-      of = plane.data();
+    std::size_t v = 0;
+    if (variables_ == 3) {
+      contract<N * N>(T[v++], of, planes.data());
+      of = planes.data();
     }
-    values[p] = plane[0];
+    if (variables_ >= 2) {
+      contract<N>(T[v++], of, rows.data());
+      of = rows.data();
+    }
+    contract<1>(T[v], of, &values[p]);
   }
   return true;
 }
@@ -216,7 +246,10 @@ bool ChebyshevCells::Reader::operator()(const Place& place, Values& values) {
     last_box_ = box;
   }
   for (Cell* cell = last_;;) {
-    std::call_once(cell->filled, [&] { cells_->fill(*cell); });
+    if (!cell->filled.load(std::memory_order_acquire)) {
+      std::call_once(cell->filling, [&] { cells_->fill(*cell); });
+      cell->filled.store(true, std::memory_order_release);
+    }
     if (cell->state != Cell::State::halved) return cells_->read(*cell, place, values);
     cell = cell->halves[place[cell->along] < cell->centre[cell->along] ? 0 : 1].get();
   }

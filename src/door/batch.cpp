@@ -146,18 +146,20 @@ BatchResult batch(const GearSet& gear, const BatchTask& task, const Progress& pr
                      .faults = {}};
   FirstFaults faults;
   std::optional<VariedSeries> series;
-  if (task.method == Method::corrected && VariedSeries::covers(task.outputs)) {
+  const auto fill = [&](std::size_t row, std::span<double> values) {
     const std::size_t n_paths = task.paths.size();
+    std::ranges::copy(task.values.subspan(row * n_paths, n_paths), values.begin());
+  };
+  if (task.method == Method::corrected && VariedSeries::covers(task.outputs)) {
     series.emplace(gear, std::vector(task.paths.begin(), task.paths.end()),
-                   std::vector(task.outputs.begin(), task.outputs.end()));
-    series->prepare(n_rows, [&](std::size_t row, std::span<double> values) {
-      std::ranges::copy(task.values.subspan(row * n_paths, n_paths), values.begin());
-    });
+                   std::vector(task.outputs.begin(), task.outputs.end()), RowLimits::of_file);
+    series->prepare(n_rows, fill);
   }
   for_each_index(n_rows, {.block = series ? 64U : 1U, .threads = task.threads}, progress, [&] {
     return RowEvaluator(gear, task, columns, result, faults, series ? &*series : nullptr);
   });
   result.faults = faults.list();
+  if (series) result.tables = series->table_evidence(n_rows, fill);
   return result;
 }
 

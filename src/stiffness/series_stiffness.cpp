@@ -38,19 +38,16 @@ struct ByTables {
 
   template <class Solution, class Add>
   void operator()(std::size_t index, const CrackNumbers<Solution>& numbers, const Add& add) {
-    const std::optional<double> positive = tables(index, numbers, numbers.faces.positive);
-    const std::optional<double> negative = positive && numbers.faces.differ()
-                                               ? tables(index, numbers, numbers.faces.negative)
-                                               : positive;
-    if (!positive || !negative) {
+    const std::optional<UnderBothSenses<double>> added = tables(index, numbers);
+    if (!added) {
       engine(index, numbers, add);
       return;
     }
-    const auto at_output = [&](double added) {
+    const auto at_output = [&](double of) {
       using Matrix = SymmetricMatrix<Solution::kLoads>;
-      return engine.model.at_output(Matrix(added));
+      return engine.model.at_output(Matrix(of));
     };
-    add(at_output(*positive), at_output(*negative));
+    add(at_output(added->positive), at_output(added->negative));
   }
 };
 

@@ -18,6 +18,7 @@ struct AssessedCrack {
   Load load;
   std::optional<double> relative_uncertainty;  ///< relative uncertainty of K under the load [-]
   bool with_sizes = true;  ///< whether critical sizes are sought, which takes most of the time
+  bool with_words = true;  ///< whether the verdict is put into words
 };
 
 /// Assesses a crack under the given sense of torque, and under the other sense if the result

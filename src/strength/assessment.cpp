@@ -37,10 +37,32 @@ Modes sum(const FrontModes& modes, double load, double assembly) {
   return K;
 }
 
-/// K under the given load along the front of the crack scaled to a size, under T or -T.
-std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& size, double P,
-                                   double T, TorqueSense sense) {
-  const Faces faces = sense == TorqueSense::positive ? crack.faces.positive : crack.faces.negative;
+/// K along the front of a crack at one size, computed once for each state of the faces.
+class Fronts {
+ public:
+  Fronts(const DriveCrack& crack, const CrackSize& size) : crack_(crack), size_(size) {}
+  [[nodiscard]] const CrackSize& size() const { return size_; }
+  [[nodiscard]] const std::vector<FrontIntensity>& with(Faces faces) {
+    std::vector<FrontIntensity>& front = faces == Faces::pressed ? pressed_ : open_;
+    if (front.empty()) front = crack_.front(size_, faces);
+    return front;
+  }
+
+ private:
+  const DriveCrack& crack_;
+  CrackSize size_;
+  std::vector<FrontIntensity> open_;
+  std::vector<FrontIntensity> pressed_;
+};
+
+Faces faces_under(const DriveCrack& crack, TorqueSense sense) {
+  return sense == TorqueSense::positive ? crack.faces.positive : crack.faces.negative;
+}
+
+/// K under the given load along the front of the crack, under T or -T.
+std::vector<FrontModes> under_load(const DriveCrack& crack, Fronts& fronts, double P, double T,
+                                   TorqueSense sense) {
+  const Faces faces = faces_under(crack, sense);
   const auto modes = [&](const UnitStressIntensity<2>& k) -> Modes {
     return {k.I[kAxial] * P + k.I[kTorsion] * T, k.II[kAxial] * P + k.II[kTorsion] * T,
             k.III[kAxial] * P + k.III[kTorsion] * T};
@@ -48,16 +70,16 @@ std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& siz
   std::vector<FrontModes> front;
   if (crack.group &&
       faces != Faces::pressed) {  // the faces of the other cracks depend on the sense
-    for (const FrontIntensity& at : crack.front_in_group(size, sense))
+    for (const FrontIntensity& at : crack.front_in_group(fronts.size(), sense))
       front.push_back({modes(at.load), at.assembly});
     return front;
   }
-  for (const FrontIntensity& at : crack.front(size, Faces::open))
+  for (const FrontIntensity& at : fronts.with(Faces::open))
     front.push_back({modes(at.load), at.assembly});
   if (faces != Faces::pressed) return front;
   // (FR-17): pressed faces carry the normal stress, so only the shear stress makes them slide.
   const std::vector<FrontIntensity> pressed =
-      crack.group ? crack.front_in_group(size, sense) : crack.front(size, Faces::pressed);
+      crack.group ? crack.front_in_group(fronts.size(), sense) : fronts.with(Faces::pressed);
   for (std::size_t i = 0; i < front.size(); ++i) {
     const Modes sliding = modes(pressed[i].load);
     front[i].load = {std::min(front[i].load[0], 0.0), sliding[1], sliding[2]};
@@ -69,36 +91,51 @@ std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& siz
 class AtSize {
  public:
   AtSize(const AssessedCrack& asked, double size, TorqueSense sense, bool with_assembly)
+      : AtSize(asked, Fronts(asked.crack, grown(asked.crack, size)), sense, with_assembly) {}
+  AtSize(const AssessedCrack& asked, Fronts&& fronts, TorqueSense sense, bool with_assembly)
+      : AtSize(asked, fronts, sense, with_assembly) {}
+  /// @param fronts  of the crack; K that is known there is not computed again
+  AtSize(const AssessedCrack& asked, Fronts& fronts, TorqueSense sense, bool with_assembly)
       : crack_(asked.crack), with_assembly_(with_assembly) {
     const bool positive = sense == TorqueSense::positive;
-    const CrackSize grown{.size = size, .aspect_ratio = crack_.size.aspect_ratio};
     const double P = asked.load.axial_force;
     const double magnitude = std::abs(asked.load.torque);
     const double T = positive || !crack_.reverses ? magnitude : -magnitude;
-    front_ = under_load(crack_, grown, P, T, sense);
-    reference_stress_ = crack_.reference_stress(grown, P, T);
+    front_ = under_load(crack_, fronts, P, T, sense);
+    reference_stress_ = crack_.reference_stress(fronts.size(), P, T);
+    K_load_ = K_of(1, 0);
     if (!with_assembly || !crack_.turn_table) return;
     torque_ = T;
-    turn_.emplace(*crack_.turn_table, size, crack_.size.aspect_ratio);
+    turn_.emplace(*crack_.turn_table, fronts.size().size, crack_.size.aspect_ratio);
     if (crack_.turn_table->covers(0))
       for (std::size_t i = 0; i < turn_->stations(); ++i)
         without_torque_.push_back(turn_->at(i, 0));
   }
+  /// The same crack and sense without the assembly.
+  [[nodiscard]] AtSize load_alone() const {
+    AtSize alone = *this;
+    alone.with_assembly_ = false;
+    alone.turn_.reset();
+    alone.without_torque_.clear();
+    return alone;
+  }
 
   /// Largest equivalent K, by energy release rate, along the front and over a turn [Pa*m^0.5].
   [[nodiscard]] double K(double load, double assembly) const {
-    double G = 0.0;
-    for_each_state(load, assembly, [&](const Modes& K) {
-      G = std::max(G, energy_release_rate(K[0], K[1], K[2], crack_.moduli));
-    });
-    return std::sqrt(G * crack_.moduli.opening);  // (FR-20)
+    // K of the load alone is in proportion to the load.
+    return assembly == 0 ? load * K_load_ : K_of(load, assembly);
   }
-  [[nodiscard]] double K_load() const { return K(1, 0); }
+  [[nodiscard]] double K_load() const { return K_load_; }
   [[nodiscard]] double K_assembly() const {
     const bool known = with_assembly_ && (!turn_ || !without_torque_.empty());
     return known ? K(0, 1) : 0.0;
   }
   [[nodiscard]] double K_together() const { return K(1, assembly()); }
+  /// Largest K, if the assembly acts with at most a factor, or infinite if none is known; as
+  /// energies are squares of lengths of (K_I, K_II, K_III), K of a sum is at most the sum of the K.
+  [[nodiscard]] double most_K(double load, double assembly, double K_assembly) const {
+    return turn_ ? std::numeric_limits<double>::infinity() : load * K_load_ + assembly * K_assembly;
+  }
 
   [[nodiscard]] double plastic_zone(double yield_strength) const {
     const double eta = crack_.constraint == sif::Constraint::plane_stress ? 2 : 6;
@@ -121,7 +158,17 @@ class AtSize {
   }
 
  private:
+  [[nodiscard]] static CrackSize grown(const DriveCrack& crack, double size) {
+    return {.size = size, .aspect_ratio = crack.size.aspect_ratio};
+  }
   [[nodiscard]] double assembly() const { return with_assembly_ ? 1.0 : 0.0; }
+  [[nodiscard]] double K_of(double load, double assembly) const {
+    double G = 0.0;
+    for_each_state(load, assembly, [&](const Modes& K) {
+      G = std::max(G, energy_release_rate(K[0], K[1], K[2], crack_.moduli));
+    });
+    return std::sqrt(G * crack_.moduli.opening);  // (FR-20)
+  }
 
   template <class F>
   void for_each_state(double load, double assembly, const F& f) const {
@@ -146,6 +193,7 @@ class AtSize {
   const DriveCrack& crack_;
   std::vector<FrontModes> front_;
   double reference_stress_ = 0.0;
+  double K_load_ = 0.0;  // K of the load alone
   bool with_assembly_;
   double torque_ = 0.0;                             // with its sense
   std::optional<TurnFactors> turn_;                 // with the assembly, if the crack has a table
@@ -160,6 +208,7 @@ class InDiagram {
     const double K_p = crack.K_load();
     const double K_s = crack.K_assembly();
     // If the load does not cause K at the crack, chi is infinite.
+    K_assembly_ = K_s;
     chi_ = K_s == 0  ? 0.0
            : K_p > 0 ? K_s * L_r(1.0) / K_p
                      : std::numeric_limits<double>::infinity();  // (FA-3)
@@ -201,22 +250,42 @@ class InDiagram {
     const double end = std::min(collapse, most);
     // A load that presses the crack may reduce K_r at first, so search for the first crossing.
     constexpr int kSteps = 32;
-    double inside = least;
-    for (int i = 1; i <= kSteps; ++i) {
+    const auto step = [&](int i) {
       // Rounding must not carry the last step past the end of the line.
-      const double load =
-          least + (end - least) * (i == kSteps ? 1 - 1e-15 : static_cast<double>(i) / kSteps);
-      if (beyond(load) >= 0)
-        return bracketed_root([&](double x) { return beyond(x); }, inside, load);  // (FA-4)
-      inside = load;
+      return i == 0 ? least
+                    : least + (end - least) *
+                                  (i == kSteps ? 1 - 1e-15 : static_cast<double>(i) / kSteps);
+    };
+    // A bound of K_r rises with the load and the line falls, so up to the last step at which the
+    // bound is inside, all are.
+    int inside = 0;
+    for (int beyond_bound = kSteps + 1; beyond_bound - inside > 1;) {
+      const int middle = (inside + beyond_bound) / 2;
+      (bound_is_inside(step(middle)) ? inside : beyond_bound) = middle;
     }
-    return end;  // (FA-4)
+    for (int i = inside + 1; i <= kSteps; ++i)
+      if (beyond(step(i)) >= 0)
+        return bracketed_root([&](double x) { return beyond(x); }, step(i - 1),
+                              step(i));  // (FA-4)
+    return end;                          // (FA-4)
   }
 
  private:
+  /// Whether K_r is below the line even if the assembly acts with the largest factor.
+  [[nodiscard]] bool bound_is_inside(double load) const {
+    constexpr double kMost = 1.05;       // largest L_r at which the factor is not 1 (FA-3)
+    constexpr double kRounding = 1e-12;  // of the bound, far above that of K
+    const double x = std::min(chi_, kMaxInteractionRatio);
+    const double most_V =
+        crack_.with_assembly() ? 1 + 0.2 * kMost + 0.02 * x * (1 + 2 * kMost) : 0.0;  // (FA-3)
+    return L_r(load) <= L_r_max_ &&
+           crack_.most_K(load, most_V, K_assembly_) < line(load) * toughness_ * (1 - kRounding);
+  }
+
   const AtSize& crack_;
   AssessmentMaterial material_;
   double toughness_;
+  double K_assembly_ = 0.0;
   double chi_ = 0.0;
   double L_r_max_ = 1.0;
 };
@@ -334,10 +403,10 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
   }
 }
 
-StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_assembly) {
+StrengthState state_of(const AssessedCrack& asked, TorqueSense which, const AtSize& present) {
   const DriveCrack& crack = asked.crack;
   const Material& material = asked.material;
-  const AtSize present(asked, std::min(crack.size.size, crack.range_end), which, with_assembly);
+  const bool with_assembly = present.with_assembly();
   StrengthState state{.sense = which, .with_assembly = with_assembly};
   ask_for_properties(state, crack, material);
   add_intensities(state, asked, present);
@@ -487,20 +556,31 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
   return text + accuracy_words(state) + size_words(crack, state);
 }
 
+/// A crack at its present size under one sense of torque, with the assembly if that stresses it.
+struct PresentCrack {
+  PresentCrack(const AssessedCrack& asked, Fronts& fronts, TorqueSense of)
+      : sense(of), whole(asked, fronts, of, asked.crack.assembly) {
+    if (asked.crack.assembly) alone.emplace(whole.load_alone());
+  }
+  [[nodiscard]] const AtSize& load_alone() const { return alone ? *alone : whole; }
+
+  TorqueSense sense;
+  AtSize whole;
+  std::optional<AtSize> alone;
+};
+
 /// Whether reversing the torque changes K or the reference stress at the present size.
-bool senses_differ(const AssessedCrack& asked, bool with_assembly) {
-  const double size = std::min(asked.crack.size.size, asked.crack.range_end);
-  const AtSize positive(asked, size, TorqueSense::positive, with_assembly);
-  const AtSize negative(asked, size, TorqueSense::negative, with_assembly);
+bool senses_differ(const AtSize& one, const AtSize& other) {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); };
-  return !close(positive.K_together(), negative.K_together()) ||
-         !close(positive.reference_stress(), negative.reference_stress());
+  return !close(one.K_together(), other.K_together()) ||
+         !close(one.reference_stress(), other.reference_stress());
 }
 
 /// The states under one sense of torque: the load alone, and with the assembly.
-std::vector<StrengthState> states_of(const AssessedCrack& asked, TorqueSense sense) {
-  std::vector<StrengthState> of_sense{state_of(asked, sense, false)};
-  if (asked.crack.assembly) of_sense.push_back(state_of(asked, sense, true));
+std::vector<StrengthState> states_of(const AssessedCrack& asked, const PresentCrack& present) {
+  std::vector<StrengthState> of_sense;
+  of_sense.push_back(state_of(asked, present.sense, present.load_alone()));
+  if (asked.crack.assembly) of_sense.push_back(state_of(asked, present.sense, present.whole));
   for (StrengthState& state : of_sense)
     if (state.verdict != StrengthVerdict::cannot_tell) {
       state.unknown.clear();
@@ -525,13 +605,23 @@ CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   const TorqueSense other =
       given == TorqueSense::positive ? TorqueSense::negative : TorqueSense::positive;
   result.toughness = asked.crack.toughness;
-  result.states = states_of(asked, given);
+  const DriveCrack& crack = asked.crack;
+  Fronts fronts(crack, {.size = std::min(crack.size.size, crack.range_end),
+                        .aspect_ratio = crack.size.aspect_ratio});
+  const PresentCrack present(asked, fronts, given);
+  result.states = states_of(asked, present);
   const std::size_t n = result.states.size();
-  const bool other_known =
-      !asked.crack.turn_table || asked.crack.turn_table->covers(-asked.load.torque);
-  if (other_known &&
-      (senses_differ(asked, false) || (asked.crack.assembly && senses_differ(asked, true))))
-    for (StrengthState& state : states_of(asked, other)) result.states.push_back(std::move(state));
+  const bool other_known = !crack.turn_table || crack.turn_table->covers(-asked.load.torque);
+  // A crack that sees the same load under both senses has one answer.
+  const bool same_load = !crack.reverses && !crack.group && !crack.turn_table &&
+                         crack.faces.positive == crack.faces.negative;
+  if (other_known && !same_load) {
+    const PresentCrack reversed(asked, fronts, other);
+    if (senses_differ(present.load_alone(), reversed.load_alone()) ||
+        (crack.assembly && senses_differ(present.whole, reversed.whole)))
+      for (StrengthState& state : states_of(asked, reversed))
+        result.states.push_back(std::move(state));
+  }
 
   // The drive may reverse, so take the worst state under either sense, and the given sense if both
   // are equal.
@@ -544,6 +634,7 @@ CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   }
   const StrengthState& worst = *result.worst();
   result.verdict = worst.verdict;
+  if (!asked.with_words) return result;
   result.sentence = words(result, worst, given, asked.crack.laminate);
   result.next_step = worst.next_step;
   const auto beside = [&](const char* what, const StrengthState& state) {

@@ -211,8 +211,26 @@ void end_in_group(DriveCrack& crack) {
   });
 }
 
+/// What an assessment computes beside verdicts and reserves.
+struct Asked {
+  bool sizes = true;  ///< critical sizes
+  bool words = true;  ///< sentences, notes and equations
+};
+
+/// Adds what a verdict leaves out, and the equations that it uses.
+void add_scope(CrackStrength& report, const DriveCrack& crack, const Material& material) {
+  report.notes.push_back(kResidual);
+  if (material.yield_strength && !material.ultimate_strength) report.notes.push_back(kLineEnds);
+  report.notes.insert(report.notes.end(), crack.notes.begin(), crack.notes.end());
+  report.equations = {"FA-1", "FA-2", "FA-4", "FA-5", "FA-13"};
+  report.equations.insert(report.equations.end(), crack.equations.begin(), crack.equations.end());
+  if (crack.assembly) report.equations.emplace_back("FA-3");
+  if (material.fracture_toughness) report.equations.emplace_back("FR-20");
+  if (material.yield_strength) report.equations.emplace_back("FR-19");
+}
+
 CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
-                          std::span<const CrackReport> reports, bool with_sizes) {
+                          std::span<const CrackReport> reports, const Asked& what) {
   CrackStrength report{.path = crack.path, .kind = crack.kind, .material = crack.material};
   if (crack.turn_table && !crack.turn_table->covers(gear.load.torque))
     return beyond_turn_table(std::move(report), *crack.turn_table, gear.load.torque);
@@ -226,14 +244,7 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
   report.size_name = crack.size_name;
   report.size = crack.size.size;
   report.ligament = crack.ligament;
-  report.notes.push_back(kResidual);
-  if (material.yield_strength && !material.ultimate_strength) report.notes.push_back(kLineEnds);
-  report.notes.insert(report.notes.end(), crack.notes.begin(), crack.notes.end());
-  report.equations = {"FA-1", "FA-2", "FA-4", "FA-5", "FA-13"};
-  report.equations.insert(report.equations.end(), crack.equations.begin(), crack.equations.end());
-  if (crack.assembly) report.equations.emplace_back("FA-3");
-  if (material.fracture_toughness) report.equations.emplace_back("FR-20");
-  if (material.yield_strength) report.equations.emplace_back("FR-19");
+  if (what.words) add_scope(report, crack, material);
   const auto of_path = std::ranges::find(reports, crack.path, &CrackReport::path);
   report =
       assess({.crack = crack,
@@ -241,8 +252,10 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
               .load = gear.load,
               .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
                                                                : of_path->intensity_uncertainty,
-              .with_sizes = with_sizes},
+              .with_sizes = what.sizes,
+              .with_words = what.words},
              std::move(report));
+  if (!what.words) return report;
   if (crack.turn_table) note_ends_of_table(report, *crack.turn_table, gear.load.torque);
   if (report.breaks())
     report.next_step =
@@ -269,8 +282,7 @@ void note_plastic_zone(std::vector<Note>& notes, const CrackStrength& crack) {
 }
 
 std::vector<CrackStrength> strengths(const GearSet& gear, std::span<const CrackReport> reports,
-                                     bool with_sizes) {
-  check(gear);
+                                     const Asked& what) {
   std::vector<CrackStrength> result;
   for (DriveCrack& crack : drive_cracks(gear)) {
     // A surface crack of a row is assessed with its shape, so the end of its length ends its depth.
@@ -279,10 +291,10 @@ std::vector<CrackStrength> strengths(const GearSet& gear, std::span<const CrackR
       crack.range_end = end;
       crack.range_text = "where the surface cracks of the row influence each other too much";
     }
-    if (with_sizes && crack.group && crack.size.size < crack.range_end &&
+    if (what.sizes && crack.group && crack.size.size < crack.range_end &&
         crack.group->fault().empty())
       end_in_group(crack);
-    result.push_back(strength_of(gear, crack, reports, with_sizes));
+    result.push_back(strength_of(gear, crack, reports, what));
   }
   return result;
 }
@@ -291,11 +303,24 @@ std::vector<CrackStrength> strengths(const GearSet& gear, std::span<const CrackR
 
 std::vector<CrackStrength> crack_strength(const GearSet& gear,
                                           std::span<const CrackReport> reports) {
-  return strengths(gear, reports, true);
+  check(gear);
+  return strengths(gear, reports, {});
 }
 
 std::vector<CrackStrength> crack_reserves(const GearSet& gear) {
-  return strengths(gear, {}, false);
+  check(gear);
+  return strengths(gear, {}, {.sizes = false});
+}
+
+std::vector<CrackStrength> crack_margins(const GearSet& gear) {
+  return strengths(gear, {}, {.sizes = false, .words = false});
+}
+
+bool strength_is_known(const GearSet& gear) {
+  return std::ranges::any_of(gear.material, [](const auto& named) {
+    return named.second.fracture_toughness || named.second.yield_strength ||
+           named.second.fracture_energy;
+  });
 }
 
 std::vector<CrackStrength> crack_strength(const GearSet& gear) {

@@ -49,8 +49,8 @@ DrawnOutputs::DrawnOutputs(const GearSet& gear, const std::vector<std::string>& 
     at_file.push_back(number_at(gear, scatter.path).value);
     laws_.emplace_back(scatter, at_file.back());
   }
-  if (VariedSeries::covers(names)) {
-    series_.emplace(gear, paths, names);
+  if (VariedSeries::covers(names)) series_.emplace(gear, paths, names);
+  if (of_sum()) {
     std::vector<double> values(names.size());
     (void)VariedSeries::Evaluator (*series_)(at_file, values);
     for (std::size_t y = 0; y < names.size(); ++y)
@@ -72,14 +72,23 @@ void DrawnOutputs::to_values(std::span<const double> u, std::span<double> values
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = laws_[i].at(values[i]);
 }
 
-void DrawnOutputs::prepare(std::size_t rows,
-                           const std::function<void(std::size_t row, std::span<double> u)>& fill) {
-  if (!series_) return;
-  std::vector<double> u(inputs());
-  series_->prepare(rows, [&](std::size_t row, std::span<double> values) {
+VariedSeries::Fill DrawnOutputs::values_by(
+    const std::function<void(std::size_t row, std::span<double> u)>& fill) const {
+  return [this, &fill, u = std::vector<double>(inputs())](std::size_t row,
+                                                          std::span<double> values) mutable {
     fill(row, u);
     to_values(u, values);
-  });
+  };
+}
+
+void DrawnOutputs::prepare(std::size_t rows,
+                           const std::function<void(std::size_t row, std::span<double> u)>& fill) {
+  if (series_) series_->prepare(rows, values_by(fill));
+}
+
+std::optional<TableEvidence> DrawnOutputs::table_evidence(
+    std::size_t rows, const std::function<void(std::size_t row, std::span<double> u)>& fill) const {
+  return series_ ? series_->table_evidence(rows, values_by(fill)) : std::nullopt;
 }
 
 DrawnOutputs::Evaluator::Evaluator(const DrawnOutputs& of) : of_(of), values_(of.inputs()) {

@@ -30,8 +30,8 @@ void note_growth_left_out(std::vector<Note>& notes, const GearSet& gear,
 /// Named outputs of a drive whose numbers scatter: what all threads share.
 class DrawnOutputs {
  public:
-  /// @param names   of outputs; those of the sum of the members take microseconds, others the time
-  ///                of `evaluate`
+  /// @param names   of outputs; those of the sum of the members take a microsecond, strength
+  ///                margins tens of them, others the time of `evaluate`
   /// @param option  that names the outputs, for messages
   /// @throws InputError  if an output does not exist
   DrawnOutputs(const GearSet& gear, const std::vector<std::string>& names, std::string_view option);
@@ -42,11 +42,18 @@ class DrawnOutputs {
   void prepare(std::size_t rows,
                const std::function<void(std::size_t row, std::span<double> u)>& fill);
 
+  /// Compares the tables with the engine; as VariedSeries::table_evidence.
+  [[nodiscard]] std::optional<TableEvidence> table_evidence(
+      std::size_t rows,
+      const std::function<void(std::size_t row, std::span<double> u)>& fill) const;
+
   [[nodiscard]] std::size_t inputs() const { return laws_.size(); }
   /// The outputs at the values of the file.
   [[nodiscard]] const std::vector<Quantity>& at_file() const { return at_file_; }
-  /// Whether all outputs are those of the sum of the members, and so take microseconds.
-  [[nodiscard]] bool of_sum() const { return series_.has_value(); }
+  /// Whether all outputs are those of the sum of the members.
+  [[nodiscard]] bool of_sum() const { return VariedSeries::of_sum(names_); }
+  /// Whether all outputs are those of the sum or strength margins.
+  [[nodiscard]] bool planned() const { return series_.has_value(); }
   /// The correlations of the inputs.
   [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
   /// Laws of the inputs.
@@ -61,7 +68,11 @@ class DrawnOutputs {
   const GearSet& gear_;
   std::vector<ScatterLaw> laws_;
   CorrelatedNormals normals_;
-  std::optional<VariedSeries> series_;  ///< absent if an output is not of the sum
+  /// What fills values from independent normal variables.
+  [[nodiscard]] VariedSeries::Fill values_by(
+      const std::function<void(std::size_t row, std::span<double> u)>& fill) const;
+
+  std::optional<VariedSeries> series_;  ///< absent if it does not cover an output
   std::vector<std::string> names_;
   EvaluationOptions options_;
   std::vector<Quantity> at_file_;
@@ -80,7 +91,7 @@ class DrawnOutputs::Evaluator {
   const DrawnOutputs& of_;
   std::vector<double> values_;
   std::optional<VariedSeries::Evaluator> series_;
-  std::unique_ptr<DrawnDrive> drawn_;  ///< null if the outputs are of the sum
+  std::unique_ptr<DrawnDrive> drawn_;  ///< null if the plan covers the outputs
 };
 
 }  // namespace strainwave

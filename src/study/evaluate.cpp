@@ -25,6 +25,7 @@
 #include "strainwave/model/input/turn_table.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/strength/crack_reserves.hpp"
 #include "strainwave/study/life_report.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -162,11 +163,7 @@ Note one_angle_note(const GearSet& gear, const TurnChanges* turn,
 void add_strength(StiffnessResult& result, const GearSet& gear) {
   std::vector<CrackStrength> strength = crack_strength(gear, result.cracks);
   if (strength.empty()) return;
-  const bool known = std::ranges::any_of(gear.material, [](const auto& named) {
-    return named.second.fracture_toughness || named.second.yield_strength ||
-           named.second.fracture_energy;
-  });
-  if (!known) {
+  if (!strength_is_known(gear)) {
     result.notes.push_back(
         {.code = "strength.cannot_tell",
          .text = "crack strength not assessed: no material specifies fracture_toughness or "

@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::string_view kRequireOption = "require";
 constexpr int kDraws = 200'000;
-constexpr int kSlowDraws = 2'000;  // of the coupled drive, some milliseconds each
+constexpr int kMarginDraws = 20'000;  // of strength margins, tens of microseconds each
+constexpr int kSlowDraws = 2'000;     // of the coupled drive, some milliseconds each
 
 /// The margin of a requirement over independent standard normal variables, for one thread.
 class Margin {
@@ -195,10 +196,14 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   const DesignPoint from_file =
       find_design_point(stoppable(at_start), std::vector<double>(inputs, 0.0));
   // Tables answer the many draws below; the search above needs the engine's derivatives.
-  const bool fast = outputs.of_sum();
-  const auto draws = static_cast<std::size_t>(settings.draws.value_or(fast ? kDraws : kSlowDraws));
-  outputs.prepare(
-      draws, [&](std::size_t row, std::span<double> u) { counter_normals(settings.seed, row, u); });
+  const auto draws =
+      static_cast<std::size_t>(settings.draws.value_or(outputs.of_sum()    ? kDraws
+                                                       : outputs.planned() ? kMarginDraws
+                                                                           : kSlowDraws));
+  const auto fill = [&](std::size_t row, std::span<double> u) {
+    counter_normals(settings.seed, row, u);
+  };
+  outputs.prepare(draws, fill);
   const SamplingOptions sampling{
       .draws = draws, .seed = settings.seed, .threads = settings.threads};
   const SampledProbability plain = plain_sampling(make, inputs, sampling, at_start);
@@ -223,6 +228,7 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
     about.seed = splitmix64(settings.seed, 1);
     answer.importance_sampling = drawn(importance_sampling(make, point.place, about, after_draws));
   }
+  answer.tables = outputs.table_evidence(draws, fill);
   judge(answer);
   return answer;
 }
@@ -268,6 +274,11 @@ ReliabilityReport reliability_of(const GearSet& gear, const std::vector<Requirem
     report.answers.push_back(reliability_of_one(
         gear, requirements[n], settings, progress.part(before / count, (before + 1) / count)));
     add_notes(report.notes, report.answers.back());
+    if (const auto& tables = report.answers.back().tables) {
+      Note note = note_of(*tables);
+      note.path = requirements[n].output;
+      report.notes.push_back(std::move(note));
+    }
   }
   std::vector<std::string> outputs;
   for (const Requirement& requirement : requirements) outputs.push_back(requirement.output);

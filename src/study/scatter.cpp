@@ -76,9 +76,10 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
     fourth += square * square;
   }
   fill_deviations(output, n, mean, second, fourth);
-  output.low = quantile(values, kQuantiles[0]);
-  output.median = quantile(values, kQuantiles[1]);
-  output.high = quantile(values, kQuantiles[2]);
+  const auto [low, median, high] = quantiles(std::span(values), kQuantiles);
+  output.low = low;
+  output.median = median;
+  output.high = high;
 }
 
 /// The draws of a study.
@@ -103,6 +104,11 @@ class Draws {
     outputs.prepare(size(), [this](std::size_t of, std::span<double> u) { fill(of, u); });
   }
 
+  /// Error of the tables that the draws read.
+  [[nodiscard]] std::optional<TableEvidence> table_evidence() const {
+    return outputs_.table_evidence(size(),
+                                   [this](std::size_t of, std::span<double> u) { fill(of, u); });
+  }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(options_.samples); }
   /// All draws, stored by their index.
   [[nodiscard]] std::vector<Draw> all(const Progress& progress) const {
@@ -290,6 +296,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     fill_from_kept(scatter, draws, columns, options, progress);
   else
     fill_from_passes(scatter, draws, columns, options, progress);
+  scatter.tables = draws.table_evidence();
   for (const ScatterOutput& output : scatter.outputs) note_nonlinear(scatter, output);
   if (scatter.refused + scatter.unusable > 0)
     scatter.notes.push_back(
@@ -311,6 +318,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
        "the scatter from the inputs does not include the uncertainty of the model's form",
        "scatter", "ST-16", Severity::information});
   note_dependence(scatter, outputs.normals());
+  if (scatter.tables) scatter.notes.push_back(note_of(*scatter.tables));
   return scatter;
 }
 

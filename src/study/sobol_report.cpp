@@ -56,11 +56,11 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
   DrawnOutputs outputs(gear, names, "of");
   const InputGroups groups = outputs.normals().groups();
   // Random inputs tell what varies as well as the points do, which are chosen later.
-  outputs.prepare(static_cast<std::size_t>(settings.points) * (groups.size() + 2),
-                  [&](std::size_t row, std::span<double> u) {
-                    for (std::size_t i = 0; i < u.size(); ++i)
-                      u[i] = counter_normal(settings.seed, row, i);
-                  });
+  const std::size_t rows = static_cast<std::size_t>(settings.points) * (groups.size() + 2);
+  const auto fill = [&](std::size_t row, std::span<double> u) {
+    counter_normals(settings.seed, row, u);
+  };
+  outputs.prepare(rows, fill);
   const SobolStudy study = sobol_indices(
       [&]() -> NormalFunction {
         return [evaluate = std::make_shared<DrawnOutputs::Evaluator>(outputs)](
@@ -114,6 +114,8 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
     result.notes.push_back({"sobol.groups",
                             "inputs that depend on each other have one share together", "scatter",
                             "UQ-2", Severity::information});
+  result.tables = outputs.table_evidence(rows, fill);
+  if (result.tables) result.notes.push_back(note_of(*result.tables));
   return result;
 }
 

@@ -7,6 +7,8 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "strainwave/core/error.hpp"
@@ -19,6 +21,7 @@
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
 #include "strainwave/study/sweep.hpp"
+#include "strainwave/study/varied_series.hpp"
 
 namespace strainwave {
 namespace {
@@ -50,7 +53,10 @@ class Probe {
         target_(target),
         over_turn_(is_over_turn(target.output)),
         n_scan_(n_scan),
-        progress_(progress) {}
+        progress_(progress),
+        plan_(plan_for(gear, method, path_, target.output)) {
+    if (plan_) planned_.emplace(*plan_);
+  }
 
   /// The whole result, with the coupled drive.
   [[nodiscard]] StiffnessResult result(double x) { return result(x, {.over_turn = over_turn_}); }
@@ -58,6 +64,10 @@ class Probe {
   [[nodiscard]] Sample sample(double x) {
     // Progress counts the scan and about as many evaluations for its refinement.
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
+    // The plan computes the same bits without a report; a value without an answer needs the reason.
+    if (double y = 0.0;
+        planned_ && (*planned_)({&x, 1}, {&y, 1}) == Fate::evaluated && std::isfinite(y))
+      return {.x = x, .state = State::usable, .y = y};
     try {
       const StiffnessResult at_x = result(x, {.coupled_drive = is_of_coupled_drive(target_.output),
                                               .over_turn = over_turn_,
@@ -81,6 +91,20 @@ class Probe {
   }
 
  private:
+  /// The plan of the drive for this output; absent if it does not cover it, or if the file needs
+  /// the sought number to keep a rule.
+  static std::optional<VariedSeries> plan_for(const GearSet& gear, Method method,
+                                              const std::string& path, const std::string& output) {
+    if (method != Method::corrected || !VariedSeries::covers(std::span(&output, 1)) ||
+        !VariedSeries::can_vary(std::span(&path, 1)))
+      return std::nullopt;
+    try {
+      check(gear);
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+    return VariedSeries(gear, {path}, {output}, RowLimits::of_file);
+  }
   [[nodiscard]] StiffnessResult result(double x, const EvaluationOptions& options) {
     set_number(gear_, path_, x);
     return evaluate(gear_, method_, options);
@@ -94,6 +118,8 @@ class Probe {
   int n_scan_;
   int n_samples_ = 0;
   const Progress& progress_;
+  std::optional<VariedSeries> plan_;
+  std::optional<VariedSeries::Evaluator> planned_;
 };
 
 using Samples = std::vector<Sample>;

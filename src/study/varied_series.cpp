@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/varied_series.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "drawn_drive.hpp"
+#include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/crack_tables/crack_tables.hpp"
 #include "strainwave/model/input/check_rules.hpp"
+#include "strainwave/strength/crack_reserves.hpp"
 
 namespace strainwave {
 namespace {
@@ -49,27 +57,123 @@ const SeriesOutput* series_output(std::string_view name) {
   return found == kSeriesOutputs.end() ? nullptr : found;
 }
 
+constexpr std::string_view kStrength = ".strength.";
+
+/// A number of a strength by its name; absent if the strength lacks it, or if it is no number.
+std::optional<double> margin_of(const CrackStrength& crack, std::string_view name) {
+  std::optional<double> found;
+  CrackStrength::describe([&](const Field& field, auto member) {
+    if (field.name != name) return;
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(member), const CrackStrength&>>;
+    if constexpr (std::is_same_v<Value, std::optional<double>>)
+      found = std::invoke(member, crack);
+    else if constexpr (std::is_same_v<Value, std::optional<Quantity>>)
+      if (const std::optional<Quantity> quantity = std::invoke(member, crack))
+        found = quantity->value;
+  });
+  return found;
+}
+
+/// Whether an output is a number of a strength that needs no critical size.
+bool is_margin(std::string_view output) {
+  const std::size_t at = output.rfind(kStrength);
+  if (at == std::string_view::npos) return false;
+  const std::string_view name = output.substr(at + kStrength.size());
+  bool found = false;
+  CrackStrength::describe([&](const Field& field, auto member) {
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(member), const CrackStrength&>>;
+    if constexpr (std::is_same_v<Value, std::optional<double>> ||
+                  std::is_same_v<Value, std::optional<Quantity>>)
+      found = found || (field.name == name && !field.detail);
+  });
+  return found && name != "brittle_size" && name != "critical_size";
+}
+
+/// An output of the plan.
+struct PlannedOutput {
+  explicit PlannedOutput(const std::string& name) : series(series_output(name)) {
+    if (series != nullptr) return;
+    const std::size_t at = name.rfind(kStrength);
+    crack = name.substr(0, at);
+    margin = name.substr(at + kStrength.size());
+  }
+  const SeriesOutput* series;  ///< null: the output is a margin
+  std::string crack;           ///< path of the crack of a margin
+  std::string margin;          ///< its name in the strength
+};
+
+/// The values of a number that keep to the [[range]] and [[scatter]] of a file.
+struct RowLimit {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool zero = true;  ///< whether 0 is allowed
+  [[nodiscard]] bool allows(double value) const {
+    return value >= lower && value <= upper && (zero || value != 0);
+  }
+};
+
+RowLimit limit_of(const GearSet& gear, const NumberAt& number) {
+  RowLimit limit;
+  for (const InputRange& range : gear.range) {
+    if (range.path != number.path) continue;
+    limit.lower = std::max(limit.lower, parse_quantity("lower", range.lower, number.field.unit));
+    limit.upper = std::min(limit.upper, parse_quantity("upper", range.upper, number.field.unit));
+  }
+  for (const InputScatter& scatter : gear.scatter)
+    if (scatter.path == number.path) limit.zero = false;
+  return limit;
+}
+
 }  // namespace
+
+Note note_of(const TableEvidence& evidence) {
+  // Digits of an error are rounding, which differs from machine to machine.
+  constexpr double kWanted = 1e-10;
+  double bound = 1e-14;
+  while (bound < evidence.largest_error && bound < 1) bound *= 10;
+  return {
+      .code = "tables.error",
+      .text = fmt::format(
+          "the compliances of {} {} are read from tables that the engine filled; at {} random "
+          "drives of this study the outputs differ from the engine by less than {:.0g} of their "
+          "value",
+          evidence.cracks, evidence.cracks == 1 ? "crack" : "cracks", evidence.points, bound),
+      .path = {},
+      .equation = "ST-22",
+      .severity = evidence.largest_error <= kWanted ? Severity::information : Severity::care};
+}
 
 std::span<const SeriesOutput> series_outputs() { return kSeriesOutputs; }
 
 struct VariedSeries::Plan {
   const GearSet& gear;  ///< has passed `check`
   std::vector<std::string> paths;
-  std::vector<Field> fields;  ///< of the paths
-  std::vector<const SeriesOutput*> outputs;
+  std::vector<Field> fields;     ///< of the paths
+  std::vector<RowLimit> limits;  ///< of the paths
+  std::vector<PlannedOutput> outputs;
   std::optional<CrackTables> tables;
+
+  [[nodiscard]] bool has_series() const {
+    return std::ranges::any_of(outputs, [](const auto& of) { return of.series != nullptr; });
+  }
+  [[nodiscard]] bool has_margins() const {
+    return std::ranges::any_of(outputs, [](const auto& of) { return of.series == nullptr; });
+  }
 };
 
 struct VariedSeries::Evaluator::State {
-  explicit State(const Plan& of) : plan(of), drawn(of.gear, of.paths) {
-    if (plan.tables) tables.emplace(*plan.tables);
+  State(const Plan& of, bool by_tables)
+      : plan(of),
+        drawn(of.gear, of.paths),
+        margins(of.has_margins()),
+        assessed(strength_is_known(of.gear)) {
+    if (plan.tables && by_tables) tables.emplace(*plan.tables);
   }
 
   /// The drive with these values; null if it breaks a rule.
   const GearSet* with(std::span<const double> values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!in_range(plan.fields[i], values[i])) return nullptr;
+      if (!in_range(plan.fields[i], values[i]) || !plan.limits[i].allows(values[i])) return nullptr;
       drawn.number(i) = values[i];
     }
     try {
@@ -80,27 +184,63 @@ struct VariedSeries::Evaluator::State {
     }
   }
 
+  /// Fills the margins among the outputs.
+  /// @return  whether the drive has all of them
+  [[nodiscard]] bool fill_margins(const GearSet& gear, std::span<double> outputs) const {
+    if (!assessed) return false;
+    const std::vector<CrackStrength> cracks = crack_margins(gear);
+    for (std::size_t y = 0; y < outputs.size(); ++y) {
+      const PlannedOutput& wanted = plan.outputs[y];
+      if (wanted.series != nullptr) continue;
+      const auto crack = std::ranges::find(cracks, wanted.crack, &CrackStrength::path);
+      if (crack == cracks.end()) return false;
+      const std::optional<double> value = margin_of(*crack, wanted.margin);
+      if (!value) return false;
+      outputs[y] = *value;
+    }
+    return true;
+  }
+
   const Plan& plan;
   DrawnDrive drawn;
+  bool margins;   ///< whether an output is one
+  bool assessed;  ///< whether results of this drive have a strength
   std::optional<CrackTables::Reader> tables;
 };
 
 VariedSeries::VariedSeries(const GearSet& gear, const std::vector<std::string>& paths,
-                           const std::vector<std::string>& outputs)
-    : plan_(new Plan{gear, paths, {}, {}, {}}) {
-  for (const std::string& path : paths) plan_->fields.push_back(number_at(gear, path).field);
-  for (const std::string& name : outputs) plan_->outputs.push_back(series_output(name));
+                           const std::vector<std::string>& outputs, RowLimits limits)
+    : plan_(new Plan{gear, paths, {}, {}, {}, {}}) {
+  for (const std::string& path : paths) {
+    const NumberAt number = number_at(gear, path);
+    plan_->fields.push_back(number.field);
+    plan_->limits.push_back(limits == RowLimits::of_file ? limit_of(gear, number) : RowLimit());
+  }
+  for (const std::string& name : outputs) plan_->outputs.emplace_back(name);
 }
 VariedSeries::~VariedSeries() = default;
 VariedSeries::VariedSeries(VariedSeries&&) noexcept = default;
 
-bool VariedSeries::covers(std::span<const std::string> outputs) {
+bool VariedSeries::of_sum(std::span<const std::string> outputs) {
   return std::ranges::all_of(
       outputs, [](const std::string& name) { return series_output(name) != nullptr; });
 }
 
+bool VariedSeries::covers(std::span<const std::string> outputs) {
+  return std::ranges::all_of(outputs, [](const std::string& name) {
+    return series_output(name) != nullptr || is_margin(name);
+  });
+}
+
+bool VariedSeries::can_vary(std::span<const std::string> paths) {
+  return std::ranges::none_of(paths, [](std::string_view path) {
+    return path.starts_with("range[") || path.starts_with("scatter[") ||
+           path.starts_with("correlation[") || path.starts_with("inspection.");
+  });
+}
+
 void VariedSeries::prepare(std::size_t rows, const Fill& fill) {
-  Evaluator::State state(*plan_);
+  Evaluator::State state(*plan_, false);
   std::vector<double> values(plan_->paths.size());
   plan_->tables.emplace(rows, [&](std::size_t row) {
     fill(row, values);
@@ -108,8 +248,30 @@ void VariedSeries::prepare(std::size_t rows, const Fill& fill) {
   });
 }
 
-VariedSeries::Evaluator::Evaluator(const VariedSeries& of)
-    : state_(std::make_unique<State>(*of.plan_)) {}
+std::optional<TableEvidence> VariedSeries::table_evidence(std::size_t rows,
+                                                          const Fill& fill) const {
+  if (!plan_->tables || plan_->tables->tables() == 0 || !plan_->has_series()) return std::nullopt;
+  TableEvidence evidence{.cracks = static_cast<int>(plan_->tables->tables())};
+  Evaluator by_tables(*this);
+  Evaluator by_engine(*this, false);
+  std::vector<double> values(plan_->paths.size());
+  std::vector<double> read(plan_->outputs.size());
+  std::vector<double> exact(plan_->outputs.size());
+  for (std::size_t n = 0; n < std::min(rows, kEvidencePoints); ++n) {
+    fill(splitmix64(0, n) % rows, values);
+    if (by_tables(values, read) != Fate::evaluated || by_engine(values, exact) != Fate::evaluated)
+      continue;
+    ++evidence.points;
+    for (std::size_t y = 0; y < exact.size(); ++y)
+      if (read[y] != exact[y])
+        evidence.largest_error =
+            std::max(evidence.largest_error, std::abs(read[y] - exact[y]) / std::abs(exact[y]));
+  }
+  return evidence;
+}
+
+VariedSeries::Evaluator::Evaluator(const VariedSeries& of, bool by_tables)
+    : state_(std::make_unique<State>(*of.plan_, by_tables)) {}
 VariedSeries::Evaluator::~Evaluator() = default;
 VariedSeries::Evaluator::Evaluator(Evaluator&&) noexcept = default;
 
@@ -121,10 +283,14 @@ Fate VariedSeries::Evaluator::operator()(std::span<const double> values,
     const Series series = state_->tables ? series_compliance(*gear, *state_->tables)
                                          : series_compliance<double>(*gear);
     for (std::size_t y = 0; y < outputs.size(); ++y)
-      outputs[y] = state_->plan.outputs[y]->of(series, gear->load);
+      if (const SeriesOutput* const output = state_->plan.outputs[y].series; output != nullptr)
+        outputs[y] = output->of(series, gear->load);
+    if (state_->margins && !state_->fill_margins(*gear, outputs)) return Fate::unusable;
     return series.usable ? Fate::evaluated : Fate::unusable;
   } catch (const InputError&) {
     return Fate::refused;
+  } catch (const Error&) {
+    return Fate::unusable;
   }
 }
 

@@ -6,15 +6,21 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <set>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
 #include "support/expect.hpp"
 #include "support/random_drive.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -135,6 +141,166 @@ TEST(Batch, IdentityForAnyNumberOfThreads) {
       EXPECT_EQ(one.faults[i].message, other.faults[i].message) << threads;
     }
   }
+}
+
+/// What `evaluate` gives for one row.
+struct SingleRow {
+  RowCode code = RowCode::ok;
+  std::string message;
+  std::vector<double> numbers;
+};
+
+SingleRow single_row(GearSet gear, const std::vector<std::string>& paths,
+                     std::span<const double> values, const std::vector<std::string>& outputs) {
+  SingleRow row{.message = {}, .numbers = std::vector<double>(outputs.size())};
+  try {
+    for (std::size_t i = 0; i < paths.size(); ++i) set_number(gear, paths[i], values[i]);
+    const StiffnessResult result = evaluate(gear, Method::corrected, {.coupled_drive = false});
+    if (!result.usable()) row.code = RowCode::not_usable;
+    for (std::size_t y = 0; y < outputs.size(); ++y) {
+      const auto value = output_named(result, outputs[y]);
+      if (!value)
+        return {RowCode::output_absent, "the result lacks the output " + outputs[y],
+                std::vector<double>(outputs.size())};
+      row.numbers[y] = value->value;
+    }
+    row.message = result.unusable_because;
+  } catch (const InputError& error) {
+    row = {RowCode::refused, error.what(), std::vector<double>(outputs.size())};
+  }
+  return row;
+}
+
+/// The strength margins of a drive, and an output of the sum.
+std::vector<std::string> margins_of(const GearSet& gear) {
+  std::vector<std::string> names;
+  for_each_quantity(evaluate(gear, Method::corrected, {.coupled_drive = false}),
+                    [&](const std::string& name, const Quantity&) {
+                      if (name.find(".strength.") != std::string::npos && !name.ends_with("_size"))
+                        names.push_back(name);
+                    });
+  if (!names.empty()) names.emplace_back("cracked.negative.stiffness");
+  return names;
+}
+
+// Kind: cross-check (FA-4, FA-13).  Source: `evaluate`, which seeks critical sizes and writes
+// sentences too.  All kinds of cracks of the sum, in random drives, both senses of torque.
+// Tolerance: 1e-10, the contract of a batch; the same rows have no answer, for the same reason.
+TEST(Batch, CrosscheckStrengthMargins) {
+  std::set<std::string> kinds;
+  std::map<RowCode, int> codes;
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 40U : 300U); ++seed) {
+    const GearSet gear = test::random_drive(seed);
+    const std::vector<std::string> outputs = margins_of(gear);
+    if (outputs.empty()) continue;
+    for_each_crack(gear, [&](const std::string&, const auto& crack) {
+      kinds.insert(std::string(std::decay_t<decltype(crack)>::kKind));
+    });
+    test::Dice dice(seed);
+    const Material& steel = gear.material.at("steel");
+    std::vector<std::string> paths = {"load.torque", "material.steel.youngs_modulus"};
+    if (steel.fracture_toughness) paths.emplace_back("material.steel.fracture_toughness");
+    if (steel.yield_strength) paths.emplace_back("material.steel.yield_strength");
+    constexpr std::size_t kRows = 4;
+    std::vector<double> values;
+    for (std::size_t row = 0; row < kRows; ++row)
+      for (const std::string& path : paths)
+        values.push_back((row == 3 && path != "load.torque" ? dice.uniform(-0.2, 1.0) : 1.0) *
+                         dice.uniform(0.3, 2) *
+                         (dice.chance(0.3) && path == "load.torque" ? -1 : 1) *
+                         number_at(gear, path).value);
+    const BatchResult result =
+        batch(gear, {.paths = paths, .values = values, .outputs = outputs, .threads = 2});
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const SingleRow expected = single_row(
+          gear, paths, std::span(values).subspan(row * paths.size(), paths.size()), outputs);
+      ++codes[expected.code];
+      ASSERT_EQ(result.codes[row], expected.code)
+          << seed << ", " << row << ": " << expected.message;
+      for (std::size_t y = 0; y < outputs.size(); ++y)
+        test::expect_relative(result.numbers[row * outputs.size() + y], expected.numbers[y], 1e-10);
+      const auto fault = std::ranges::find(result.faults, expected.code, &BatchFault::code);
+      if (fault != result.faults.end() && fault->row == row) {
+        EXPECT_EQ(fault->message, expected.message) << seed;
+      }
+      if (HasFailure()) FAIL() << seed << ", " << row;
+    }
+  }
+  if (test::kSanitized) return;
+  EXPECT_GE(kinds.size(), 6U);
+  for (const RowCode code :
+       {RowCode::ok, RowCode::refused, RowCode::not_usable, RowCode::output_absent})
+    EXPECT_GT(codes[code], 5) << enum_name(code);
+}
+
+// Kind: identity.  Margins have the same bits for any number of threads, with tables for the sum
+// beside them; the result states how far the tables are from the engine.
+TEST(Batch, IdentityMarginsByTablesForAnyNumberOfThreads) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/critical_crack.toml");
+  const std::vector<std::string> paths = {"flexspline.crack[0].half_length",
+                                          "output_shaft.crack[0].depth"};
+  const std::vector<std::string> outputs = {"flexspline.crack[0].strength.reserve",
+                                            "output_shaft.crack[0].strength.utilisation",
+                                            "cracked.positive.stiffness"};
+  const std::size_t rows = test::kSanitized ? 600 : 3000;
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows; ++row) {
+    test::Dice dice(row);
+    values.push_back(dice.uniform(4e-3, 6e-3));
+    values.push_back(dice.uniform(1.5e-3, 2.5e-3));
+  }
+  const auto with = [&](int threads) {
+    return batch(gear, {.paths = paths, .values = values, .outputs = outputs, .threads = threads});
+  };
+  const BatchResult one = with(1);
+  const BatchResult three = with(3);
+  EXPECT_TRUE(same_bits(one.numbers, three.numbers));
+  EXPECT_EQ(one.codes, three.codes);
+  if (test::kSanitized) return;
+  ASSERT_TRUE(one.tables && three.tables);
+  EXPECT_EQ(one.tables->largest_error, three.tables->largest_error);
+  EXPECT_GE(one.tables->cracks, 1);
+  EXPECT_EQ(one.tables->points, 1000);
+  EXPECT_GT(one.tables->largest_error, 0.0);
+  EXPECT_LT(one.tables->largest_error, 1e-10);
+  for (const std::size_t row : {0U, 17U, 2999U}) {
+    const SingleRow expected =
+        single_row(gear, paths, std::span(values).subspan(row * 2, 2), outputs);
+    for (std::size_t y = 0; y < 3; ++y)
+      test::expect_relative(one.numbers[row * 3 + y], expected.numbers[y], 1e-10);
+  }
+}
+
+// Kind: behaviour (ST-22).  A batch whose rows the engine computed states no error of tables.
+TEST(Batch, BehaviourNoErrorOfTablesWithoutTables) {
+  const std::vector<std::string> paths = {"output_shaft.crack[0].depth"};
+  const std::vector<double> values = {1e-3, 2e-3};
+  EXPECT_FALSE(
+      batch(article(), {.paths = paths, .values = values, .outputs = kOutputs}).tables.has_value());
+}
+
+// Kind: input.  A row beyond a [[range]] of the file, or at 0 where a number scatters, is refused
+// as `evaluate` refuses it, also where the plan of the drive could answer.
+TEST(Batch, InputRowsKeepToTheLimitsOfTheFile) {
+  GearSet gear = article();
+  gear.range = {
+      {.path = "output_shaft.crack[0].depth", .lower = "0.1 mm", .upper = "2 mm", .source = {}}};
+  gear.load.axial_force = 100;
+  gear.scatter = {{.path = "load.axial_force",
+                   .relative_standard_deviation = 0.1,
+                   .distribution = ScatterDistribution::normal,
+                   .source = {}}};
+  const std::vector<std::string> paths = {"output_shaft.crack[0].depth", "load.axial_force"};
+  const std::vector<double> values = {1e-3, 50, 3e-3, 50, 1e-3, 0};
+  const BatchResult result = batch(gear, {.paths = paths, .values = values, .outputs = kOutputs});
+  for (std::size_t row = 0; row < 3; ++row)
+    EXPECT_EQ(result.codes[row],
+              single_row(gear, paths, std::span(values).subspan(row * 2, 2), kOutputs).code);
+  EXPECT_EQ(result.codes, (std::vector{RowCode::ok, RowCode::refused, RowCode::refused}));
+  ASSERT_EQ(result.faults.size(), 1U);
+  EXPECT_NE(result.faults[0].message.find("outside of this range from 0.1 mm to 2 mm"),
+            std::string::npos)
+      << result.faults[0].message;
 }
 
 TEST(Batch, InputRefusedRowsHaveCodeZerosAndFirstMessage) {

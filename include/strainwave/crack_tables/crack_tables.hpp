@@ -14,6 +14,7 @@
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/chebyshev_cells.hpp"
 #include "strainwave/crack_tables/similarity.hpp"
+#include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
@@ -61,9 +62,9 @@ class SimilarCracks {
         if (cells) readers_.emplace_back(*cells);
     }
 
-    /// Added compliance under the torque, or under the lobe force.
+    /// Added compliance under each sense of the torque, or under the lobe force.
     /// @return  empty if the tables do not contain this crack, so that the engine must answer
-    [[nodiscard]] std::optional<double> operator()(const Numbers& crack, Faces faces) {
+    [[nodiscard]] std::optional<UnderBothSenses<double>> operator()(const Numbers& crack) {
       if (crack.moduli.anisotropic) return std::nullopt;  // no weight exists for the coupling
       if (Similar::fixed(crack.parameters) != Similar::fixed(of_->first_)) return std::nullopt;
       const Arguments x = Similar::arguments(crack.parameters);
@@ -75,13 +76,25 @@ class SimilarCracks {
         else if (x[i] != of_->constant_[i])
           return std::nullopt;
       }
-      const bool second = Similar::kFacesChangeShape && faces == Faces::pressed;
       ChebyshevCells::Values f{};
-      if (!readers_[second ? 1 : 0](place, f)) return std::nullopt;
-      const auto w = Similar::weights(crack.parameters, crack.moduli, faces);
-      double sum = 0.0;
-      for (std::size_t i = 0; i < kParts; ++i) sum += w[i] * f[i];  // (ST-21)
-      return sum;
+      const auto read = [&](Faces faces) {
+        const bool second = Similar::kFacesChangeShape && faces == Faces::pressed;
+        return readers_[second ? 1 : 0](place, f);
+      };
+      const auto sum = [&](Faces faces) {
+        const auto w = Similar::weights(crack.parameters, crack.moduli, faces);
+        double total = 0.0;
+        for (std::size_t i = 0; i < kParts; ++i) total += w[i] * f[i];  // (ST-21)
+        return total;
+      };
+      if (!read(crack.faces.positive)) return std::nullopt;
+      UnderBothSenses<double> added;
+      added.positive = added.negative = sum(crack.faces.positive);
+      if (crack.faces.differ()) {
+        if (Similar::kFacesChangeShape && !read(crack.faces.negative)) return std::nullopt;
+        added.negative = sum(crack.faces.negative);
+      }
+      return added;
     }
 
    private:
@@ -153,15 +166,16 @@ class CrackTables::Reader {
  public:
   explicit Reader(const CrackTables& tables);
 
-  /// Added compliance of a crack under the torque, or under the lobe force.
+  /// Added compliance of a crack under each sense of the torque, or under the lobe force.
   /// @param index  of the crack, in the order of `for_each_series_crack`
   /// @return       empty if the engine must answer
   template <class Solution>
-  [[nodiscard]] std::optional<double> operator()(std::size_t index,
-                                                 const CrackNumbers<Solution>& crack, Faces faces) {
+  [[nodiscard]] std::optional<UnderBothSenses<double>> operator()(
+      std::size_t index, const CrackNumbers<Solution>& crack) {
     if (index >= readers_.size()) return std::nullopt;
     auto* const reader = std::get_if<typename SimilarCracks<Solution>::Reader>(&readers_[index]);
-    return reader == nullptr ? std::nullopt : (*reader)(crack, faces);
+    if (reader == nullptr) return std::nullopt;
+    return (*reader)(crack);
   }
 
   /// Ellipses of the contacts of balls, which most studies do not vary.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/method.hpp"
+#include "strainwave/study/table_evidence.hpp"
 
 /// @file
 /// Many evaluations of one drive with different numbers.
@@ -59,12 +61,15 @@ struct BatchResult {
   std::vector<RowCode> codes;  ///< shape (n)
   /// one for each code that occurs except ok, in the order of RowCode
   std::vector<BatchFault> faults;
+  /// Error of the tables that the rows read (ST-22); absent if the engine computed all rows.
+  std::optional<TableEvidence> tables = {};
 };
 
 /// Evaluates a drive for each row of values.  The numbers equal those of `evaluate`: within 1e-10
-/// if all outputs are those of the sum of the members and tables of the cracks save time for this
-/// number of rows (ST-22), otherwise bit for bit.  They have the same bits for any number of
-/// threads.
+/// if all outputs are those of the sum of the members or strength margins, and tables of the cracks
+/// save time for this number of rows (ST-22), otherwise bit for bit.  They have the same bits for
+/// any number of threads.  Outputs of these two kinds take a plan of the drive; a row to which the
+/// plan has no answer takes `evaluate`, which gives its code and the reason.
 ///
 /// @throws InputError  before any work, if no number of the drive has the path; if no output of the
 ///                     unchanged drive has the name (the message names near outputs); if a name is

@@ -15,4 +15,13 @@ namespace strainwave {
 /// @throws InputError  if the gear breaks a rule
 [[nodiscard]] std::vector<CrackStrength> crack_reserves(const GearSet& gear);
 
+/// The numbers of crack_reserves alone, for a drive of which only some numbers have changed:
+/// without the check of the input, sentences, notes and equations.
+/// @param gear  has passed `check`
+[[nodiscard]] std::vector<CrackStrength> crack_margins(const GearSet& gear);
+
+/// Whether a material of the drive states a property by which its cracks can be assessed;
+/// otherwise a result has no strength.
+[[nodiscard]] bool strength_is_known(const GearSet& gear);
+
 }  // namespace strainwave

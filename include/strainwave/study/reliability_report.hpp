@@ -10,6 +10,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/require.hpp"
+#include "strainwave/study/table_evidence.hpp"
 
 /// @file
 /// Probability that a drive whose inputs scatter does not meet a requirement.
@@ -126,6 +127,7 @@ struct RequirementReliability {
   std::optional<double> probability = {};           ///< by the trusted road [-]; absent without one
   double low = 0.0;   ///< limits that contain it with 95 % confidence [-]
   double high = 1.0;  ///< upper limit [-]; draws without a usable drive count as failures
+  std::optional<TableEvidence> tables = {};  ///< absent if the engine computed all draws
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -151,6 +153,9 @@ struct RequirementReliability {
     field({"importance_sampling", "", "by draws about the nearest failure"},
           &R::importance_sampling);
     field({"monte_carlo", "", "by plain draws"}, &R::monte_carlo);
+    field(
+        {"tables", "", "error of the tables that the draws read; absent: the engine computed all"},
+        &R::tables);
   }
 };
 
@@ -176,7 +181,8 @@ inline constexpr int kMaxReliabilityDraws = 10'000'000;
 
 /// Draws of a study of reliability.
 struct ReliabilitySettings {
-  /// Plain draws; absent: 200000 for outputs of the sum of the members, 2000 for others.
+  /// Plain draws; absent: 200000 for outputs of the sum of the members, 20000 for strength margins,
+  /// 2000 for others.
   std::optional<int> draws = {};
   std::uint64_t seed = 1;  ///< of the draws
   int threads = 0;         ///< 0: as many as the machine runs; the answer does not depend on it

@@ -11,6 +11,7 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sensitivity.hpp"
 #include "strainwave/study/sobol_report.hpp"
+#include "strainwave/study/table_evidence.hpp"
 
 /// @file
 /// Effect of the scatter of the inputs on stiffness and stiffness loss, by first order and by Monte
@@ -110,7 +111,8 @@ struct Scatter {
   int refused = 0;
   int unusable = 0;  ///< draws beyond the validity of the model
   std::uint64_t seed = 0;
-  std::vector<Note> notes;  ///< remarks on the validity of the results
+  std::optional<TableEvidence> tables;  ///< absent if the engine computed all draws
+  std::vector<Note> notes;              ///< remarks on the validity of the results
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -121,6 +123,9 @@ struct Scatter {
     field({"refused", "", "draws that broke a rule of the input"}, &Scatter::refused);
     field({"unusable", "", "draws beyond the validity of the model"}, &Scatter::unusable);
     field({"seed", "", "seed of the draws"}, &Scatter::seed);
+    field(
+        {"tables", "", "error of the tables that the draws read; absent: the engine computed all"},
+        &Scatter::tables);
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
+#include "strainwave/study/table_evidence.hpp"
 
 /// @file
 /// Shares of the scattering inputs in the variance of outputs, without linearisation.
@@ -92,7 +94,8 @@ struct Sobol {
   int evaluations = 0;  ///< of the drive
   int left_out = 0;     ///< base points at which a drive broke a rule or left the models' range
   std::uint64_t seed = 0;
-  std::vector<Note> notes = {};  ///< remarks on the validity of the shares
+  std::optional<TableEvidence> tables = {};  ///< absent if the engine computed all drives
+  std::vector<Note> notes = {};              ///< remarks on the validity of the shares
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -102,6 +105,9 @@ struct Sobol {
     field({"evaluations", "", "evaluated drives"}, &Sobol::evaluations);
     field({"left_out", "", "base points without a usable drive"}, &Sobol::left_out);
     field({"seed", "", "seed of the scramblings"}, &Sobol::seed);
+    field(
+        {"tables", "", "error of the tables that the drives read; absent: the engine computed all"},
+        &Sobol::tables);
   }
 };
 

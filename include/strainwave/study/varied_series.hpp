@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
+#include "strainwave/study/table_evidence.hpp"
 
 namespace strainwave {
 
@@ -34,8 +36,14 @@ enum class Fate : unsigned char {
   unusable,  ///< it is outside the validity of the model
 };
 
-/// Outputs of the sum of the members for many drives that differ in some numbers: what all threads
-/// share.
+/// Which limits of a file the rows of a study keep to, beside the rules of the drive.
+enum class RowLimits {
+  none,     ///< none: draws may leave the ranges of the file
+  of_file,  ///< those of [[range]] and [[scatter]], as `check` demands
+};
+
+/// Outputs of the sum of the members, and strength margins of cracks, for many drives that differ
+/// in some numbers: what all threads share.
 ///
 /// The same numbers as those of `evaluate`: to the last bit without tables (`prepare`), and within
 /// 1e-10 with them (ST-21, ST-22).
@@ -45,25 +53,41 @@ class VariedSeries {
   using Fill = std::function<void(std::size_t row, std::span<double> values)>;
 
   /// @param gear     has passed `check`; must outlive this object
-  /// @param paths    of numbers of the drive
+  /// @param paths    of numbers of the drive that `can_vary` accepts
   /// @param outputs  names that `covers` accepts
+  /// @param limits   of the file, to which the rows keep
   VariedSeries(const GearSet& gear, const std::vector<std::string>& paths,
-               const std::vector<std::string>& outputs);
+               const std::vector<std::string>& outputs, RowLimits limits = RowLimits::none);
   ~VariedSeries();
   /// Takes over the tables of another object, which must not be used after that.
   VariedSeries(VariedSeries&&) noexcept;
 
-  /// Whether all outputs are those of the sum of the members.
+  /// Whether all outputs are those of the sum of the members, or strength margins of cracks: the
+  /// numbers of a strength apart from critical sizes.
   [[nodiscard]] static bool covers(std::span<const std::string> outputs);
+  /// Whether all outputs are those of the sum of the members.
+  [[nodiscard]] static bool of_sum(std::span<const std::string> outputs);
+  /// Whether all paths are of numbers of the drive, not of its ranges, scatters or inspection.
+  [[nodiscard]] static bool can_vary(std::span<const std::string> paths);
 
   /// Prepares tables of the cracks, where they save time for this number of rows.
   void prepare(std::size_t rows, const Fill& fill);
+
+  /// Compares the tables with the engine at random rows; absent if no output read a table.  Asks
+  /// for the same rows on every machine.
+  /// @param rows  as in `prepare`
+  [[nodiscard]] std::optional<TableEvidence> table_evidence(std::size_t rows,
+                                                            const Fill& fill) const;
+  /// Largest number of rows at which tables and engine are compared: 10 ms.
+  static constexpr std::size_t kEvidencePoints = 1000;
 
   /// Evaluates drives for one thread.
   class Evaluator {
    public:
     /// Takes the tables that the series has by now.  The series must outlive the evaluator.
-    explicit Evaluator(const VariedSeries& of);
+    explicit Evaluator(const VariedSeries& of) : Evaluator(of, true) {}
+    /// @param by_tables  false: the engine alone answers
+    Evaluator(const VariedSeries& of, bool by_tables);
     ~Evaluator();
     /// Takes over the state of another evaluator, which must not be used after that.
     Evaluator(Evaluator&&) noexcept;

@@ -22,8 +22,8 @@ struct ReliabilityOptions {
           &ReliabilityOptions::require);
     field({.name = "draws",
            .unit = "",
-           .doc = "plain draws; by default 200000 for an output of the sum of the members and 2000 "
-                  "for any other",
+           .doc = "plain draws; by default 200000 for an output of the sum of the members, 20000 "
+                  "for a strength margin and 2000 for any other",
            .range = {.lower = 2,
                      .lower_open = false,
                      .upper = kMaxReliabilityDraws,

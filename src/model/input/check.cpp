@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lazy_path.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -27,23 +28,23 @@
 namespace strainwave {
 namespace {
 
-void check_tube(const FieldPath& path, const TubeSection& tube) {
+void check_tube(const LazyPath& path, const TubeSection& tube) {
   require(tube.wall_thickness < tube.outer_diameter / 2, path / "wall_thickness",
           tube.wall_thickness, "m", "wall_thickness < outer_diameter/2");
 }
 
-void check_temperatures(const FieldPath& path, const std::optional<std::array<double, 2>>& range) {
+void check_temperatures(const LazyPath& path, const std::optional<std::array<double, 2>>& range) {
   if (range)
     require((*range)[0] <= (*range)[1], path, (*range)[1], "K",
             "not below the first one of the pair");
 }
 
-void check_one_line(const FieldPath& path, std::string_view field, std::string_view text) {
+void check_one_line(const LazyPath& path, std::string_view field, std::string_view text) {
   if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
     throw InputError((path / field).text(), "must be one line, without control characters");
 }
 
-void check_growth_scatter(const FieldPath& path, const GrowthScatter& scatter) {
+void check_growth_scatter(const LazyPath& path, const GrowthScatter& scatter) {
   check_one_line(path, "source", scatter.source);
   const auto needs = [&](bool given, const char* field, bool other, std::string_view name) {
     if (given && !other)
@@ -70,7 +71,7 @@ void check_growth_scatter(const FieldPath& path, const GrowthScatter& scatter) {
         "must be given beside white, whose deviation is that of a step of this length");
 }
 
-void check_material(const FieldPath& path, const Material& material) {
+void check_material(const LazyPath& path, const Material& material) {
   try {
     if (material.is_isotropic()) (void)elastic_constants(material);
   } catch (const InputError& error) {
@@ -93,9 +94,9 @@ void check_material(const FieldPath& path, const Material& material) {
     }
   }
   if (material.fatigue)
-    check_temperatures(path / "fatigue" / "temperature", material.fatigue->temperature);
+    check_temperatures(path / "fatigue.temperature", material.fatigue->temperature);
   if (const auto& bounds = material.growth_bounds) {
-    check_temperatures(path / "growth_bounds" / "temperature", bounds->temperature);
+    check_temperatures(path / "growth_bounds.temperature", bounds->temperature);
     if (const auto& R = bounds->stress_ratio)
       require((*R)[0] <= (*R)[1], path / "growth_bounds.stress_ratio", (*R)[1], "1",
               "not below the first one of the pair");
@@ -114,7 +115,7 @@ void check_material(const FieldPath& path, const Material& material) {
 }
 
 template <class Moving>
-void check_speed(const FieldPath& at, const Moving& moving) {
+void check_speed(const LazyPath& at, const Moving& moving) {
   if (moving.output_speed && moving.input_speed)
     throw InputError((at / "input_speed").text(), "must not be given beside output_speed");
   if (!moving.output_speed && !moving.input_speed)
@@ -122,14 +123,15 @@ void check_speed(const FieldPath& at, const Moving& moving) {
 }
 
 void check_duty(const Duty& duty) {
-  const FieldPath at("duty");
+  const LazyPath blocks("duty.block");
+  const LazyPath peaks("duty.peak");
   if (duty.history && !duty.block.empty())
     throw InputError("duty.history", "must not be given beside [[duty.block]]");
   if (!duty.history && duty.block.empty())
     throw InputError("duty.block", "must be given, or duty.history");
-  for (std::size_t i = 0; i < duty.block.size(); ++i) check_speed((at / "block")[i], duty.block[i]);
+  for (std::size_t i = 0; i < duty.block.size(); ++i) check_speed(blocks[i], duty.block[i]);
   for (std::size_t i = 0; i < duty.peak.size(); ++i) {
-    const FieldPath peak = (at / "peak")[i];
+    const LazyPath peak = peaks[i];
     check_speed(peak, duty.peak[i]);
     require(duty.peak[i].interval >= duty.peak[i].duration, peak / "interval",
             duty.peak[i].interval, "s", "not shorter than the peak's duration");
@@ -164,9 +166,9 @@ void check_drivetrain(const GearSet& gear) {
   if (of.error_table && !gear.error_table)
     throw InputError("drivetrain.error_table",
                      fmt::format("\"{}\" has not been read", shown(*of.error_table)));
-  if (of.friction) require_constants(*of.friction, FieldPath("drivetrain") / "friction");
+  if (of.friction) require_constants(*of.friction, FieldPath("drivetrain.friction"));
   if (of.load_friction) {
-    const FieldPath at = FieldPath("drivetrain") / "load_friction";
+    const FieldPath at("drivetrain.load_friction");
     require_constants(*of.load_friction, at);
     for (const auto& [given, field] :
          {std::pair{of.load_friction->load_coulomb != 0, "load_coulomb"},
@@ -178,11 +180,11 @@ void check_drivetrain(const GearSet& gear) {
   }
   if (of.servo)
     require_constants(*of.servo, of.motor_inertia + of.wave_generator_inertia.value_or(0.0),
-                      FieldPath("drivetrain") / "servo");
+                      LazyPath("drivetrain") / "servo");
 }
 
 /// A motor with a limit must be able to speed up itself and the load that hangs on it.
-void check_reachable(const GearSet& gear, const FieldPath& at, double before,
+void check_reachable(const GearSet& gear, const LazyPath& at, double before,
                      const Manoeuvre& piece) {
   const Drivetrain& train = *gear.drivetrain;
   if (!train.servo || train.gravity_torque != 0) return;
@@ -209,7 +211,7 @@ void check_reachable(const GearSet& gear, const FieldPath& at, double before,
 }
 
 void check_manoeuvres(const GearSet& gear) {
-  const FieldPath pieces("manoeuvre");
+  const LazyPath pieces("manoeuvre");
   double time = 0.0;
   double before = 0.0;  // speed at the beginning of the piece
   bool loaded = false;  // an external torque may help the motor
@@ -218,7 +220,7 @@ void check_manoeuvres(const GearSet& gear) {
                      "needs [drivetrain], the inertias that the manoeuvres move; give it");
   for (std::size_t i = 0; i < gear.manoeuvre.size(); ++i) {
     const Manoeuvre& piece = gear.manoeuvre[i];
-    const FieldPath at = pieces[i];
+    const LazyPath at = pieces[i];
     require(time + piece.duration > time, at / "duration", piece.duration, "s",
             "long enough to move the time of the pieces before");
     time += piece.duration;
@@ -248,11 +250,11 @@ void check_manoeuvres(const GearSet& gear) {
 
 // Rules of the cracks.  Each kind has an overload of check_crack.
 
-void need(bool given, std::string_view field, const FieldPath& at, std::string_view why) {
+void need(bool given, std::string_view field, const LazyPath& at, std::string_view why) {
   if (!given) throw InputError(field, fmt::format("must be given for {}{}", at.text(), why));
 }
 
-void check_depth(const FieldPath& at, double depth, double thickness, std::string_view rule) {
+void check_depth(const LazyPath& at, double depth, double thickness, std::string_view rule) {
   require(clearly_less(depth, thickness), at / "depth", depth, "m", rule);
 }
 
@@ -263,26 +265,30 @@ void check_waves_that_bend(const GearSet& gear) {
 
 /// Checks the fields that all cracks of the inner ring share: depth and stress.
 template <class Crack>
-void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
+void check_race_crack(const LazyPath& at, const GearSet& gear, const Crack& crack) {
   const WaveGenerator& wg = *gear.wave_generator;
   const StressDriver driver = crack.stress_driver;
   need(wg.inner_ring_thickness.has_value(), "wave_generator.inner_ring_thickness", at,
        " (inner ring thickness t_i [m])");
   check_depth(at, crack.depth, *wg.inner_ring_thickness, "depth < inner_ring_thickness");
-  const std::string driver_is =
-      fmt::format(" (stress_driver = \"{}\" needs it)", enum_name(driver));
+  const auto need_of_driver = [&](bool given, const LazyPath& field) {
+    if (given) return;
+    need(false, field.text(), at,
+         fmt::format(" (stress_driver = \"{}\" needs it)", enum_name(driver)));
+  };
   switch (driver) {
     case StressDriver::orthogonal_shear:
     case StressDriver::contact_edge:
-      need(wg.contact_semi_axes || wg.bearing, "wave_generator.contact_semi_axes", at, driver_is);
+      need_of_driver(wg.contact_semi_axes || wg.bearing,
+                     LazyPath("wave_generator.contact_semi_axes"));
       break;
     case StressDriver::ring_bending:
-      need(wg.inner_ring_width.has_value(), "wave_generator.inner_ring_width", at, driver_is);
-      need(wg.inner_ring_mean_radius.has_value(), "wave_generator.inner_ring_mean_radius", at,
-           driver_is);
+      need_of_driver(wg.inner_ring_width.has_value(), LazyPath("wave_generator.inner_ring_width"));
+      need_of_driver(wg.inner_ring_mean_radius.has_value(),
+                     LazyPath("wave_generator.inner_ring_mean_radius"));
       break;
     case StressDriver::given:
-      need(crack.stress.has_value(), (at / "stress").text(), at, driver_is);
+      need_of_driver(crack.stress.has_value(), at / "stress");
       break;
   }
   if (crack.stress && driver != StressDriver::given)
@@ -295,7 +301,7 @@ void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& cra
 /// A crack of the inner ring lies across the hoop stress that opens it, so its length runs along
 /// the axis of the drive, over the width of the ring.  If the file gives no width, assume that the
 /// ring is not wider than its circumference.
-void check_length_in_ring(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
+void check_length_in_ring(const LazyPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
   const WaveGenerator& wg = *gear.wave_generator;
   const double length = 2 * crack.depth / crack.aspect_ratio;
   const double radius = wg.inner_ring_mean_radius ? *wg.inner_ring_mean_radius
@@ -312,13 +318,13 @@ void check_length_in_ring(const FieldPath& at, const GearSet& gear, const RaceSu
                                       : "round (no inner_ring_width is given)"));
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
   check_race_crack(at, gear, crack);
   check_length_in_ring(at, gear, crack);
   if (crack.stress_driver == StressDriver::ring_bending) check_waves_that_bend(gear);
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const RaceEdgeCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const RaceEdgeCrack& crack) {
   check_race_crack(at, gear, crack);
   if (!gear.wave_generator->inner_ring_width)
     throw InputError("wave_generator.inner_ring_width",
@@ -326,7 +332,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const RaceEdgeCrack& 
   if (crack.stress_driver == StressDriver::ring_bending) check_waves_that_bend(gear);
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const OuterRaceCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const OuterRaceCrack& crack) {
   const auto& bearing = gear.wave_generator->bearing;
   need(bearing && bearing->outer_ring, "wave_generator.bearing.outer_ring", at,
        " (the ring that it is in)");
@@ -334,24 +340,24 @@ void check_crack(const FieldPath& at, const GearSet& gear, const OuterRaceCrack&
               "depth < wave_generator.bearing.outer_ring.thickness");
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const RimAxialCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const RimAxialCrack& crack) {
   const auto& rim = gear.flexspline->rim;
   need(rim.has_value(), "flexspline.rim", at, " (the ring that it is in)");
   check_depth(at, crack.depth, rim->wall_thickness, "depth < flexspline.rim.wall_thickness");
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const CircularSplineRingCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const CircularSplineRingCrack& crack) {
   const CircularSpline& ring = *gear.circular_spline;
   check_depth(at, crack.depth, (ring.outer_diameter - ring.inner_diameter) / 2,
               "depth < (outer_diameter - inner_diameter)/2");
 }
 
-void check_crack(const FieldPath&, const GearSet&, const ToothCrack&) {
+void check_crack(const LazyPath&, const GearSet&, const ToothCrack&) {
 }  // its Ranges are its only rules
 
 /// Refuses a row whose cracks touch: they lie on one line, and each is as long as the pitch.
 /// @param round  length of the row [m]
-void check_row(const FieldPath& at, double half_length, double angle, int count, double round) {
+void check_row(const LazyPath& at, double half_length, double angle, int count, double round) {
   require(kCrackCountField.range.contains(count), at / "count", count, "1",
           rule_text(kCrackCountField.range));
   constexpr double kOneLine = 1e-9;  // cosine of a crack along the row [-]
@@ -363,7 +369,7 @@ void check_row(const FieldPath& at, double half_length, double angle, int count,
 }
 
 /// Refuses a table of one crack for a row.
-void require_alone(const FieldPath& at, bool given, int count) {
+void require_alone(const LazyPath& at, bool given, int count) {
   if (given)
     throw InputError(at.text(), fmt::format("is of one crack, but count is {}; leave out the table "
                                             "or give count = 1",
@@ -372,12 +378,12 @@ void require_alone(const FieldPath& at, bool given, int count) {
 
 // A crack of the diaphragm must lie on it, and must not be deeper or longer than it.
 
-const Diaphragm& diaphragm_for(const FieldPath& at, const GearSet& gear) {
+const Diaphragm& diaphragm_for(const LazyPath& at, const GearSet& gear) {
   need(gear.flexspline->diaphragm.has_value(), "flexspline.diaphragm", at, "");
   return *gear.flexspline->diaphragm;
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmArcCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const DiaphragmArcCrack& crack) {
   const Diaphragm& diaphragm = diaphragm_for(at, gear);
   const double radius = crack.radius.value_or(diaphragm.inner_diameter / 2);
   require(radius >= diaphragm.inner_diameter / 2 && radius < diaphragm.outer_diameter / 2,
@@ -389,7 +395,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmArcCra
           "2 half_length < circumference at its radius");
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove& groove) {
+void check_crack(const LazyPath& at, const GearSet& gear, const DiaphragmGroove& groove) {
   const Diaphragm& diaphragm = diaphragm_for(at, gear);
   const double inner = groove.radius - groove.width / 2;
   const double outer = groove.radius + groove.width / 2;
@@ -412,7 +418,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove
 /// circumference.
 /// @return  thickness of the wall [m]
 template <class Crack>
-double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
+double check_wall_crack(const LazyPath& at, const GearSet& gear, const Crack& crack) {
   const Flexspline& fs = *gear.flexspline;
   double wall = fs.ring_thickness();
   double length = fs.tube_length();
@@ -450,23 +456,23 @@ double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& c
   return wall;
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const WallThroughCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const WallThroughCrack& crack) {
   (void)check_wall_crack(at, gear, crack);
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const WallSurfaceCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const WallSurfaceCrack& crack) {
   check_depth(at, crack.depth, check_wall_crack(at, gear, crack), "depth < wall_thickness");
   require(crack.depth <= crack.half_length, at / "half_length", crack.half_length, "m",
           "half_length >= depth");
 }
 
-void check_depth_in_shaft(const FieldPath& at, const OutputShaft& shaft, double depth) {
+void check_depth_in_shaft(const LazyPath& at, const OutputShaft& shaft, double depth) {
   check_depth(at, depth, (shaft.outer_diameter - shaft.inner_diameter) / 2,
               shaft.solid() ? "depth < outer_diameter/2"
                             : "depth < (outer_diameter - inner_diameter)/2, the wall");
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const AnnularCrack& crack) {
   const OutputShaft& shaft = *gear.output_shaft;
   check_depth_in_shaft(at, shaft, crack.depth);
   if (crack.solution == AnnularSolution::tada && !shaft.solid())
@@ -477,7 +483,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& c
             "distance < length of the shaft");
 }
 
-void check_crack(const FieldPath& at, const GearSet& gear, const ShaftSurfaceCrack& crack) {
+void check_crack(const LazyPath& at, const GearSet& gear, const ShaftSurfaceCrack& crack) {
   const OutputShaft& shaft = *gear.output_shaft;
   check_depth_in_shaft(at, shaft, crack.depth);
   require(crack.depth <= crack.half_length, at / "half_length", crack.half_length, "m",
@@ -488,7 +494,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const ShaftSurfaceCra
 
 /// Checks that cracks of one ring do not soften the same length (TC-22).
 template <class Crack, class Cracks>
-void check_hinges(const FieldPath& path, const Cracks& cracks, double thickness,
+void check_hinges(const LazyPath& path, const Cracks& cracks, double thickness,
                   double mean_radius) {
   const double length = Crack::softened_length(thickness);
   for (std::size_t i = 0; i < cracks.size(); ++i)
@@ -603,7 +609,7 @@ bool same(const T& a, const T& b) {
 }
 
 /// Refuses a crack of the flexspline's wall that repeats another one without saying where it lies.
-void check_repeated(const FieldPath& path, const std::vector<FlexsplineCrack>& cracks) {
+void check_repeated(const LazyPath& path, const std::vector<FlexsplineCrack>& cracks) {
   for (std::size_t i = 0; i < cracks.size(); ++i)
     for (std::size_t other = 0; other < i; ++other)
       std::visit(
@@ -620,7 +626,7 @@ void check_repeated(const FieldPath& path, const std::vector<FlexsplineCrack>& c
 }
 
 /// Refuses cracks of the flexspline's wall that touch or cross.
-void check_apart(const FieldPath& path, const GearSet& gear) {
+void check_apart(const LazyPath& path, const GearSet& gear) {
   const auto& cracks = gear.flexspline->crack;
   for (std::size_t i = 0; i < cracks.size(); ++i)
     for (std::size_t other = 0; other < i; ++other) {
@@ -640,15 +646,15 @@ void check_apart(const FieldPath& path, const GearSet& gear) {
 }
 
 template <class Cracks>
-void check_cracks(const GearSet& gear, const FieldPath& member, const Cracks& cracks) {
+void check_cracks(const GearSet& gear, const LazyPath& member, const Cracks& cracks) {
+  const LazyPath list = member / "crack";
   for (std::size_t i = 0; i < cracks.size(); ++i)
-    std::visit([&](const auto& crack) { check_crack((member / "crack")[i], gear, crack); },
-               cracks[i]);
+    std::visit([&](const auto& crack) { check_crack(list[i], gear, crack); }, cracks[i]);
 }
 
 /// Checks that the balls fit side by side on the pitch circle, and that no more balls carry a lobe
 /// than there are.
-void check_balls(const FieldPath& path, const Bearing& bearing) {
+void check_balls(const LazyPath& path, const Bearing& bearing) {
   if (!bearing.ball_count) return;
   const int count = *bearing.ball_count;
   const double pitch_radius = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 4;
@@ -665,7 +671,7 @@ void check_balls(const FieldPath& path, const Bearing& bearing) {
 
 /// Checks that a ring of the bearing is at least as wide as the groove of a ball, which is half of
 /// the ball's diameter.
-void check_groove(const FieldPath& path, double width, const Bearing& bearing) {
+void check_groove(const LazyPath& path, double width, const Bearing& bearing) {
   require(!clearly_less(width, bearing.ball_diameter / 2), path, width, "m", [&] {
     return fmt::format(
         ">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a "
@@ -675,7 +681,7 @@ void check_groove(const FieldPath& path, double width, const Bearing& bearing) {
 }
 
 /// A cam has the numbers of its own profile and no others.
-void check_cam(const GearSet& gear, const Cam& cam, const FieldPath& path) {
+void check_cam(const GearSet& gear, const Cam& cam, const LazyPath& path) {
   const auto belongs = [&](CamProfile profile, bool given, const char* field) {
     const std::string_view own = EnumNames<CamProfile>::names[static_cast<std::size_t>(profile)];
     if (given == (cam.profile == profile)) return;
@@ -692,7 +698,7 @@ void check_cam(const GearSet& gear, const Cam& cam, const FieldPath& path) {
     throw InputError("wave_generator.cam_flattening",
                      "is a second shape of the cam; give only one of cam_flattening and cam");
   const CamShape shape = cam_shape(wg);
-  check(shape, gear.drive.radial_displacement, gear.drive.pitch_diameter / 2, path);
+  check(shape, gear.drive.radial_displacement, gear.drive.pitch_diameter / 2, path.path());
   if (wg.cam_perimeter_excess && !follows_perimeter(shape))
     throw InputError("wave_generator.cam_perimeter_excess",
                      "must be left out, because the heights of the cam are given by its profile");
@@ -700,7 +706,7 @@ void check_cam(const GearSet& gear, const Cam& cam, const FieldPath& path) {
 
 void check_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
-  const FieldPath path("wave_generator");
+  const LazyPath path("wave_generator");
   (void)material_of(gear, wg.material, path / "material");
   const int sources = int{wg.radial_stiffness.has_value()} + int{wg.displacements.has_value()} +
                       int{wg.bearing.has_value()};
@@ -714,13 +720,13 @@ void check_wave_generator(const GearSet& gear) {
         "displacements, bearing");
   if (wg.displacements) {
     const LobeDisplacements& d = *wg.displacements;
-    require(d.bearing + d.cam + d.shaft > 0, path / "displacements" / "bearing", d.bearing, "m",
+    require(d.bearing + d.cam + d.shaft > 0, path / "displacements.bearing", d.bearing, "m",
             "bearing + cam + shaft > 0");
   }
   if (wg.contact_semi_axes) {
     const double a = (*wg.contact_semi_axes)[0];
     const double b = (*wg.contact_semi_axes)[1];
-    require(b <= a, (path / "contact_semi_axes")[1], b, "m", "second semi-axis <= first semi-axis");
+    require(b <= a, path / "contact_semi_axes[1]", b, "m", "second semi-axis <= first semi-axis");
     if (wg.inner_ring_width)
       require(!clearly_less(*wg.inner_ring_width, 2 * b), path / "inner_ring_width",
               *wg.inner_ring_width, "m", [&] {
@@ -742,7 +748,7 @@ void check_wave_generator(const GearSet& gear) {
             });
   }
   if (wg.bearing) {
-    const FieldPath bearing = path / "bearing";
+    const LazyPath bearing = path / "bearing";
     require(wg.bearing->outer_raceway_diameter > wg.bearing->inner_raceway_diameter,
             bearing / "outer_raceway_diameter", wg.bearing->outer_raceway_diameter, "m",
             "outer_raceway_diameter > inner_raceway_diameter");
@@ -763,9 +769,9 @@ void check_wave_generator(const GearSet& gear) {
       check_groove(path / "inner_ring_width", *wg.inner_ring_width, *wg.bearing);
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
-      require(ring.thickness < ring.mean_radius, bearing / "outer_ring" / "thickness",
-              ring.thickness, "m", "thickness < mean_radius");
-      check_groove(bearing / "outer_ring" / "width", ring.width, *wg.bearing);
+      require(ring.thickness < ring.mean_radius, bearing / "outer_ring.thickness", ring.thickness,
+              "m", "thickness < mean_radius");
+      check_groove(bearing / "outer_ring.width", ring.width, *wg.bearing);
       check_waves_that_bend(gear);
     }
   }
@@ -775,12 +781,14 @@ void check_wave_generator(const GearSet& gear) {
                                  wg.bearing->outer_ring->mean_radius);
 }
 
-void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
+void check_diaphragm(const LazyPath& path, const Diaphragm& diaphragm) {
   require(diaphragm.inner_diameter < diaphragm.outer_diameter, path / "inner_diameter",
           diaphragm.inner_diameter, "m", "inner_diameter < outer_diameter");
   double last = 0.0;
+  const LazyPath stations = path / "profile";
   for (std::size_t i = 0; i < diaphragm.profile.size(); ++i) {
-    const FieldPath at = (path / "profile")[i] / "radius";
+    const LazyPath station = stations[i];
+    const LazyPath at = station / "radius";
     const double r = diaphragm.profile[i].radius;
     require(r > last, at, r, "m", "radius > that of the station before");
     require(r >= diaphragm.inner_diameter / 2 && clearly_less(r, diaphragm.outer_diameter / 2), at,
@@ -790,7 +798,7 @@ void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
 }
 
 /// Refuses cracks of the diaphragm at the same place.
-void check_overlaps(const FieldPath& path, const Flexspline& fs) {
+void check_overlaps(const LazyPath& path, const Flexspline& fs) {
   for (std::size_t i = 0; i < fs.crack.size(); ++i)
     for (std::size_t other = 0; other < i; ++other) {
       // The range of radii that a groove or an arc takes.
@@ -827,7 +835,7 @@ bool can_join(double diameter, double other) {
 }
 
 /// Checks that a cup has its diaphragm inside of the barrel, and a hat outside.
-void check_side_of_diaphragm(const FieldPath& path, const Flexspline& fs) {
+void check_side_of_diaphragm(const LazyPath& path, const Flexspline& fs) {
   const Diaphragm& plate = *fs.diaphragm;
   const double barrel = fs.barrel->outer_diameter;
   const bool outside =
@@ -844,11 +852,11 @@ void check_side_of_diaphragm(const FieldPath& path, const Flexspline& fs) {
 }
 
 /// Checks that rim, barrel and diaphragm can be one body.
-void check_joints(const FieldPath& path, const Flexspline& fs) {
+void check_joints(const LazyPath& path, const Flexspline& fs) {
   const double barrel = fs.barrel->outer_diameter;
   if (fs.rim)
-    require(can_join(barrel, fs.rim->outer_diameter), path / "barrel" / "outer_diameter", barrel,
-            "m", [&] {
+    require(can_join(barrel, fs.rim->outer_diameter), path / "barrel.outer_diameter", barrel, "m",
+            [&] {
               return fmt::format(
                   "within {:.4g} % of rim.outer_diameter, {:.4g} mm, because the barrel "
                   "joins the rim",
@@ -858,8 +866,8 @@ void check_joints(const FieldPath& path, const Flexspline& fs) {
   check_side_of_diaphragm(path, fs);
   const bool hat = fs.shape == FlexsplineShape::hat;
   const double edge = hat ? fs.diaphragm->inner_diameter : fs.diaphragm->outer_diameter;
-  require(can_join(edge, barrel), path / "diaphragm" / (hat ? "inner_diameter" : "outer_diameter"),
-          edge, "m", [&] {
+  require(can_join(edge, barrel),
+          path / (hat ? "diaphragm.inner_diameter" : "diaphragm.outer_diameter"), edge, "m", [&] {
             return fmt::format(
                 "within {:.4g} % of barrel.outer_diameter, {:.4g} mm, because the "
                 "diaphragm joins the barrel",
@@ -873,7 +881,7 @@ constexpr double kMostRootDistance = 4;
 constexpr double kMostRootShift = 1;
 
 /// Checks that the rim ends at the roots of the teeth.
-void check_rim_at_teeth(const FieldPath& path, const GearSet& gear, const TubeSection& rim) {
+void check_rim_at_teeth(const LazyPath& path, const GearSet& gear, const TubeSection& rim) {
   const Transmission& drive = gear.drive;
   const double module = drive.pitch_diameter / (drive.wave_number * drive.ratio);
   const double least = drive.pitch_diameter - 2 * kMostRootDistance * module;
@@ -887,7 +895,7 @@ void check_rim_at_teeth(const FieldPath& path, const GearSet& gear, const TubeSe
 
 void check_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
-  const FieldPath path("flexspline");
+  const LazyPath path("flexspline");
   (void)material_of(gear, fs.material, path / "material");
   if (fs.wall_thickness)
     require(*fs.wall_thickness < gear.drive.pitch_diameter / 2, path / "wall_thickness",
@@ -944,7 +952,7 @@ void check_flexspline(const GearSet& gear) {
 
 void check_circular_spline(const GearSet& gear) {
   const CircularSpline& ring = *gear.circular_spline;
-  const FieldPath path("circular_spline");
+  const LazyPath path("circular_spline");
   (void)material_of(gear, ring.material, path / "material");
   require(ring.inner_diameter < ring.outer_diameter, path / "inner_diameter", ring.inner_diameter,
           "m", "inner_diameter < outer_diameter");
@@ -962,7 +970,7 @@ void check_rating(const Rating& rating) {
 }
 
 /// The number that the entry at `path` names in its field `path`.
-NumberAt number_named(const GearSet& gear, const FieldPath& path, const std::string& named) {
+NumberAt number_named(const GearSet& gear, const LazyPath& path, const std::string& named) {
   try {
     return number_at(gear, named);
   } catch (const InputError& error) {
@@ -973,7 +981,7 @@ NumberAt number_named(const GearSet& gear, const FieldPath& path, const std::str
 }
 
 /// Refuses the numbers that tell how others vary.
-void require_of_drive(const FieldPath& path, std::string_view named) {
+void require_of_drive(const LazyPath& path, std::string_view named) {
   for (const std::string_view list : {"range[", "scatter[", "correlation["})
     if (named.starts_with(list))
       throw InputError((path / "path").text(),
@@ -985,7 +993,7 @@ void require_of_drive(const FieldPath& path, std::string_view named) {
                      "remove this entry");
 }
 
-void check_range(const GearSet& gear, const FieldPath& path, const InputRange& range) {
+void check_range(const GearSet& gear, const LazyPath& path, const InputRange& range) {
   check_one_line(path, "path", range.path);
   check_one_line(path, "source", range.source);
   const NumberAt number = number_named(gear, path, range.path);
@@ -1006,7 +1014,7 @@ void check_range(const GearSet& gear, const FieldPath& path, const InputRange& r
 }
 
 /// Checks that a scatter has what its distribution needs, and nothing else.
-void check_distribution(const FieldPath& path, const InputScatter& scatter) {
+void check_distribution(const LazyPath& path, const InputScatter& scatter) {
   const bool table = scatter.distribution == ScatterDistribution::table;
   if (table != !scatter.quantile.empty())
     throw InputError((path / "quantile").text(),
@@ -1020,7 +1028,7 @@ void check_distribution(const FieldPath& path, const InputScatter& scatter) {
                            : "must be given");
   if (!table) return;
   const std::vector<ScatterQuantile>& points = scatter.quantile;
-  const FieldPath list = path / "quantile";
+  const LazyPath list = path / "quantile";
   if (points.size() < 2)
     throw InputError(list.text(), "needs at least two entries, of probability 0 and 1");
   for (const auto& [i, end] : {std::pair<std::size_t, double>{0, 0.0}, {points.size() - 1, 1.0}})
@@ -1038,7 +1046,8 @@ void check_distribution(const FieldPath& path, const InputScatter& scatter) {
 
 void check_scatter(const GearSet& gear, std::size_t which) {
   const InputScatter& scatter = gear.scatter[which];
-  const FieldPath path = FieldPath("scatter")[which];
+  const LazyPath list("scatter");
+  const LazyPath path = list[which];
   check_one_line(path, "path", scatter.path);
   check_one_line(path, "source", scatter.source);
   const NumberAt number = number_named(gear, path, scatter.path);
@@ -1063,7 +1072,8 @@ void check_scatter(const GearSet& gear, std::size_t which) {
 
 void check_correlation(const GearSet& gear, std::size_t which) {
   const InputCorrelation& pair = gear.correlation[which];
-  const FieldPath path = FieldPath("correlation")[which];
+  const LazyPath list("correlation");
+  const LazyPath path = list[which];
   check_one_line(path, "source", pair.source);
   for (std::size_t i = 0; i < pair.paths().size(); ++i) {
     const std::string_view key = InputCorrelation::kPathKeys.at(i);
@@ -1090,7 +1100,7 @@ void check_correlation(const GearSet& gear, std::size_t which) {
 
 /// Checks that an inspection has what its method needs, and nothing else.
 void check_method(const Inspection& inspection) {
-  const FieldPath path("inspection");
+  const LazyPath path("inspection");
   const bool measured = is_measurement(inspection.method);
   const auto needed = [&](std::string_view field, bool given, bool by_measurement) {
     if (given && by_measurement != measured)
@@ -1126,7 +1136,7 @@ void check_method(const Inspection& inspection) {
 
 void check_inspection(const GearSet& gear) {
   const Inspection& inspection = *gear.inspection;
-  const FieldPath path("inspection");
+  const LazyPath path("inspection");
   check_method(inspection);
   const bool repairs = inspection.find == FindLeadsTo::repair;
   if (repairs != inspection.repaired_to.has_value())
@@ -1136,8 +1146,9 @@ void check_inspection(const GearSet& gear) {
   if (inspection.place.empty()) return;
   std::vector<std::string> cracks;
   for_each_crack(gear, [&](const CrackPath& crack, const auto&) { cracks.push_back(crack); });
+  const LazyPath places = path / "place";
   for (std::size_t i = 0; i < inspection.place.size(); ++i) {
-    const FieldPath at = (path / "place")[i];
+    const LazyPath at = places[i];
     const std::string& crack = inspection.place[i].crack;
     check_one_line(at, "crack", crack);
     if (std::ranges::find(cracks, crack) == cracks.end())
@@ -1154,7 +1165,7 @@ void check_inspection(const GearSet& gear) {
 
 void check_output_shaft(const GearSet& gear) {
   const OutputShaft& shaft = *gear.output_shaft;
-  const FieldPath path("output_shaft");
+  const LazyPath path("output_shaft");
   (void)material_of(gear, shaft.material, path / "material");
   require(shaft.inner_diameter < shaft.outer_diameter, path / "inner_diameter",
           shaft.inner_diameter, "m", "inner_diameter < outer_diameter");
@@ -1192,7 +1203,7 @@ void check_displacement(const Transmission& drive) {
   require(
       !clearly_less(drive.radial_displacement, kLeast * nominal) &&
           !clearly_less(kMost * nominal, drive.radial_displacement),
-      FieldPath("drive") / "radial_displacement", drive.radial_displacement, "m", [&] {
+      LazyPath("drive") / "radial_displacement", drive.radial_displacement, "m", [&] {
         return fmt::format(
             "between {:.4g} and {:.4g} times pitch_diameter/(2 ratio), {:.4g} mm; otherwise the "
             "teeth cannot engage and disengage",
@@ -1217,13 +1228,13 @@ void check(const GearSet& gear) {
 }
 
 void check_rules(const GearSet& gear) {
-  for (const auto& [name, material] : gear.material)
-    check_material(FieldPath("material") / name, material);
+  const LazyPath materials("material");
+  for (const auto& [name, material] : gear.material) check_material(materials / name, material);
   check_laminates(gear);
   require(gear.drive.wave_number >= 1 && gear.drive.wave_number <= 8, "drive.wave_number",
           gear.drive.wave_number, "1", ">= 1 and <= 8");
   require(gear.drive.radial_displacement < gear.drive.pitch_diameter / 2,
-          FieldPath("drive") / "radial_displacement", gear.drive.radial_displacement, "m",
+          LazyPath("drive") / "radial_displacement", gear.drive.radial_displacement, "m",
           "radial_displacement < pitch_diameter/2");
   check_displacement(gear.drive);
   require(gear.load.torque != 0, "load.torque", gear.load.torque, "N*m", "torque != 0");
@@ -1233,7 +1244,7 @@ void check_rules(const GearSet& gear) {
   if (gear.wave_generator) check_wave_generator(gear);
   if (gear.flexspline) check_flexspline(gear);
   if (gear.output_shaft) check_output_shaft(gear);
-  if (gear.mesh) check_cracks(gear, FieldPath("mesh"), gear.mesh->crack);
+  if (gear.mesh) check_cracks(gear, LazyPath("mesh"), gear.mesh->crack);
   if (gear.circular_spline) check_circular_spline(gear);
   if (gear.rating) check_rating(*gear.rating);
   if (gear.duty) check_duty(*gear.duty);
@@ -1244,8 +1255,8 @@ void check_rules(const GearSet& gear) {
             gear.tolerance->grade, "1", ">= 1 and <= 11");
   check_compliance_tables(gear);
   check_turn_tables(gear);
-  for (std::size_t i = 0; i < gear.range.size(); ++i)
-    check_range(gear, FieldPath("range")[i], gear.range[i]);
+  const LazyPath ranges("range");
+  for (std::size_t i = 0; i < gear.range.size(); ++i) check_range(gear, ranges[i], gear.range[i]);
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);
   for (std::size_t i = 0; i < gear.correlation.size(); ++i) check_correlation(gear, i);
   if (!gear.correlation.empty()) (void)life_normals(gear);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -10,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lazy_path.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/sought_number.hpp"
@@ -85,9 +87,18 @@ NamedMaterial solid_wall(const GearSet& gear, const NamedMaterial& of) {
   return first;
 }
 
+/// A material by its name.  A drive has few, among which a search by text takes longer than a look
+/// at each.
+NamedMaterial found_material(const GearSet& gear, std::string_view name) {
+  constexpr std::size_t kFew = 8;
+  if (gear.material.size() > kFew) return gear.material.find(std::string(name));
+  return std::ranges::find_if(gear.material,
+                              [&](const auto& named) { return named.first == name; });
+}
+
 template <class MakeField>
 const Material& material_for(const GearSet& gear, std::string_view name, const MakeField& field) {
-  const auto found = gear.material.find(std::string(name));
+  const auto found = found_material(gear, name);
   if (found != gear.material.end()) return solid_wall(gear, found)->second;
   std::vector<std::string> known;
   for (const auto& [known_name, material] : gear.material) known.push_back(known_name);
@@ -106,8 +117,12 @@ const Material& material_of(const GearSet& gear, std::string_view name, const Fi
   return material_for(gear, name, [&] { return field.text(); });
 }
 
+const Material& material_of(const GearSet& gear, std::string_view name, const LazyPath& field) {
+  return material_for(gear, name, [&] { return field.text(); });
+}
+
 std::string_view solid_name(const GearSet& gear, std::string_view name) {
-  const auto found = gear.material.find(std::string(name));
+  const auto found = found_material(gear, name);
   return found == gear.material.end() ? name : std::string_view(solid_wall(gear, found)->first);
 }
 

@@ -272,6 +272,7 @@ bool has_layers(const GearSet& gear) {
 void check_laminates(const GearSet& gear) {
   for (const auto& [name, material] : gear.material) {
     if (material.is_laminate()) continue;
+    if (!material.fracture_energy && !material.reference_modulus) continue;
     const FieldPath path = FieldPath("material") / name;
     refuse_if_given(material.fracture_energy.has_value(), path / "fracture_energy",
                     "is read only beside ply; a metal has a fracture_toughness");
