@@ -7,6 +7,7 @@
 #include "own_commands.hpp"
 #include "strainwave/command/shards.hpp"
 #include "strainwave/door/door.hpp"
+#include "strainwave/row_files/row_file.hpp"
 
 namespace strainwave::cli {
 
@@ -29,7 +30,8 @@ const Program& strainwave_program() {
                                .summary = "Torsional stiffness of strain wave gears with cracks",
                                .table = table,
                                .groups = kGroups,
-                               .names = names_of};
+                               .names = names_of,
+                               .rows = row_file};
   return program;
 }
 

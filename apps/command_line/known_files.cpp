@@ -15,7 +15,7 @@ namespace {
 bool writes(const Argument& argument) {
   return argument.role == Role::output || argument.role == Role::journal ||
          argument.role == Role::record || argument.role == Role::kept ||
-         argument.role == Role::document;
+         argument.role == Role::rows || argument.role == Role::document;
 }
 
 [[noreturn]] void refuse(const std::string& one, const std::string& other,
@@ -32,7 +32,9 @@ KnownFiles::KnownFiles(const Given& given, const std::vector<std::string>& input
     const Argument& argument = given.arguments[i];
     for (const std::string& path : given.texts[i])
       if (writes(argument)) {
-        if ((argument.role == Role::record || argument.role == Role::kept) && path.empty())
+        if ((argument.role == Role::record || argument.role == Role::kept ||
+             argument.role == Role::rows) &&
+            path.empty())
           throw UsageError(fmt::format("{} must name a file; give its name", argument.name));
         add_output(argument.name, path);
         if (argument.role == Role::record) add_output(argument.name, checkpoint_of(path));

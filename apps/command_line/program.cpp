@@ -193,6 +193,12 @@ std::vector<Argument> arguments_of(const Command& command) {
                             "the file of --output, for strainwave merge",
                             command.shares),
          .fallback = {}});
+  if (!command.rows.empty())
+    arguments.push_back(
+        path_argument(Role::rows, "rows", {},
+                      fmt::format("also write the rows of the study ({}) to this file, as HDF5 "
+                                  "(.h5) or CSV (.csv), in SI units",
+                                  command.rows)));
   if (!command.kept_option.empty())
     arguments.push_back(path_argument(Role::kept, command.kept_option, {}, command.kept));
   if (!command.record.empty()) {

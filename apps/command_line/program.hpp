@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "strainwave/command/command.hpp"
+#include "strainwave/row_files/row_file.hpp"
 
 namespace strainwave::cli {
 
@@ -31,6 +33,8 @@ struct Program {
   /// The processes of a program that runs on several ranks; null for a single process.  SIGINT ends
   /// a program of several processes at once, because they would wait for each other.
   const Ranks* ranks = nullptr;
+  /// The file for the rows of a study; null if no command has rows.
+  std::unique_ptr<RowFile> (*rows)(const std::string& path) = nullptr;
 };
 
 /// Whether a word at the beginning of a line belongs to the unnamed command.
@@ -61,6 +65,7 @@ enum class Role {
   journal,   ///< takes the path of the journal
   record,    ///< takes the path of the record
   kept,      ///< takes the path of a text that later runs read
+  rows,      ///< takes the path of the rows of a study
   shard,     ///< names the share of a study that is computed
   resume,    ///< goes on with the record of a stopped run
   document,  ///< takes the path of a document beside the main one

@@ -13,7 +13,9 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -144,6 +146,7 @@ struct Asked {
   std::string journal = {};             // its path; empty if there is none
   std::string record = {};              // likewise
   std::string kept = {};                // likewise
+  std::string rows = {};                // likewise
   std::string shard = {};               // likewise
   Attachments::Texts drive_texts = {};  // that the drive names, of a shard
   AskedUnits units = {};
@@ -167,7 +170,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
         case Role::option:
           asked.options.set(argument.key, text);
           if (argument.names == "attachment") asked.attached[text] = text_of(text, kMaxTableSize);
-          if (argument.names == "shard") asked.attached[text] = text_of(text, kMaxShardSize);
+          // Regular files are opened when their rows are read, and again for each reading.
+          if (argument.names == "shard" && (text == "-" || identity_of(text).empty()))
+            asked.attached[text] = text_of(text, kMaxShardSize);
           break;
         case Role::format:
           asked.main = text;
@@ -193,6 +198,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
         case Role::document:
           asked.beside.emplace_back(text, argument.key);
           break;
+        case Role::rows:
+          asked.rows = text;
+          break;
         case Role::shard:
           asked.shard = text;
           break;
@@ -204,10 +212,11 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
       }
     if (texts.empty() && argument.role == Role::format) asked.main = argument.fallback;
   };
+  const bool noted = has(given, Role::shard) || has(given, Role::rows);
   if (file != nullptr) {
     const Attachments beside = attachments_beside(*file);
     asked.drive = read_drive(text_of(*file), shown_name(*file),
-                             has(given, Role::shard) ? beside.noted_in(asked.drive_texts) : beside);
+                             noted ? beside.noted_in(asked.drive_texts) : beside);
     known.add_tables_of(*asked.drive, *file);
   }
   for (std::size_t i = 0; i < given.arguments.size(); ++i) take(given.arguments[i], given.texts[i]);
@@ -295,7 +304,8 @@ FileAnswer answer_for(const Given& given, const std::string& file, const AskedUn
 ExitCode run_several(const Given& given, const std::vector<std::string>& files, KnownFiles& known) {
   const Asked asked = asked_by(given, nullptr, known);
   if (given.program.ranks != nullptr || !asked.journal.empty() || !asked.record.empty() ||
-      !asked.kept.empty() || !asked.shard.empty() || !answers_several(given.command))
+      !asked.kept.empty() || !asked.rows.empty() || !asked.shard.empty() ||
+      !answers_several(given.command))
     throw UsageError(fmt::format("{} answers for one FILE at a time", given.command.name));
   if (!asked.beside.empty())
     throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
@@ -345,6 +355,57 @@ Progress shown_progress(const Program& program, ProgressLine& line, const Interr
       });
 }
 
+/// The rows of a study in a file.  A fault of the file is that of an output.
+class StudyRows : public RowSink {
+ public:
+  /// @throws UsageError       if the name does not choose a form of the rows
+  /// @throws UnwritableError  if the file cannot be written; so do all members
+  StudyRows(const Program& program, const std::string& path) {
+    if (is_standard_output(path) || identity_of(path).empty())
+      throw UnwritableError(path +
+                            ": must be a regular file, because the rows replace it at the end");
+    try {
+      file_ = program.rows(path);
+    } catch (const InputError& error) {
+      throw UsageError(error.what());
+    } catch (const Error& error) {
+      throw UnwritableError(error.what());
+    }
+  }
+
+  void come_from(std::vector<std::pair<std::string, std::string>> origin) override {
+    file_->come_from(std::move(origin));
+  }
+  void begin(const RowHead& head) override {
+    begun_ = true;
+    written([&] { file_->begin(head); });
+  }
+  void add(std::span<const double> numbers, RowStatus status, std::string_view rule) override {
+    written([&] { file_->add(numbers, status, rule); });
+  }
+  /// @throws UsageError  if the study has no rows
+  void finish() {
+    if (!begun_) throw UsageError("--rows: this study has no rows; leave out --rows");
+    written([&] { file_->finish(); });
+  }
+  void replace() {
+    written([&] { file_->replace(); });
+  }
+
+ private:
+  template <class Write>
+  static void written(const Write& write) {
+    try {
+      write();
+    } catch (const Error& error) {
+      throw UnwritableError(error.what());
+    }
+  }
+
+  std::unique_ptr<RowFile> file_;
+  bool begun_ = false;
+};
+
 /// Whether the file has this share of the study already.
 /// @throws UsageError  if the file is something else
 bool has_shard(const std::string& path, const SharedStudy& study, const Share& share) {
@@ -381,6 +442,10 @@ ExitCode run_shard(const Given& given, const Asked& asked) {
     throw UsageError(
         "--shard writes rows and no answer: leave out --format, --units, --columns and pictures, "
         "and give them to strainwave merge");
+  if (!asked.rows.empty())
+    throw UsageError(
+        "--shard writes rows that strainwave merge reads: leave out --rows, and give it to "
+        "strainwave merge");
   const std::string& path = asked.main_path;
   if (is_standard_output(path))
     throw UsageError("--shard writes the rows as bytes: name a file with --output");
@@ -428,6 +493,12 @@ ExitCode run_command(Given given) {
     require_without_rows(command, *read);
     recording.emplace(read->record, has(given, Role::resume));
   }
+  std::optional<StudyRows> rows;
+  if (!read->rows.empty()) {
+    rows.emplace(given.program, read->rows);
+    rows->come_from(rows_origin(shared_study(command, read->drive.get(), read->drive_texts,
+                                             read->options, read->attached)));
+  }
   std::optional<FileKept> kept;
   if (!read->kept.empty()) kept.emplace(read->kept);
   const std::string& main = read->main;
@@ -472,6 +543,7 @@ ExitCode run_command(Given given) {
                         .journal = journal ? &*journal : nullptr,
                         .recording = recording ? &*recording : nullptr,
                         .kept = kept ? &*kept : nullptr,
+                        .rows = rows ? &*rows : nullptr,
                         .units = read->units,
                         .columns = read->columns,
                         .beside = attachments_beside,
@@ -482,8 +554,11 @@ ExitCode run_command(Given given) {
     if (!ranks.first() || command.documents.empty()) return;
     for (const auto& [path, document] : read->beside)
       texts.emplace_back(path, answer->document(document));
-    if (!chosen.folder) texts.emplace_back(main_path, answer->document(main));
+    const bool rows_are_enough = rows && answer->command().rows_are_answer &&
+                                 !has(given, Role::format) && !has(given, Role::output);
+    if (!chosen.folder && !rows_are_enough) texts.emplace_back(main_path, answer->document(main));
     progress.at(1.0);
+    if (rows) rows->finish();
     for (auto& [path, text] : texts)
       if (const auto converter = converters.find(path); converter != converters.end())
         text = converted(converter->second, text);
@@ -501,6 +576,7 @@ ExitCode run_command(Given given) {
   }
   line.clear();
   ranks.together([&] { deliver(texts); });
+  if (rows) rows->replace();
   if (recording) recording->finish();
   if (chosen.folder) deliver(files, main_path, ranks);
   if (!ranks.first()) return kOk;

@@ -116,7 +116,8 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                            .open = host.open,
                            .recording = host.recording,
                            .kept = host.kept,
-                           .shared = host.shared},
+                           .shared = host.shared,
+                           .rows = host.rows},
                           options_.get());
   } catch (const OptionError&) {
     throw;

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <optional>
+#include <span>
 
 #include "strainwave/core/sha256.hpp"
 #include "strainwave/core/version.hpp"
@@ -73,6 +75,9 @@ std::string option_difference(const SharedStudy& one, const SharedStudy& other) 
   return one.options == other.options ? "" : "the options have another order";
 }
 
+/// Name of a shard, and the shard without its rows.
+using NamedShard = std::pair<std::string, Shard>;
+
 /// Checks that the shares are all parts of one division, each once.
 void require_complete(const std::vector<std::pair<std::string, Shard>>& shards) {
   const auto& [first_name, first] = shards.front();
@@ -101,6 +106,29 @@ void require_complete(const std::vector<std::pair<std::string, Shard>>& shards) 
                                more > 0 ? fmt::format(", and {} more", more) : std::string(),
                                missing.front(), first.share.parts));
 }
+
+/// The text of a shard.
+std::string text_of_shard(const std::string& name, const OptionTexts& texts, const Host& host) {
+  if (const auto text = texts.find(name); text != texts.end()) return text->second;
+  if (!host.open) throw OptionError("shards", "names a text that is not attached");
+  const TextPieces pieces = host.open(name);
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  std::string text;
+  for (std::size_t size = 0;;) {
+    text.resize(size + kPiece);
+    const std::size_t n = pieces(std::span(text).subspan(size));
+    size += n;
+    text.resize(size);
+    if (n == 0) return text;
+  }
+}
+
+/// The answer of the study whose shares `load` reads again.
+/// @param shards  without their rows
+/// @param load    returns a shard with its rows, by its place in `shards`
+Answer merged_by(std::span<const Command> table, const std::vector<NamedShard>& shards,
+                 const std::function<Shard(std::size_t)>& load, const Progress& progress,
+                 const Host& host);
 
 struct MergeOptions {
   std::vector<std::string> shards;
@@ -159,6 +187,28 @@ SharedStudy shared_study(const Command& command, const Drive* drive, Attachments
           .drive_name = drive != nullptr ? drive->name : std::string(),
           .drive_text = drive != nullptr ? drive->text : std::string(),
           .attachments = std::move(attachments)};
+}
+
+std::vector<std::pair<std::string, std::string>> rows_origin(const SharedStudy& study) {
+  std::string options;
+  for (const auto& [name, text] : study.options)
+    options += fmt::format("{}{}={}", options.empty() ? "" : "\n", name, text);
+  std::string files;
+  const auto add_files = [&](const auto& texts) {
+    for (const auto& [name, text] : texts)
+      files += fmt::format("{}{} {}", files.empty() ? "" : "\n", sha256_hex(text), name);
+  };
+  add_files(study.attachments);
+  add_files(study.texts);
+  return {{"program", study.program},
+          {"version", study.version},
+          {"revision", study.revision},
+          {"code_path", study.code_path},
+          {"command", study.command},
+          {"options", options},
+          {"input_file", study.drive_name},
+          {"input_sha256", study.drive_text.empty() ? "" : sha256_hex(study.drive_text)},
+          {"attached_sha256", files}};
 }
 
 Shard computed_shard(const Command& command, const std::shared_ptr<const Drive>& drive,
@@ -234,6 +284,15 @@ std::string difference(const SharedStudy& one, const SharedStudy& other) {
 Answer merged(std::span<const Command> table,
               const std::vector<std::pair<std::string, Shard>>& shards, const Progress& progress,
               const Host& host) {
+  return merged_by(
+      table, shards, [&](std::size_t at) { return shards[at].second; }, progress, host);
+}
+
+namespace {
+
+Answer merged_by(std::span<const Command> table, const std::vector<NamedShard>& shards,
+                 const std::function<Shard(std::size_t)>& load, const Progress& progress,
+                 const Host& host) {
   if (shards.empty()) throw OptionError("shards", "must be given; name the files of all shards");
   const auto& [first_name, first] = shards.front();
   const SharedStudy& study = first.study;
@@ -256,12 +315,18 @@ Answer merged(std::span<const Command> table,
                                    "both are the same, because digits may differ",
                                    what, shown(study.*member), shown(here.*member)));
   require_complete(shards);
-  std::vector<const Shard*> in_order(shards.size());
-  for (const auto& [name, shard] : shards)
-    in_order[static_cast<std::size_t>(shard.share.part - 1)] = &shard;
-  std::string bytes;
-  for (const Shard* const shard : in_order) bytes += shard->bytes;
-  SharedRows rows(first.rows, std::move(bytes));
+  std::vector<std::size_t> place_of(shards.size());  // in `shards`, by the part
+  for (std::size_t at = 0; at < shards.size(); ++at)
+    place_of[static_cast<std::size_t>(shards[at].second.share.part - 1)] = at;
+  SharedRows rows(first.rows, first.share.parts, [&](int part) {
+    const std::size_t at = place_of[static_cast<std::size_t>(part - 1)];
+    Shard shard = load(at);
+    if (shard.rows != first.rows || shard.share != shards[at].second.share ||
+        !difference(shard.study, study).empty())
+      throw InputError(shards[at].first, "was changed by another program; merge again");
+    return std::move(shard.bytes);
+  });
+  if (host.rows != nullptr) host.rows->come_from(rows_origin(study));
   OptionValues options(command.options);
   for (const auto& [name, text] : study.options) options.set(name, text);
   std::shared_ptr<const Drive> drive;
@@ -271,6 +336,7 @@ Answer merged(std::span<const Command> table,
     return run(command, drive, options, study.texts, progress,
                {.ranks = host.ranks,
                 .shared = &rows,
+                .rows = host.rows,
                 .units = host.units,
                 .columns = host.columns,
                 .beside = host.beside,
@@ -279,6 +345,8 @@ Answer merged(std::span<const Command> table,
     throw InputError("shards", "have rows of another form than this program; compute all again");
   }
 }
+
+}  // namespace
 
 Command merge_command(std::span<const Command> (*table)()) {
   Command row = command<MergeOptions, OtherResult>({
@@ -292,6 +360,7 @@ Command merge_command(std::span<const Command> (*table)()) {
           "the last digits depend on, the instructions of the processor and the mathematical "
           "library.",
       .example = "strainwave merge part-*.shard --format json --output study.json",
+      .rows = "rows of the study, as its command",
       .takes = Takes::nothing,
       .function = [](const Request&, const MergeOptions&) { return OtherResult(); },
       .documents = {{{.name = kDefaultDocument}, no_document},
@@ -306,16 +375,18 @@ Command merge_command(std::span<const Command> (*table)()) {
   });
   row.instead = [table](const OptionValues& options, const OptionTexts& texts,
                         const Progress& progress, const Host& host) {
-    std::vector<std::pair<std::string, Shard>> shards;
+    std::vector<NamedShard> shards;
+    const auto load = [&](const std::string& name) {
+      return parse_shard(text_of_shard(name, texts, host), name);
+    };
     for (const auto& option : options.texts()) {
       const std::string& name = option.second;
-      const auto text = texts.find(name);
-      if (text == texts.end()) throw OptionError(option.first, "names a text that is not attached");
       if (std::ranges::any_of(shards, [&](const auto& one) { return one.first == name; }))
         throw InputError(name, "is given twice; give each shard once");
-      shards.emplace_back(name, parse_shard(text->second, name));
+      shards.emplace_back(name, load(name)).second.bytes = std::string();
     }
-    return merged(table(), shards, progress, host);
+    return merged_by(
+        table(), shards, [&](std::size_t at) { return load(shards[at].first); }, progress, host);
   };
   return row;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/study/outputs.hpp"
 
@@ -46,7 +47,9 @@ DrawnOutputs::DrawnOutputs(const GearSet& gear, const std::vector<std::string>& 
   std::vector<double> at_file;
   for (const InputScatter& scatter : gear.scatter) {
     paths.push_back(scatter.path);
-    at_file.push_back(number_at(gear, scatter.path).value);
+    const NumberAt number = number_at(gear, scatter.path);
+    at_file.push_back(number.value);
+    units_.push_back(number.field.unit);
     laws_.emplace_back(scatter, at_file.back());
   }
   if (VariedSeries::covers(names)) series_.emplace(gear, paths, names);
@@ -89,6 +92,17 @@ void DrawnOutputs::prepare(std::size_t rows,
 std::optional<TableEvidence> DrawnOutputs::table_evidence(
     std::size_t rows, const std::function<void(std::size_t row, std::span<double> u)>& fill) const {
   return series_ ? series_->table_evidence(rows, values_by(fill)) : std::nullopt;
+}
+
+std::string DrawnOutputs::Reasons::of(std::span<const double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) drawn_.number(i) = values[i];
+  try {
+    check(drawn_.gear());
+    const StiffnessResult result = evaluate(drawn_.gear(), Method::corrected, of_.options_);
+    return result.usable() ? std::string("an output has no value") : result.unusable_because;
+  } catch (const Error& fault) {
+    return rule_of(fault);
+  }
 }
 
 DrawnOutputs::Evaluator::Evaluator(const DrawnOutputs& of) : of_(of), values_(of.inputs()) {

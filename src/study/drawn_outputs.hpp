@@ -56,10 +56,15 @@ class DrawnOutputs {
   [[nodiscard]] bool planned() const { return series_.has_value(); }
   /// The correlations of the inputs.
   [[nodiscard]] const CorrelatedNormals& normals() const { return normals_; }
+  /// SI unit of an input.
+  [[nodiscard]] std::string_view unit_of_input(std::size_t input) const { return units_[input]; }
   /// Laws of the inputs.
   [[nodiscard]] const std::vector<ScatterLaw>& laws() const { return laws_; }
   /// Values of the inputs at independent standard normal variables u.
   void to_values(std::span<const double> u, std::span<double> values) const;
+
+  /// Says why drives have no outputs.
+  class Reasons;
 
   /// Evaluates drives for one thread.
   class Evaluator;
@@ -67,6 +72,7 @@ class DrawnOutputs {
  private:
   const GearSet& gear_;
   std::vector<ScatterLaw> laws_;
+  std::vector<std::string_view> units_;  ///< of the inputs
   CorrelatedNormals normals_;
   /// What fills values from independent normal variables.
   [[nodiscard]] VariedSeries::Fill values_by(
@@ -76,6 +82,20 @@ class DrawnOutputs {
   std::vector<std::string> names_;
   EvaluationOptions options_;
   std::vector<Quantity> at_file_;
+};
+
+/// Says why drives have no outputs, for one thread.  Few drives have none, so it may take longer
+/// than an evaluation.
+class DrawnOutputs::Reasons {
+ public:
+  explicit Reasons(const DrawnOutputs& of) : of_(of), drawn_(of.gear_, of.gear_.scatter) {}
+
+  /// The rule that the drive with these values of the inputs breaks, or why it is unusable.
+  [[nodiscard]] std::string of(std::span<const double> values);
+
+ private:
+  const DrawnOutputs& of_;
+  DrawnDrive drawn_;
 };
 
 class DrawnOutputs::Evaluator {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "drawn_outputs.hpp"
@@ -85,9 +87,6 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
 /// The draws of a study.
 class Draws {
   [[nodiscard]] Parallel parallel() const { return {.block = 256, .threads = options_.threads}; }
-  void fill(std::size_t draw, std::span<double> u) const {
-    counter_normals(options_.seed, draw, u);
-  }
   /// Of one thread: (index, draw) fills the draw of the number first + index.
   [[nodiscard]] auto evaluator(std::size_t first) const {
     return [this, first, u = std::vector<double>(outputs_.inputs()),
@@ -110,6 +109,10 @@ class Draws {
                                    [this](std::size_t of, std::span<double> u) { fill(of, u); });
   }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(options_.samples); }
+  /// The independent standard normal variables of a draw.
+  void fill(std::size_t draw, std::span<double> u) const {
+    counter_normals(options_.seed, draw, u);
+  }
   /// All draws, stored by their index.
   [[nodiscard]] std::vector<Draw> all(const Progress& progress) const {
     return shared_rows<Draw>(size(), parallel(), progress, options_.shared,
@@ -118,6 +121,15 @@ class Draws {
   /// Calls a function with each draw, in their order, and keeps a part of them at a time.
   template <class F>
   void each(const Progress& progress, const F& f) const {
+    if (options_.shared != nullptr && options_.shared->reads()) {
+      std::size_t done = 0;
+      options_.shared->read<Draw>(size(), [&](Draw& draw) {
+        if (done++ % kDrawsAtATime == 0)
+          progress.at(static_cast<double>(done) / static_cast<double>(size()));
+        f(draw);
+      });
+      return progress.at(1.0);
+    }
     std::vector<Draw> draws(std::min(size(), kDrawsAtATime));
     for (std::size_t first = 0; first < size(); first += draws.size()) {
       const std::size_t n = std::min(draws.size(), size() - first);
@@ -137,6 +149,52 @@ class Draws {
   const ScatterOptions& options_;
 };
 
+/// Hands draws over as rows, in their order: the inputs of each, and its outputs.
+class DrawnRows {
+ public:
+  /// @param columns  index of the value of each output in a draw
+  DrawnRows(const Draws& draws, const DrawnOutputs& outputs, const Scatter& scatter,
+            const std::vector<std::size_t>& columns, RowSink& to)
+      : draws_(draws),
+        outputs_(outputs),
+        columns_(columns),
+        to_(to),
+        reasons_(outputs),
+        u_(outputs.inputs()),
+        numbers_(outputs.inputs() + columns.size()) {
+    RowHead head{.of = "draws", .rows = draws.size(), .columns = {}, .seed = scatter.seed};
+    for (std::size_t i = 0; i < scatter.inputs.size(); ++i)
+      head.columns.push_back({scatter.inputs[i].path, std::string(outputs.unit_of_input(i))});
+    for (const ScatterOutput& output : scatter.outputs)
+      head.columns.push_back({output.name, std::string(output.unit)});
+    to.begin(head);
+  }
+
+  void add(const Draw& draw) {
+    draws_.fill(row_++, u_);
+    const std::span<double> inputs = std::span(numbers_).first(u_.size());
+    outputs_.to_values(u_, inputs);
+    const bool has_outputs = draw.fate == Fate::evaluated;
+    for (std::size_t y = 0; y < columns_.size(); ++y)
+      numbers_[u_.size() + y] =
+          has_outputs ? draw.value[columns_[y]] : std::numeric_limits<double>::quiet_NaN();
+    const RowStatus status = has_outputs                  ? RowStatus::usable
+                             : draw.fate == Fate::refused ? RowStatus::refused
+                                                          : RowStatus::unusable;
+    to_.add(numbers_, status, has_outputs ? std::string() : reasons_.of(inputs));
+  }
+
+ private:
+  const Draws& draws_;
+  const DrawnOutputs& outputs_;
+  const std::vector<std::size_t>& columns_;
+  RowSink& to_;
+  DrawnOutputs::Reasons reasons_;
+  std::size_t row_ = 0;
+  std::vector<double> u_;
+  std::vector<double> numbers_;
+};
+
 /// Throws if too few draws have a result.
 void need_results(const Scatter& scatter) {
   if (scatter.evaluated < 2)
@@ -147,11 +205,21 @@ void need_results(const Scatter& scatter) {
 
 /// Moments and quantiles of draws whose values are kept.
 /// @param columns  index of the value of each output in a draw
+/// @param rows     null, or takes the draws
 void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std::size_t>& columns,
-                    const ScatterOptions& options, const Progress& progress) {
-  const std::vector<Draw> all = draws.all(progress.part(0.0, 0.95));
+                    const ScatterOptions& options, DrawnRows* rows, const Progress& progress) {
+  const double drawn = rows != nullptr ? 0.5 : 0.95;
+  const std::vector<Draw> all = draws.all(progress.part(0.0, drawn));
   for (const Draw& draw : all) count(scatter, draw);
   need_results(scatter);
+  if (rows != nullptr) {
+    const Progress written = progress.part(drawn, 0.95);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i % kDrawsAtATime == 0)
+        written.at(static_cast<double>(i) / static_cast<double>(all.size()));
+      rows->add(all[i]);
+    }
+  }
   for_each_index(columns.size(), {.threads = options.threads}, progress.part(0.95, 1.0), [&] {
     return [&](std::size_t y) {
       std::vector<double> values;
@@ -165,7 +233,7 @@ void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std:
 
 /// The same of draws that are too many to be kept.
 void fill_from_passes(Scatter& scatter, const Draws& draws, const std::vector<std::size_t>& columns,
-                      const ScatterOptions& options, const Progress& progress) {
+                      const ScatterOptions& options, DrawnRows* rows, const Progress& progress) {
   const std::size_t kept =
       std::min(kKeptAboutAQuantile, static_cast<std::size_t>(std::max(options.kept, 16)));
   std::vector<StreamedMoments> moments(columns.size());
@@ -178,6 +246,7 @@ void fill_from_passes(Scatter& scatter, const Draws& draws, const std::vector<st
     const double next = done + 0.95 * (1 - done);  // a further pass is seldom needed
     draws.each(progress.part(done, next), [&](const Draw& draw) {
       if (first) count(scatter, draw);
+      if (first && rows != nullptr) rows->add(draw);
       if (draw.fate != Fate::evaluated) return;
       for (std::size_t y = 0; y < columns.size(); ++y) {
         const double value = draw.value[columns[y]];
@@ -254,9 +323,12 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   require_scatter(gear);
   require(options.samples >= 2 && options.samples <= kMaxSamples, "--samples", options.samples, "1",
           fmt::format(">= 2 and <= {}", kMaxSamples));
-  require(options.shared == nullptr || options.samples <= options.kept, "--samples",
-          options.samples, "1",
-          fmt::format("<= {} with --shard, because a shard keeps its draws", options.kept));
+  const bool shares = options.shared != nullptr && !options.shared->reads();
+  const int parts = shares ? options.shared->share().parts : 1;
+  require(!shares || (options.samples - 1) / parts < options.kept, "--samples", options.samples,
+          "1",
+          fmt::format("<= {} for each share, because a shard keeps its draws; take more shares",
+                      options.kept));
   require(options.threads >= 0, "--threads", options.threads, "1", ">= 0");
   if (!sensitivity.usable()) throw SolverError(sensitivity.unusable_because);
 
@@ -292,10 +364,13 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     scatter.outputs.push_back(std::move(output));
   }
   const Draws draws(outputs, options);
+  if (shares) (void)draws.all(progress);  // ends here
+  std::optional<DrawnRows> rows;
+  if (options.rows != nullptr) rows.emplace(draws, outputs, scatter, columns, *options.rows);
   if (options.samples <= options.kept)
-    fill_from_kept(scatter, draws, columns, options, progress);
+    fill_from_kept(scatter, draws, columns, options, rows ? &*rows : nullptr, progress);
   else
-    fill_from_passes(scatter, draws, columns, options, progress);
+    fill_from_passes(scatter, draws, columns, options, rows ? &*rows : nullptr, progress);
   scatter.tables = draws.table_evidence();
   for (const ScatterOutput& output : scatter.outputs) note_nonlinear(scatter, output);
   if (scatter.refused + scatter.unusable > 0)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -205,6 +206,23 @@ std::vector<SweepValues> SweepResult::columns() const {
     columns.push_back(std::move(column));
   }
   return columns;
+}
+
+void write_rows(const SweepResult& result, RowSink& to) {
+  RowHead head{.of = "points", .rows = result.rows.size(), .columns = {}};
+  for (const auto* const group : {&result.inputs, &result.outputs})
+    for (const SweepColumn& column : *group) head.columns.push_back({column.name, column.unit});
+  to.begin(head);
+  for (const SweepRow& row : result.rows) {
+    std::vector<double> numbers = row.inputs;
+    for (const auto& output : row.outputs)
+      numbers.push_back(output ? output->value : std::numeric_limits<double>::quiet_NaN());
+    numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
+    const RowStatus status = row.usable()          ? RowStatus::usable
+                             : row.outputs.empty() ? RowStatus::refused
+                                                   : RowStatus::unusable;
+    to.add(numbers, status, row.reason);
+  }
 }
 
 ResultEvidence evidence_of(const SweepResult& result) {

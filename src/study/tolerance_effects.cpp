@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/tolerance_effects.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string_view>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantile.hpp"
@@ -82,6 +86,42 @@ DrawnCurve drawn_curve(const AssembledDrive& drive, const ToleranceOptions& opti
   return drawn;
 }
 
+/// Hands the draws over as rows.
+/// @param drawn  absent: the drive has no equilibrium
+void write_rows(const std::vector<std::optional<DrawnCurve>>& drawn, const AssembledDrive& drive,
+                const ToleranceOptions& options) {
+  RowHead head{.of = "draws of the tolerances",
+               .rows = drawn.size(),
+               .columns = {{"K1", "N*m/rad"},
+                           {"K2", "N*m/rad"},
+                           {"K3", "N*m/rad"},
+                           {"lost_motion", "rad"},
+                           {"ripple", "1"}},
+               .seed = options.seed};
+  for (const std::string_view what : {"flanks", "teeth"})
+    for (const std::string_view at : {"T1", "T2", "T3"})
+      head.columns.push_back({fmt::format("{}_at_{}", what, at), "1"});
+  options.rows->begin(head);
+  std::vector<double> numbers;
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    numbers.clear();
+    std::string rule;
+    if (const std::optional<DrawnCurve>& of = drawn[n]) {
+      numbers = {of->K1, of->K2, of->K3, of->lost_motion, of->ripple};
+      numbers.insert(numbers.end(), of->flanks.begin(), of->flanks.end());
+      numbers.insert(numbers.end(), of->teeth.begin(), of->teeth.end());
+    } else {
+      try {
+        (void)drawn_curve(drive, options, n);
+      } catch (const SolverError& fault) {
+        rule = rule_of(fault);
+      }
+    }
+    numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
+    options.rows->add(numbers, drawn[n] ? RowStatus::usable : RowStatus::unusable, rule);
+  }
+}
+
 }  // namespace
 
 ToleranceEffects tolerance_effects(const AssembledDrive& drive, const ToleranceOptions& options,
@@ -102,6 +142,7 @@ ToleranceEffects tolerance_effects(const AssembledDrive& drive, const ToleranceO
           }
         };
       });
+  if (options.rows != nullptr) write_rows(drawn, drive, options);
   effects.failed = static_cast<int>(std::erase(drawn, std::nullopt));
   effects.draws = static_cast<int>(drawn.size());
   if (drawn.empty()) throw SolverError("none of the drawn drives has an equilibrium");

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string_view>
@@ -245,19 +246,50 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
     for (const Limits& limit : limits)
       values.push_back(limit.lower + (limit.upper - limit.lower) * uniform());
 
+  const auto drawn_lines = [&](DrawnDrive& drawn, std::size_t n) {
+    for (std::size_t i = 0; i < limits.size(); ++i) drawn.number(i) = values[n * limits.size() + i];
+    return makers_lines(
+        AssembledDrive(drawn.gear(), drive.options()).with_deviations(drive.deviations()));
+  };
   using Lines = std::optional<MakersLines>;
   const Parallel parallel{.threads = options.threads};
   std::vector<Lines> lines = shared_rows<Lines>(draws, parallel, progress, options.shared, [&] {
     return [&, drawn = std::make_unique<DrawnDrive>(gear, ranges)](std::size_t n, Lines& of_draw) {
-      for (std::size_t i = 0; i < limits.size(); ++i)
-        drawn->number(i) = values[n * limits.size() + i];
       try {
-        of_draw = makers_lines(
-            AssembledDrive(drawn->gear(), drive.options()).with_deviations(drive.deviations()));
+        of_draw = drawn_lines(*drawn, n);
       } catch (const Error&) {  // this combination cannot be assembled
       }
     };
   });
+  if (options.rows != nullptr) {
+    RowHead head{.of = "draws of the ranges", .rows = draws, .columns = {}};
+    for (const InputRange& range : ranges)
+      head.columns.push_back({range.path, std::string(number_at(gear, range.path).field.unit)});
+    for (const char* const line : {"K1", "K2", "K3"}) head.columns.push_back({line, "N*m/rad"});
+    options.rows->begin(head);
+    DrawnDrive drawn(gear, ranges);
+    for (std::size_t n = 0; n < draws; ++n) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(n * limits.size());
+      std::vector<double> numbers(first, first + static_cast<std::ptrdiff_t>(limits.size()));
+      RowStatus status = RowStatus::usable;
+      std::string rule;
+      if (lines[n]) {
+        numbers.insert(numbers.end(), {lines[n]->K1, lines[n]->K2, lines[n]->K3});
+      } else {
+        try {
+          (void)drawn_lines(drawn, n);
+        } catch (const InputError& fault) {
+          status = RowStatus::refused;
+          rule = rule_of(fault);
+        } catch (const Error& fault) {
+          status = RowStatus::unusable;
+          rule = rule_of(fault);
+        }
+      }
+      numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
+      options.rows->add(numbers, status, rule);
+    }
+  }
   const auto rejected = std::erase(lines, std::nullopt);
   if (lines.empty())
     throw SolverError("none of the drives drawn from the ranges can be built or assembled");
@@ -281,7 +313,10 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
   ToleranceOptions of_tolerances = options.tolerances.value_or(ToleranceOptions());
-  if (options.tolerances) of_tolerances.shared = options.shared;
+  if (options.tolerances) {
+    of_tolerances.shared = options.shared;
+    of_tolerances.rows = options.rows;
+  }
   SharedRows* const of_positions =
       options.compare && !options.tolerances ? options.shared : nullptr;
   SharedRows* const of_bands = !options.compare && !options.tolerances ? options.shared : nullptr;
@@ -325,7 +360,10 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
   of_file.at(curve_ends);
   if (draws)
-    report.bands = line_bands(drive, {.draws = options.draws, .shared = of_bands},
+    report.bands = line_bands(drive,
+                              {.draws = options.draws,
+                               .shared = of_bands,
+                               .rows = options.tolerances ? nullptr : options.rows},
                               of_file.part(curve_ends, draws_end));
   if (options.compare) {
     report.comparison =

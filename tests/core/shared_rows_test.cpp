@@ -101,6 +101,10 @@ TEST(SharedRows, IdentityWithOneProcess) {
     const std::vector<TriedRow> rows = rows_by(kRows, &read);
     EXPECT_EQ(rows, whole);
     EXPECT_TRUE(std::signbit(rows[3].pair[0]));
+    // The same shares, each held alone.
+    SharedRows in_turn(kRows, parts, [&](int part) { return bytes_of(kRows, {part, parts}); });
+    EXPECT_EQ(rows_by(kRows, &in_turn), whole);
+    EXPECT_EQ(rows_by(kRows, &in_turn), whole);
   }
 }
 
@@ -115,6 +119,9 @@ TEST(SharedRows, BehaviourBrokenRecords) {
   for (std::size_t size = 0; size < bytes.size(); ++size) refused(kRows, bytes.substr(0, size));
   refused(kRows, bytes + '\0');
   refused(kRows + 1, bytes);
+  // The rows of one share in two halves at another place than that of the division.
+  SharedRows uneven(kRows, 2, [&](int part) { return part == 1 ? bytes : std::string(); });
+  EXPECT_THROW((void)rows_by(kRows, &uneven), BrokenRecord);
   std::string wild = bytes;
   wild[4 * 8 + 6] = '\x7F';  // the length of the first text
   refused(kRows, wild);

@@ -14,6 +14,7 @@
 #include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/core/ranks.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
@@ -126,6 +127,7 @@ struct Host {
   Recording* recording = nullptr;  ///< takes the rows of a command while it runs; null: none
   KeptText* kept = nullptr;        ///< the text that a command keeps for later runs; null: none
   SharedRows* shared = nullptr;    ///< the part of a study that this process computes or reads
+  RowSink* rows = nullptr;         ///< takes the rows of a study; null: none
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
@@ -151,6 +153,7 @@ struct Request {
   Recording* recording = nullptr;  ///< null unless rows are to be recorded
   KeptText* kept = nullptr;        ///< null unless a text is to be kept or read
   SharedRows* shared = nullptr;    ///< null unless the rows of a study are computed in shares
+  RowSink* rows = nullptr;         ///< null unless the rows of a study are to be written
 
   /// The text that an option names, piece by piece.
   /// @throws OptionError  if no text has this name
@@ -267,6 +270,11 @@ struct Command {
   /// What one process computes of the command's study, such as "draws", while others compute the
   /// rest (command/shards.hpp).  Empty: the study cannot be shared.
   std::string_view shares;
+  /// Rows of the command's study that a file can take, such as "draws of --scatter".  Empty: there
+  /// are none.
+  std::string_view rows;
+  /// Whether the main document consists of these rows too, so that it may be left out.
+  bool rows_are_answer = false;
   /// Option whose result stands neither in the CSV of one drive nor in the text of several.  Empty:
   /// there is none.
   std::string_view not_in_tables;
@@ -312,6 +320,8 @@ struct CommandOf {
   std::string_view kept_option = {};
   std::string_view kept = {};
   std::string_view shares = {};
+  std::string_view rows = {};
+  bool rows_are_answer = false;
   std::string_view not_in_tables = {};
   Takes takes = Takes::drive;
   std::string_view also = {};
@@ -337,6 +347,8 @@ template <class Options, class Result>
       .kept_option = of.kept_option,
       .kept = of.kept,
       .shares = of.shares,
+      .rows = of.rows,
+      .rows_are_answer = of.rows_are_answer,
       .not_in_tables = of.not_in_tables,
       .takes = of.takes,
       .also = of.also,

@@ -56,6 +56,11 @@ struct Shard {
                                        Attachments::Texts attachments, const OptionValues& options,
                                        const OptionTexts& texts);
 
+/// Where the rows of a study come from, as names and texts: program, version, revision, code path,
+/// command, options, and name and SHA-256 of the drive and of the files that it or an option names.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> rows_origin(
+    const SharedStudy& study);
+
 /// Computes a share of the rows of a study.
 /// @throws OptionError  if the command shares no study, or not with these options
 /// @throws  as `run`
@@ -86,8 +91,8 @@ struct Shard {
 /// @param table     commands of this program, with the command of the study; outlives the answer
 /// @param shards    names and shards
 /// @param progress  reports the progress, and may request a stop; by default it does neither
-/// @param host      only ranks, units, columns, `beside` and `open` count; `ranks` outlives the
-///                  answer
+/// @param host      only ranks, units, columns, `rows`, `beside` and `open` count; `ranks` outlives
+///                  the answer
 /// @throws InputError  if a share is missing or given twice, or two shards are parts of different
 ///                     studies, or the shards are of another version, revision or code path than
 ///                     this program
@@ -96,7 +101,8 @@ struct Shard {
                             const std::vector<std::pair<std::string, Shard>>& shards,
                             const Progress& progress = {}, const Host& host = {});
 
-/// The command `merge` of a table.  Its texts are shards.
+/// The command `merge` of a table.  Its texts are shards.  Shards that are not attached are opened
+/// one after the other (Host::open), so the memory of one is enough.
 /// @param table  the table whose studies the command merges
 [[nodiscard]] Command merge_command(std::span<const Command> (*table)());
 

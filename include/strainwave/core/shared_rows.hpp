@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -59,15 +60,41 @@ class SharedRows {
   /// @param rows   number of rows of the whole study
   /// @param bytes  of all rows, in the order of the rows
   SharedRows(std::size_t rows, std::string bytes)
-      : rows_(rows), bytes_(std::move(bytes)), reads_(true) {}
+      : rows_(rows), load_([bytes = std::move(bytes)](int) { return bytes; }) {}
+  /// Reads shares one after the other, so that the memory of one is enough.
+  /// @param rows   number of rows of the whole study
+  /// @param parts  number of shares
+  /// @param load   returns the bytes of a share, from 1 to `parts`; is called again for each
+  /// reading
+  SharedRows(std::size_t rows, int parts, std::function<std::string(int part)> load)
+      : rows_(rows), parts_(parts), load_(std::move(load)) {}
 
   /// Whether the rows are read.
-  [[nodiscard]] bool reads() const { return reads_; }
+  [[nodiscard]] bool reads() const { return load_ != nullptr; }
   /// The share that is computed; without meaning if shares are read.
   [[nodiscard]] const Share& share() const { return share_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }  ///< of the whole study
-  /// Of the computed rows, or of all rows that are read.
+  /// Of the computed rows.
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+  /// Calls a function with each row that is read, in their order.  The function may change the row.
+  /// @param n  number of rows of the whole study
+  /// @throws BrokenRecord  if the bytes are not those of n rows
+  template <class Row, class Use>
+  void read(std::size_t n, const Use& use) const {
+    if (rows_ != n) throw BrokenRecord();
+    for (int part = 1; part <= parts_; ++part) {
+      const std::string bytes = load_(part);
+      RecordReader from(bytes);
+      const RowRange range = rows_of({.part = part, .parts = parts_}, n);
+      for (std::size_t i = range.first; i < range.last; ++i) {
+        Row row{};
+        from(row);
+        use(row);
+      }
+      if (!from.at_end()) throw BrokenRecord();
+    }
+  }
 
   /// Keeps the rows of the share.
   void keep(std::size_t rows, std::string bytes) {
@@ -79,7 +106,8 @@ class SharedRows {
   Share share_;
   std::size_t rows_ = 0;
   std::string bytes_;
-  bool reads_ = false;
+  int parts_ = 1;
+  std::function<std::string(int part)> load_ = {};  ///< null: rows are computed
 };
 
 /// The rows of a study, by a loop that processes may share.
@@ -99,11 +127,9 @@ template <class Row, class Make>
                                            const Progress& progress, SharedRows* shared,
                                            const Make& make) {
   if (shared != nullptr && shared->reads()) {
-    if (shared->rows() != n) throw BrokenRecord();
-    std::vector<Row> rows(n);
-    RecordReader from(shared->bytes());
-    for (Row& row : rows) from(row);
-    if (!from.at_end()) throw BrokenRecord();
+    std::vector<Row> rows;
+    rows.reserve(shared->rows() == n ? n : 0);
+    shared->read<Row>(n, [&](Row& row) { rows.push_back(std::move(row)); });
     return rows;
   }
   const RowRange mine = shared != nullptr ? rows_of(shared->share(), n) : RowRange{0, n};

@@ -30,6 +30,9 @@ class WaitingFile {
   WaitingFile(WaitingFile&&) = delete;
   WaitingFile& operator=(WaitingFile&&) = delete;
 
+  /// Path of the temporary file, for a writer that continues it.
+  [[nodiscard]] const std::filesystem::path& temporary() const { return waiting_; }
+
   /// Replaces the file by the temporary file.
   /// @throws Error  if the file cannot be replaced
   void replace();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sensitivity.hpp"
@@ -34,6 +35,8 @@ struct ScatterOptions {
   int threads = 0;
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
   int kept = kKeptSamples;       ///< largest number of draws whose values are kept
+  /// Null, or takes each draw: its inputs, its outputs, and the rule that it breaks.
+  RowSink* rows = nullptr;
 };
 
 /// An output under the scatter of the inputs.
@@ -160,7 +163,7 @@ struct SensitivityReport {
 ///
 /// @param gear         the drive, with [[scatter]]; is checked
 /// @param sensitivity  sensitivity of the same gear; must be usable
-/// @param options      draws and threads; `samples` 2 to kMaxSamples, in shares up to `kept`; {}:
+/// @param options      draws and threads; `samples` 2 to kMaxSamples, of a share up to `kept`; {}:
 ///                     100 000 draws
 /// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @throws InputError    if the file gives no scatter, or an option is out of range

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/variation.hpp"
@@ -111,6 +112,9 @@ struct SweepResult {
     field({"crack_paths", "", "fields of the cracks"}, &SweepResult::crack_paths);
   }
 };
+
+/// Hands the points over as rows: the varied numbers, and the outputs.
+void write_rows(const SweepResult& result, RowSink& to);
 
 /// The notes of all points; not usable if no point is usable.
 [[nodiscard]] ResultEvidence evidence_of(const SweepResult& result);

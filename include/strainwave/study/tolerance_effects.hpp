@@ -7,6 +7,7 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/deviations.hpp"
@@ -22,6 +23,7 @@ struct ToleranceOptions {
   std::uint64_t seed = 1;        ///< the same seed gives the same drives
   int threads = 0;               ///< 0: as many as the machine runs at once; the result is the same
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
+  RowSink* rows = nullptr;       ///< null, or takes each draw
 };
 
 /// A quantity without deviations, and its quantiles over the drawn drives.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/tolerance_effects.hpp"
@@ -30,6 +31,8 @@ struct TorsionReportOptions {
   /// Null, or the part computed or read here: of the draws of the tolerances, else of the positions
   /// of the comparison, else of the draws of the ranges.
   SharedRows* shared = nullptr;
+  /// Null, or takes the draws of the tolerances, else those of the ranges.
+  RowSink* rows = nullptr;
 };
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.
@@ -161,6 +164,7 @@ struct BandOptions {
   int draws = 200;               ///< drives drawn from the ranges; > 0
   int threads = 0;               ///< 0: as many as the machine runs at once; the result is the same
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
+  RowSink* rows = nullptr;       ///< null, or takes each draw
 };
 
 /// K1, K2, K3 with inputs drawn uniformly from the ranges of the drive's file; the seed is fixed.

@@ -68,6 +68,8 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     throw OptionError("scatter", "seed and threads need --scatter or --sobol; give one");
   if (request.shared != nullptr && options.scatter == options.sobol)
     throw OptionError("shard", "needs either --scatter or --sobol; give one of them");
+  if (request.rows != nullptr && !options.scatter)
+    throw OptionError("rows", "needs --scatter; give it too");
   const GearSet& gear = request.drive.gear;
   SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}, .sobol = {}};
   if (options.scatter) {
@@ -76,6 +78,7 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     scatter.seed = options.seed.value_or(scatter.seed);
     scatter.threads = options.threads.value_or(scatter.threads);
     scatter.shared = request.shared;
+    scatter.rows = request.rows;
     report.scatter = scatter_of(gear, report.sensitivity, scatter,
                                 request.progress.part(0.0, options.sobol ? 0.5 : 1.0));
   }
@@ -116,6 +119,7 @@ Command sensitivity_command() {
       .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
                  "tornado.svg",
       .shares = "draws of --scatter, or points of --sobol",
+      .rows = "draws of --scatter",
       .function = report_of,
       .documents = {{Format::text, sensitivity_text},
                     {Format::csv, sensitivity_csv},

@@ -32,7 +32,9 @@ SweepResult swept(const Request& request, const SweepOptions& options) {
     check_variations(parsed);
     return parsed;
   });
-  return sweep(gear, options.method, variations, request.progress, request.shared);
+  SweepResult result = sweep(gear, options.method, variations, request.progress, request.shared);
+  if (request.rows != nullptr) write_rows(result, *request.rows);
+  return result;
 }
 
 }  // namespace
@@ -49,6 +51,8 @@ Command sweep_command() {
       .example = "strainwave sweep examples/article.toml --vary 'output_shaft.crack[0].depth=0.05 "
                  "mm..8 mm:60:log' --plot sweep.svg --output sweep.csv",
       .shares = "points",
+      .rows = "points",
+      .rows_are_answer = true,
       .function = swept,
       .documents = {{Format::csv, sweep_csv},
                     {{.name = "plot",
