@@ -83,17 +83,21 @@ BasicShellFactors<Real> BasicShellFactorsAtAngle<Real>::at(const Real& lambda) c
   static const LagrangeBasis<kShellLambdas> basis(
       lobatto_nodes<kShellLambdas>(0.0, mapped(kShellTableEnd)));
   const double l = value_of(lambda);
-  const std::array<double, kShellLambdas> over_lambda = basis.values(mapped(l));
   std::array<Real, kShellColumns> value{};
-  const ShellColumns values = weighted_rows(value_, over_lambda);
   if constexpr (is_dual<Real>) {
-    const ShellColumns by_mapped = weighted_rows(value_, basis.at(mapped(l)).slope);
-    const ShellColumns by_angle = weighted_rows(by_angle_, over_lambda);
-    for (std::size_t c = 0; c < kShellColumns; ++c)
-      value[c] = chain(lambda, values[c], by_mapped[c] * 3 / ((l + 3) * (l + 3))) +
-                 chain(angle_, 0.0, by_angle[c]);
+    const auto over_lambda = basis.at(mapped(l));
+    const ShellColumns values = weighted_rows(value_, over_lambda.value);
+    const ShellColumns by_mapped = weighted_rows(value_, over_lambda.slope);
+    const ShellColumns by_angle = weighted_rows(by_angle_, over_lambda.value);
+    const double slope = 3 / ((l + 3) * (l + 3));  // of the mapped lambda
+    for (std::size_t c = 0; c < kShellColumns; ++c) {
+      value[c].value = values[c];
+      for (std::size_t k = 0; k < Real::kPartials; ++k)
+        value[c].partial[k] =
+            by_mapped[c] * slope * lambda.partial[k] + by_angle[c] * angle_.partial[k];
+    }
   } else {
-    value = values;
+    value = weighted_rows(value_, basis.values(mapped(l)));
   }
   const Real l2 = lambda * lambda;
   // The bending in the table is positive if the inner face opens more.

@@ -202,6 +202,7 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
         const double derivative = output.partial[k] / Lift<DualReal>::seed(input.value);
         input.influence.push_back({derivative, derivative * input.value / output.value});  // (SN-1)
       };
+      input.influence.reserve(kept.size() + lines.size());
       for (const std::size_t y : kept) add(outputs[y]);
       for (const DualReal& line : lines) add(line);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "contact_laws.hpp"
 #include "strainwave/core/error.hpp"
@@ -29,9 +30,14 @@ ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
   for (int k = 0; k < g.balls; ++k)
     places.balls.push_back(cage_phase + 2 * pi * k / g.balls);  // (TC-5)
   const double span = g.tooth ? g.tooth->end() : kToothSpan;
-  for (int j = 0; j < g.teeth; ++j)
-    if (std::abs(angle_from_lobe((j + 0.5) * places.pitch())) <= span + 1e-12)
+  // With an even number of teeth both lobes have the same teeth.
+  const int turn = g.teeth % 2 == 0 ? g.teeth / 2 : g.teeth;
+  for (int j = 0; j < g.teeth; ++j) {
+    // Rounding must not keep a tooth and leave out its mirror image.
+    const int nearest = std::min(j % turn, turn - 1 - j % turn);
+    if (std::abs(angle_from_lobe(places.position_of(nearest))) <= span + 1e-12)
       places.teeth.push_back(j);
+  }
   return places;
 }
 
@@ -170,6 +176,33 @@ void CoupledDrive::close(Equilibrium& state) const {
   close_rigidly(state);
 }
 
+void CoupledDrive::close(Equilibrium& state, const std::vector<ContactRun>& of) const {
+  state.system.reset();
+  state.elastic = rings_->closings(state.force, of);
+  state.closing = Eigen::VectorXd::Constant(contacts(), -g_.radial_displacement);
+  for (const auto& [first, count] : of) {
+    const auto at = [first, count](const Eigen::VectorXd& all) { return all.segment(first, count); };
+    state.closing.segment(first, count) = at(free_) + amplitude_ * at(cam_) +
+                                          state.rotation * at(rotation_) + at(state.elastic) -
+                                          at(own_).cwiseProduct(at(state.force));
+  }
+}
+
+std::vector<ContactRun> CoupledDrive::near_contacts(const Equilibrium& state) const {
+  constexpr double kReach = 0.02;  // of the wave; flanks close by less over most steps of a curve
+  constexpr int kBetween = 4;      // contacts that cost less than another run
+  const double open = -kReach * g_.radial_displacement;
+  std::vector<ContactRun> runs;
+  for (int i = 0; i < contacts(); ++i) {
+    if (!(state.closing[i] > open) && state.force[i] == 0) continue;
+    if (runs.empty() || i > runs.back().first + runs.back().count + kBetween)
+      runs.push_back({.first = i, .count = 1});
+    else
+      runs.back().count = i + 1 - runs.back().first;
+  }
+  return runs;
+}
+
 double CoupledDrive::free_travel(const Eigen::VectorXd& closing, double load) const {
   double travel = std::numeric_limits<double>::infinity();
   for (int i = g_.balls; i < contacts(); ++i)
@@ -201,6 +234,8 @@ std::shared_ptr<const ContactSystem> CoupledDrive::system_of(const Equilibrium& 
   if (state.system) return state.system;
   auto system = std::make_shared<ContactSystem>();
   std::vector<double> stiffness;
+  system->contact.reserve(static_cast<std::size_t>(contacts()));
+  stiffness.reserve(static_cast<std::size_t>(contacts()));
   for (int i = 0; i < contacts(); ++i)
     if (state.closing[i] > 0)
       if (const Law at = law(i, state.closing[i]); at.stiffness > 0) {
@@ -224,12 +259,12 @@ std::shared_ptr<const ContactSystem> CoupledDrive::system_of(const Equilibrium& 
     matrix.col(q).tail(m - q).array() *= root * system->root.tail(m - q).array();
     column[q] += 1.0 + root * root * own_[j];
   }
-  system->factor.compute(matrix);
-  if (system->factor.info() != Eigen::Success)
+  if (!system->factor.factor(std::move(matrix)))
     throw SolverError(
         "the contacts are not stable: their compliance is not positive (TC-11); check "
         "mesh.pair_stiffness and the cracks of the races");
-  system->turned = system->factor.solve(system->border);
+  system->turned = system->border;
+  system->factor.solve(system->turned);
   system->resistance = system->border.dot(system->turned);
   return system;
 }
@@ -251,11 +286,12 @@ CoupledDrive::TouchingForces CoupledDrive::forces_of(const ContactSystem& system
   Eigen::VectorXd wanted(system.root.size());
   for (Eigen::Index p = 0; p < wanted.size(); ++p)
     wanted[p] = right(system.contact[static_cast<std::size_t>(p)], system.root[p]);
-  return {.system = system, .base = system.factor.solve(wanted)};
+  system.factor.solve(wanted);
+  return {.system = system, .base = std::move(wanted)};
 }
 
 Equilibrium CoupledDrive::newton_step(const ContactSystem& system, const Equilibrium& state,
-                                      double load) const {
+                                      double load, const std::vector<ContactRun>& of) const {
   const TouchingForces t = forces_of(system, [&](int i, double root) {
     return force_at(i, state.closing[i]) / root +
            root * (free_[i] + amplitude_ * cam_[i] - state.closing[i]);
@@ -270,7 +306,7 @@ Equilibrium CoupledDrive::newton_step(const ContactSystem& system, const Equilib
   else if (load != 0)
     full.rotation += free_travel(state.closing, load);
   full.force = t.force(full.rotation, contacts());
-  close(full);
+  close(full, of);
   return full;
 }
 
@@ -310,7 +346,7 @@ std::optional<Equilibrium> CoupledDrive::solve_touching(const ContactSystem& sys
     TouchingForces t{
         .system = system,
         .base = is.cwiseQuotient(system.root) + system.root.cwiseProduct(rigid - closing)};
-    system.factor.solveInPlace(t.base);
+    system.factor.solve(t.base);
     const double rotation = system.resistance > 0 ? t.rotation(load) : start.rotation;
     const Eigen::VectorXd force = t.touching(rotation);
     // The step solves root (closing - closing before) = (force - is)/root (TC-11).
@@ -339,6 +375,7 @@ void CoupledDrive::judge(Equilibrium& state, double load) const {
   double error = 0.0;
   double carried = 0.0;
   for (int i = 0; i < contacts(); ++i) {
+    if (state.closing[i] <= 0 && state.force[i] == 0) continue;
     const double is = force_at(i, state.closing[i]);
     largest = std::max(largest, is);
     error = std::max(error, std::abs(is - state.force[i]));
@@ -384,22 +421,36 @@ double CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, do
 Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start,
                                 const Eigen::VectorXd& ahead) const {
   // (TC-11): Newton's method on the contact forces; the energy along a step decides its length,
-  // except that a step is taken in full if it leaves a residual of kNear or less, the smallest so
-  // far.  The factored system of a state serves the next steps too while the same contacts touch
-  // and each step divides the residual by kFast.  Near the equilibrium the contacts that touch are
-  // solved alone, and all contacts judge the result.
+  // except that a step is taken in full if it divides the residual by kFar, or if it leaves a
+  // residual of kNear or less, the smallest so far.  The factored system of a state serves the next
+  // steps too while the same contacts touch and each step divides the residual by kFast.  Near the
+  // equilibrium the contacts that touch are solved alone.  The steps leave out contacts that are
+  // far from touching at the start; all contacts judge the result.
   constexpr double kFast = 10;
+  constexpr double kFar = 4;
   const double load = torque / g_.ring_radius;
   Equilibrium state = start;
   state.torque = torque;
   state.converged = false;
   std::shared_ptr<const ContactSystem> system = system_of(start);
+  std::vector<ContactRun> seen = near_contacts(start);
+  bool sees_all = false;
+  const auto see_all = [&] {
+    if (sees_all) return;
+    seen = {{.first = 0, .count = contacts()}};
+    sees_all = true;
+    close(state);
+  };
   double smallest = std::numeric_limits<double>::infinity();
+  judge(state, load);
+  state.converged = false;
+  double last = state.residual;
   int stalled = 0;
   // Whether the contacts that touch alone may find the equilibrium.
   bool near = start.system != nullptr;
   for (state.iterations = 0; state.iterations < max_iterations_; ++state.iterations) {
     if (!system) system = system_of(state);
+    if (load != 0 && !(system->resistance > 0)) see_all();  // for the way to the next flank
     if (near) {
       near = false;
       const Eigen::VectorXd* const guess =
@@ -408,6 +459,7 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start,
         found->iterations += state.iterations;
         if (found->converged) return *std::move(found);
         // Another contact touches, or the stiffness changes.
+        see_all();
         if (found->residual <= kNear && found->residual < smallest) {
           smallest = found->residual;
           state = *std::move(found);
@@ -415,12 +467,19 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start,
         }
       }
     }
-    Equilibrium full = newton_step(*system, state, load);
+    Equilibrium full = newton_step(*system, state, load, seen);
     judge(full, load);
+    if (!sees_all && full.residual <= kStalledTolerances * tolerance_) {
+      see_all();
+      close(full);
+      judge(full, load);
+    }
     const bool fast = full.residual * kFast <= smallest;
+    const bool in_full = full.residual * kFar <= last;
     state.residual = full.residual;
     stalled = full.residual < smallest ? 0 : stalled + 1;
     smallest = std::min(smallest, full.residual);
+    last = std::min(last, full.residual);
     if (stalled >= kStalledSteps && full.residual <= kStalledTolerances * tolerance_)
       full.converged = true;
     if (full.converged) {  // the full step satisfies the laws of the contacts
@@ -428,16 +487,18 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start,
       return full;
     }
     double share = 1.0;
-    if (stalled == 0 && full.residual <= kNear) {
+    const bool close_by = stalled == 0 && full.residual <= kNear;
+    if (close_by || in_full) {
       full.iterations = state.iterations;
       state = std::move(full);
-      near = true;
+      near = close_by;
     } else {
       share = move_toward(full, state, load);
     }
     state.system.reset();
     if (!fast || share < 1 || !same_contacts(*system, state.closing)) system.reset();
   }
+  see_all();
   return state;
 }
 
@@ -470,16 +531,43 @@ Equilibrium CoupledDrive::unloaded() const {
   return state;
 }
 
-bool CoupledDrive::assemble() {
-  // (TC-12)
-  constexpr int kMostSteps = 50;
-  // first amplitude over w_0, because balls and rings deform a little
+void CoupledDrive::guess_assembled() {
+  // Balls and rings deform a little.
   constexpr double kStart = 1.02;
-  constexpr double kExact = 1e-12;    // share of w_0 at which the steps end
-  constexpr double kAccepted = 1e-9;  // share of w_0 accepted after the last step
   const double w0 = g_.radial_displacement;
   amplitude_ = kStart * w0 + g_.clearance;
   assembled_ = unloaded();
+  // Forces of the balls in the shape that typical drives have, which lift the lobes by w_0.
+  constexpr double kBeyond = 0.1;  // of cos 2 psi: balls press a little beyond 45 degrees
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts());
+  for (int k = 0; k < g_.balls; ++k)
+    force[k] = std::sqrt(std::max(0.0, cam_[k] + kBeyond));
+  const double lifted = rings_->lobe(force);
+  if (!(lifted > 0)) return;
+  force *= w0 / lifted;
+  const Eigen::VectorXd elastic = rings_->closings(force);
+  // The mean of the amplitudes at which the balls press so.
+  double needed = 0.0;
+  double weights = 0.0;
+  for (int k = 0; k < g_.balls; ++k) {
+    const double closing = std::cbrt(std::pow(force[k] / g_.ball_stiffness, 2));
+    needed += force[k] * (closing - free_[k] - elastic[k] + own_[k] * force[k]);
+    weights += force[k] * cam_[k];
+  }
+  const double amplitude = needed / weights;
+  if (!(std::abs(amplitude - amplitude_) <= w0)) return;  // no typical drive
+  amplitude_ = amplitude;
+  assembled_.force = force;
+  assembled_.elastic = elastic;
+}
+
+bool CoupledDrive::assemble() {
+  // (TC-12)
+  constexpr int kMostSteps = 50;
+  constexpr double kExact = 1e-12;    // share of w_0 at which the steps end
+  constexpr double kAccepted = 1e-9;  // share of w_0 accepted after the last step
+  const double w0 = g_.radial_displacement;
+  guess_assembled();
   double missing = w0;
   for (int step = 0; step < kMostSteps; ++step) {
     // The system of the last amplitude serves this one too.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "columns.hpp"
 #include "coupled_geometry.hpp"
 #include "elastic_rings.hpp"
 
@@ -24,7 +25,7 @@ struct ContactSystem {
   Eigen::VectorXd border;    // root times the closing per unit of c_0
   Eigen::VectorXd turned;    // force over root per unit of c_0
   double resistance = 0.0;   // of all contacts against c_0
-  Eigen::LLT<Eigen::MatrixXd> factor;
+  SmallCholesky factor;
 };
 
 /// A state of equilibrium.
@@ -150,6 +151,10 @@ class CoupledDrive {
   /// Sets the closings from forces and rotation; the part of the rings is known already or computed
   /// here.
   void close(Equilibrium& state) const;
+  /// The same for some contacts; the others are taken as open.
+  void close(Equilibrium& state, const std::vector<ContactRun>& of) const;
+  /// The contacts that touch in a state, or almost.
+  [[nodiscard]] std::vector<ContactRun> near_contacts(const Equilibrium& state) const;
   void close_rigidly(Equilibrium& state) const;
   /// Energy of a state without the energy of the cam [J].
   [[nodiscard]] double energy(const Equilibrium& state, double load) const;
@@ -180,8 +185,9 @@ class CoupledDrive {
   [[nodiscard]] Equilibrium unloaded() const;
   /// The state after a full step of Newton's method with the system of this state or an earlier
   /// one.
+  /// @param of  contacts that may touch then
   [[nodiscard]] Equilibrium newton_step(const ContactSystem& system, const Equilibrium& state,
-                                        double load) const;
+                                        double load, const std::vector<ContactRun>& of) const;
   /// Newton's method on the contacts of one factored system alone: the steps of `newton_step`
   /// without the contacts that do not touch.
   /// @param guess  closings of all contacts from which the steps begin
@@ -195,6 +201,8 @@ class CoupledDrive {
   void judge(Equilibrium& state, double load) const;
   /// Moves toward the full step as far as the energy falls; returns the share of the step.
   double move_toward(const Equilibrium& full, Equilibrium& state, double load) const;
+  /// Sets an amplitude of the cam and a state from which the assembly begins.
+  void guess_assembled();
   /// Rotation of the ring under a load before the first flank touches.
   [[nodiscard]] double free_travel(const Eigen::VectorXd& closing, double load) const;
   /// Moves the assembled ring to the point of its play that is nearest to rotation 0.

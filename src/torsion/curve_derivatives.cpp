@@ -86,7 +86,7 @@ struct DualDrive {
     using Row = Eigen::Matrix<double, 1, 3 * kWidth>;
     using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3 * kWidth>;
     const Waves& at_teeth = drive.rings().at_teeth();
-    Columns even = Columns::Zero(at_teeth.cosine.cols(), 3 * kWidth);
+    Columns even = Columns::Zero(at_teeth.cosine.rows(), 3 * kWidth);
     Columns odd = even;
     Row row;
     for (int i = drive.balls(); i < drive.contacts(); ++i) {
@@ -97,8 +97,8 @@ struct DualDrive {
         for (const double partial : share->partial) row[column++] = forces[i] * partial;
       if (row.isZero(0.0)) continue;
       const Eigen::Index tooth = (i - drive.balls()) % drive.tooth_count();
-      even.noalias() += at_teeth.cosine.row(tooth).transpose() * row;
-      odd.noalias() += at_teeth.sine.row(tooth).transpose() * row;
+      even.noalias() += at_teeth.cosine.col(tooth) * row;
+      odd.noalias() += at_teeth.sine.col(tooth) * row;
     }
     const auto with = [](const Eigen::VectorXd& value, const Columns& partials, std::size_t group) {
       BasicForceWaves<DualReal>::Vector to(value.size());

@@ -2,8 +2,13 @@
 #include "elastic_rings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <numbers>
+
+#include "columns.hpp"
 
 namespace strainwave {
 namespace {
@@ -16,26 +21,39 @@ bool absent(const Row& shares) {
 
 }  // namespace
 
-Waves::Waves(const std::vector<double>& positions, int harmonics) {
-  const Eigen::Map<const Eigen::ArrayXd> angle(positions.data(),
-                                               static_cast<Eigen::Index>(positions.size()));
-  const Eigen::ArrayXd c = angle.cos();
-  const Eigen::ArrayXd s = angle.sin();
-  cosine = Eigen::MatrixXd::Ones(angle.size(), harmonics + 1);
-  sine = Eigen::MatrixXd::Zero(angle.size(), harmonics + 1);
-  for (int n = 1; n <= harmonics; ++n) {  // advanced by one angle
-    const auto c_before = cosine.col(n - 1).array();
-    const auto s_before = sine.col(n - 1).array();
-    cosine.col(n) = c * c_before - s * s_before;
-    sine.col(n) = s * c_before + c * s_before;
+Waves::Waves(const std::vector<double>& positions, int harmonics)
+    : Waves(std::ssize(positions), harmonics) {
+  for (Eigen::Index i = 0; i < cosine.cols(); ++i) {
+    const double angle = positions[static_cast<std::size_t>(i)];
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    cosine(0, i) = 1.0;
+    sine(0, i) = 0.0;
+    for (int n = 1; n <= harmonics; ++n) {  // advanced by one angle
+      cosine(n, i) = c * cosine(n - 1, i) - s * sine(n - 1, i);
+      sine(n, i) = s * cosine(n - 1, i) + c * sine(n - 1, i);
+    }
   }
 }
 
-Waves Waves::transposed() const {
-  Waves columns = *this;
-  columns.cosine = cosine.transpose();
-  columns.sine = sine.transpose();
-  return columns;
+HalfPitches::HalfPitches(int pitches)
+    : cosine_(2 * static_cast<std::size_t>(pitches)), sine_(cosine_.size()) {
+  const auto turn = cosine_.size();
+  const std::size_t half = turn / 2;
+  for (std::size_t k = 0; k <= half / 2; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(turn);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    for (const std::size_t at : {k, turn - k}) {  // both sides of 0
+      cosine_[at % turn] = c;
+      sine_[at % turn] = at == k ? s : -s;
+    }
+    for (const std::size_t at : {half - k, half + k}) {  // both sides of half a turn
+      cosine_[at] = -c;
+      sine_[at] = at == half - k ? s : -s;
+    }
+  }
+  sine_[0] = sine_[half] = 0.0;
 }
 
 std::vector<double> ContactPlaces::positions() const {
@@ -47,7 +65,7 @@ std::vector<double> ContactPlaces::positions() const {
 
 ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options, const ContactPlaces& places,
-                           const std::vector<FlankShares>& shares)
+                           const std::vector<FlankShares>& shares, const HalfPitches& angles)
     : model_(gear, Lift<double>(), geometry, options),
       balls_(static_cast<int>(places.balls.size())),
       teeth_(static_cast<int>(places.teeth.size())),
@@ -56,14 +74,14 @@ ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
       neighbours_(geometry.neighbours),
       position_(places.positions()),
       at_balls_({position_.begin(), position_.begin() + balls_}, options.harmonics),
-      at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_},
-                options.harmonics),
-      of_tooth_(at_teeth_.transposed()) {
+      at_teeth_(angles.waves(teeth_, options.harmonics, [&](Eigen::Index i) {
+        return 2 * tooth_[static_cast<std::size_t>(i)] + 1;
+      })) {
   for (int i = 0; i < 2 * teeth_; ++i) {
     const FlankShares& of = shares[static_cast<std::size_t>(i)];
     shares_.col(i) << of.outward, of.along, of.higher;
   }
-  fill_flexibility(places);
+  fill_flexibility(places, angles);
   fill_lobe();
 }
 
@@ -74,20 +92,36 @@ FlankShares ElasticRings::shares_of(int contact) const {
 
 BasicForceWaves<double> ElasticRings::waves_of(const Eigen::VectorXd& force) const {
   BasicForceWaves<double> sums;
-  const auto of_balls = force.head(balls_);
-  sums.even[0] = at_balls_.cosine.transpose() * of_balls;
-  sums.odd[0] = at_balls_.sine.transpose() * of_balls;
+  std::vector<int> carries;  // most contacts carry no force
+  std::vector<double> of_each;
+  carries.reserve(position_.size());
+  of_each.reserve(position_.size());
+  const auto sum = [&](const Eigen::MatrixXd& waves) {
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(waves.rows());
+    subtract_columns(
+        total.data(), total.size(), std::ssize(carries),
+        [&](Eigen::Index p) {
+          return waves.data() + carries[static_cast<std::size_t>(p)] * waves.rows();
+        },
+        [&](Eigen::Index p) { return -of_each[static_cast<std::size_t>(p)]; });
+    return total;
+  };
+  const auto carry = [&](int place, double value) {
+    if (value == 0) return;
+    carries.push_back(place);
+    of_each.push_back(value);
+  };
+  for (int k = 0; k < balls_; ++k) carry(k, force[k]);
+  sums.even[0] = sum(at_balls_.cosine);
+  sums.odd[0] = sum(at_balls_.sine);
   for (std::size_t group = 1; group < 4; ++group) {
-    sums.even[group] = sums.odd[group] = Eigen::VectorXd::Zero(model_.harmonics() + 1);
+    carries.clear();
+    of_each.clear();
     const auto share = shares_.row(static_cast<Eigen::Index>(group) - 1);
-    if (absent(share)) continue;
-    for (int j = 0; j < teeth_; ++j) {
-      const double of_tooth =
-          share[j] * force[balls_ + j] + share[teeth_ + j] * force[balls_ + teeth_ + j];
-      if (of_tooth == 0) continue;  // most teeth carry no force
-      sums.even[group] += of_tooth * of_tooth_.cosine.col(j);
-      sums.odd[group] += of_tooth * of_tooth_.sine.col(j);
-    }
+    for (int j = 0; j < teeth_; ++j)
+      carry(j, share[j] * force[balls_ + j] + share[teeth_ + j] * force[balls_ + teeth_ + j]);
+    sums.even[group] = sum(at_teeth_.cosine);
+    sums.odd[group] = sum(at_teeth_.sine);
   }
   return sums;
 }
@@ -108,7 +142,10 @@ Eigen::VectorXd ElasticRings::displacements_of(const Eigen::VectorXd& x,
       even[n] += d.spline_radial * x[j] + d.spline_turn(n) * x[j + 1];
       odd[n] += d.spline_radial * x[j + 1] - d.spline_turn(n) * x[j];
     }
-    return waves.cosine * even + waves.sine * odd;
+    Eigen::VectorXd moves = Eigen::VectorXd::Zero(waves.cosine.cols());
+    if (!absent(even)) moves.noalias() += waves.cosine.transpose() * even;
+    if (!absent(odd)) moves.noalias() += waves.sine.transpose() * odd;
+    return moves;
   };
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(contacts());
   moved.head(balls_) = in(of_balls, at_balls_);
@@ -145,30 +182,72 @@ ElasticRings::Kernel ElasticRings::kernel(const ContactDirection& of,
   return kernel;
 }
 
-void ElasticRings::fill_flexibility(const ContactPlaces& places) {
+void ElasticRings::fill_flexibility(const ContactPlaces& places, const HalfPitches& angles) {
   flexibility_.resize(contacts(), contacts());
-  fill_balls();
-  fill_flanks(places);
+  fill_balls(places);
+  fill_flanks(places, angles);
 }
 
-void ElasticRings::fill_balls() {
-  const Kernel balls = kernel(model_.ball(), model_.ball());
-  flexibility_.topLeftCorner(balls_, balls_) =
-      at_balls_.cosine * (at_balls_.cosine * balls.even.asDiagonal()).transpose() +
-      at_balls_.sine * (at_balls_.sine * balls.even.asDiagonal()).transpose();
-  const auto even = [&](const Eigen::VectorXd& of) -> Eigen::MatrixXd {
-    return at_balls_.cosine * (at_teeth_.cosine * of.asDiagonal()).transpose() +
-           at_balls_.sine * (at_teeth_.sine * of.asDiagonal()).transpose();
+Eigen::MatrixXd ElasticRings::balls_by_teeth(const Eigen::VectorXd& kernel, bool odd,
+                                             const ContactPlaces& places) const {
+  // An even kernel is cos cos + sin sin of ball and tooth, an odd one sin cos - cos sin.  A mirror
+  // of the tooth at the lobe changes the sign of the second product.  With an even number of teeth
+  // there is a tooth half a turn away, for which the odd harmonics change their signs.
+  const Eigen::Index sides = places.pitches % 2 == 0 ? 2 : 1;
+  const Eigen::Index half = teeth_ / sides;
+  const Eigen::Index base = (half + 1) / 2;
+  // With a ball at the lobe the balls have the mirror too.
+  const bool mirrored = position_.front() == 0.0;
+  const Eigen::Index balls = mirrored ? balls_ / 2 + 1 : balls_;
+  const auto products = [&](const Eigen::MatrixXd& of_balls, const Eigen::MatrixXd& of_teeth) {
+    std::array<Eigen::MatrixXd, 2> sums;  // of all harmonics at a tooth, and half a turn away
+    for (Eigen::Index side = 0; side < sides; ++side) {
+      const Eigen::Index rows = (kernel.size() - side + sides - 1) / sides;
+      Eigen::MatrixXd weighted(rows, balls);
+      Eigen::MatrixXd waves(rows, base);
+      for (Eigen::Index n = 0; n < rows; ++n) {
+        const Eigen::Index harmonic = side + sides * n;
+        weighted.row(n) = kernel[harmonic] * of_balls.row(harmonic).head(balls);
+        waves.row(n) = of_teeth.row(harmonic).head(base);
+      }
+      const Eigen::MatrixXd sum = weighted.transpose() * waves;
+      if (side == 0)
+        sums = {sum, sum};
+      else
+        sums = {sums[0] + sum, sums[1] - sum};
+    }
+    return sums;
   };
-  const auto odd = [&](const Eigen::VectorXd& of) -> Eigen::MatrixXd {
-    return at_balls_.sine * (at_teeth_.cosine * of.asDiagonal()).transpose() -
-           at_balls_.cosine * (at_teeth_.sine * of.asDiagonal()).transpose();
-  };
+  const auto even = products(odd ? at_balls_.sine : at_balls_.cosine, at_teeth_.cosine);
+  const auto second = products(odd ? at_balls_.cosine : at_balls_.sine, at_teeth_.sine);
+  const double sign = odd ? -1.0 : 1.0;
+  Eigen::MatrixXd opens(balls_, teeth_);
+  auto of_balls = opens.topRows(balls);
+  of_balls.leftCols(base) = even[0] + sign * second[0];
+  of_balls.rightCols(base) = (even[0] - sign * second[0]).rowwise().reverse();
+  if (sides == 2) {
+    of_balls.middleCols(half - base, base) = (even[1] - sign * second[1]).rowwise().reverse();
+    of_balls.middleCols(half, base) = even[1] + sign * second[1];
+  }
+  for (Eigen::Index k = balls; k < balls_; ++k)
+    opens.row(k) = sign * opens.row(balls_ - k).reverse();
+  return opens;
+}
+
+void ElasticRings::fill_balls(const ContactPlaces& places) {
+  const Eigen::VectorXd balls = HalfPitches(balls_)
+                                    .waves(balls_, model_.harmonics(),
+                                           [](Eigen::Index k) { return 2 * k; })
+                                    .cosine.transpose() *
+                                kernel(model_.ball(), model_.ball()).even;
+  for (int i = 0; i < balls_; ++i)
+    for (int k = 0; k < balls_; ++k) flexibility_(i, k) = balls[std::abs(i - k)];
   flexibility_.rightCols(2 * teeth_).topRows(balls_).setZero();
   for (int k = 0; k < 3; ++k) {
     if (absent(shares_.row(k))) continue;
     const Kernel mixed = kernel(model_.ball(), model_.flanks()[static_cast<std::size_t>(k)]);
-    const Eigen::MatrixXd opens = k == 0 ? even(mixed.even) : odd(mixed.odd);
+    const Eigen::MatrixXd opens =
+        balls_by_teeth(k == 0 ? mixed.even : mixed.odd, k > 0, places);
     for (const int first : {0, teeth_})
       flexibility_.block(0, balls_ + first, balls_, teeth_) +=
           opens * shares_.row(k).segment(first, teeth_).asDiagonal();
@@ -177,62 +256,89 @@ void ElasticRings::fill_balls() {
       flexibility_.topRightCorner(balls_, 2 * teeth_).transpose();
 }
 
-void ElasticRings::fill_flanks(const ContactPlaces& places) {
+void ElasticRings::fill_flanks(const ContactPlaces& places, const HalfPitches& angles) {
   // Between teeth only the number of pitches matters.  A radial and a radial force, and forces
   // along the pitch circle, are even in it, a radial force and one along the pitch circle odd.
-  std::vector<double> apart;
-  for (int k = 0; k < places.pitches; ++k) apart.push_back(k * places.pitch());
-  const Waves waves(apart, model_.harmonics());
+  const int turn = places.pitches;
+  const int half = turn / 2;
+  const Waves waves = angles.waves(half + 1, model_.harmonics(),
+                                   [](Eigen::Index k) { return 2 * k; });
   const auto& [outward, along, higher] = model_.flanks();
-  const auto even = [&](const ContactDirection& of, const ContactDirection& by) -> Eigen::VectorXd {
-    return waves.cosine * kernel(of, by).even;
+  // The closing over the pitches between two teeth, from -(turn - 1) to turn - 1.
+  using Table = Eigen::ArrayXd;
+  const auto table = [&](const Eigen::MatrixXd& of_waves, const Eigen::VectorXd& kernel,
+                         double sign) -> Table {
+    const Eigen::VectorXd first = of_waves.transpose() * kernel;
+    Table over(2 * turn - 1);
+    for (int k = 0; k < turn; ++k) {
+      const double value = k <= half ? first[k] : sign * first[turn - k];
+      over[turn - 1 + k] = value;
+      over[turn - 1 - k] = sign * value;
+    }
+    return over;
   };
-  const auto odd = [&](const ContactDirection& of, const ContactDirection& by) -> Eigen::VectorXd {
-    return waves.sine * kernel(of, by).odd;
+  const auto even = [&](const ContactDirection& of, const ContactDirection& by) {
+    return table(waves.cosine, kernel(of, by).even, 1.0);
+  };
+  const auto odd = [&](const ContactDirection& of, const ContactDirection& by) {
+    return table(waves.sine, kernel(of, by).odd, -1.0);
   };
   const bool has_higher = !absent(shares_.row(2));
-  const Eigen::VectorXd along_higher = has_higher ? even(along, higher) : Eigen::VectorXd();
-  const Eigen::VectorXd higher_higher = has_higher ? even(higher, higher) : Eigen::VectorXd();
-  const Eigen::VectorXd outward_higher = has_higher ? odd(outward, higher) : Eigen::VectorXd();
-  struct Table {
-    Eigen::VectorXd outward;
-    Eigen::VectorXd along;
-    Eigen::VectorXd mixed;
+  const Table along_higher = has_higher ? even(along, higher) : Table();
+  const Table higher_higher = has_higher ? even(higher, higher) : Table();
+  const Table outward_higher = has_higher ? odd(outward, higher) : Table();
+  struct Tables {
+    Table outward;
+    Table along;
+    Table mixed;
   };
-  const Table rings{even(outward, outward), even(along, along), odd(outward, along)};
+  const Tables rings{even(outward, outward), even(along, along), odd(outward, along)};
   // With the neighbouring teeth (TC-31), which depend on the sides of both flanks.
-  const auto table = [&](int of_side, int by_side) {
-    Table sum = rings;
-    for (int k = 0; neighbours_ && k < places.pitches; ++k) {
+  const auto tables = [&](int of_side, int by_side) {
+    Tables sum = rings;
+    if (!neighbours_) return sum;
+    for (int k = 0; k < turn; ++k) {
       const auto moved = neighbours_->between({k, of_side}, {0, by_side});
-      sum.outward[k] += moved.outward;
-      sum.along[k] += moved.along;
-      sum.mixed[k] += moved.mixed;
+      for (const int at : {turn - 1 + k, k - 1})  // both are k pitches ahead
+        if (at >= 0) {
+          sum.outward[at] += moved.outward;
+          sum.along[at] += moved.along;
+          sum.mixed[at] += moved.mixed;
+        }
     }
     return sum;
   };
-  const auto fill = [&](int of_first, int by_first, const Table& by) {
-    const bool same = of_first == by_first;
+  std::vector<ContactRun> runs;  // of teeth side by side
+  for (int i = 0; i < teeth_; ++i) {
+    if (i == 0 || number(i) != number(i - 1) + 1) runs.push_back({.first = i, .count = 0});
+    ++runs.back().count;
+  }
+  const Eigen::ArrayX3d shares = shares_.transpose();
+  const auto fill = [&](int of_first, int by_first, const Tables& by) {
     for (int j = 0; j < teeth_; ++j) {
       const auto b = shares_.col(by_first + j);
-      for (int i = same ? j : 0; i < teeth_; ++i) {
-        const auto a = shares_.col(of_first + i);
-        const int steps = tooth_[static_cast<std::size_t>(i)] - tooth_[static_cast<std::size_t>(j)];
-        const int k = steps < 0 ? steps + places.pitches : steps;
-        double opens = a[0] * b[0] * by.outward[k] + a[1] * b[1] * by.along[k] +
-                       (a[0] * b[1] - a[1] * b[0]) * by.mixed[k];
+      for (const ContactRun& run : runs) {
+        const int steps = number(run.first) - number(j) + turn - 1;
+        const auto a = [&](int k) { return shares.col(k).segment(of_first + run.first, run.count); };
+        const auto at = [&](const Table& of) { return of.segment(steps, run.count); };
+        auto opens = flexibility_.col(balls_ + by_first + j)
+                         .segment(balls_ + of_first + run.first, run.count)
+                         .array();
+        opens = a(0) * (b[0] * at(by.outward) + b[1] * at(by.mixed)) +
+                a(1) * (b[1] * at(by.along) - b[0] * at(by.mixed));
         if (has_higher)
-          opens += (a[1] * b[2] + a[2] * b[1]) * along_higher[k] + a[2] * b[2] * higher_higher[k] +
-                   (a[0] * b[2] - a[2] * b[0]) * outward_higher[k];
-        flexibility_(balls_ + of_first + i, balls_ + by_first + j) = opens;
-        flexibility_(balls_ + by_first + j, balls_ + of_first + i) = opens;  // Maxwell
+          opens += a(0) * (b[2] * at(outward_higher)) + a(1) * (b[2] * at(along_higher)) +
+                   a(2) * (b[1] * at(along_higher) + b[2] * at(higher_higher) -
+                           b[0] * at(outward_higher));
       }
     }
   };
-  const Table like = table(+1, +1);
+  const Tables like = tables(+1, +1);
   fill(0, 0, like);
   fill(teeth_, teeth_, like);
-  fill(0, teeth_, table(+1, -1));
+  fill(0, teeth_, tables(+1, -1));
+  flexibility_.block(balls_ + teeth_, balls_, teeth_, teeth_) =  // Maxwell
+      flexibility_.block(balls_, balls_ + teeth_, teeth_, teeth_).transpose();
 }
 
 FlankPlace ElasticRings::flank(int contact) const {
@@ -249,6 +355,7 @@ double ElasticRings::neighbour_energy(const Eigen::VectorXd& force) const {
     FlankShares force;  // of the contact, by its directions
   };
   std::vector<Loaded> loaded;
+  loaded.reserve(position_.size());
   for (int i = balls_; i < contacts(); ++i)
     if (force[i] != 0) {
       const FlankShares shares = shares_of(i);
@@ -288,16 +395,21 @@ Eigen::VectorXd ElasticRings::coefficients_of(const Eigen::VectorXd& force) cons
   return model_.response_to(model_.load_of(waves_of(force)));
 }
 
-Eigen::VectorXd ElasticRings::closings(const Eigen::VectorXd& force) const {
+Eigen::VectorXd ElasticRings::closings(const Eigen::VectorXd& force,
+                                       const std::vector<ContactRun>& of) const {
   std::vector<int> carries;
+  carries.reserve(position_.size());
   for (int i = 0; i < contacts(); ++i)
     if (force[i] != 0) carries.push_back(i);
-  const auto made = [&](std::size_t p) { return force[carries[p]] * flexibility_.col(carries[p]); };
+  const auto contact = [&](Eigen::Index p) { return carries[static_cast<std::size_t>(p)]; };
   Eigen::VectorXd closings = Eigen::VectorXd::Zero(contacts());
-  std::size_t p = 0;
-  for (; p + 4 <= carries.size(); p += 4)  // four in one pass keep the sums in registers
-    closings -= (made(p) + made(p + 1)) + (made(p + 2) + made(p + 3));
-  for (; p < carries.size(); ++p) closings -= made(p);
+  for (const ContactRun& run : of)
+    subtract_columns(
+        closings.data() + run.first, run.count, std::ssize(carries),
+        [&](Eigen::Index p) {
+          return flexibility_.data() + contact(p) * flexibility_.rows() + run.first;
+        },
+        [&](Eigen::Index p) { return force[contact(p)]; });
   return closings;
 }
 

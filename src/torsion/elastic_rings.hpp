@@ -16,19 +16,51 @@
 
 namespace strainwave {
 
-/// Cosines and sines of the harmonics 0 to N at given positions, one row for each position.
+/// Cosines and sines of the harmonics 0 to N at some positions, one column for each position.
 struct Waves {
+  Waves(Eigen::Index positions, int harmonics)
+      : cosine(harmonics + 1, positions), sine(harmonics + 1, positions) {}
+  /// At given positions.
   Waves(const std::vector<double>& positions, int harmonics);
-  /// The same with one column for each position.
-  [[nodiscard]] Waves transposed() const;
   Eigen::MatrixXd cosine;
   Eigen::MatrixXd sine;
 };
 
+/// Cosines and sines of all multiples of half a pitch.  They serve every harmonic of every tooth,
+/// because a harmonic of such an angle is such an angle again.
+class HalfPitches {
+ public:
+  /// @param pitches  of the whole turn
+  explicit HalfPitches(int pitches);
+  /// The harmonics 0 to N at some angles.
+  /// @param angle  column -> angle in half pitches, at least 0
+  template <class Angle>
+  [[nodiscard]] Waves waves(Eigen::Index positions, int harmonics, const Angle& angle) const {
+    Waves waves(positions, harmonics);
+    const std::size_t turn = cosine_.size();
+    for (Eigen::Index i = 0; i < positions; ++i) {
+      const std::size_t step = static_cast<std::size_t>(angle(i)) % turn;
+      std::size_t at = 0;
+      for (int n = 0; n <= harmonics; ++n) {
+        waves.cosine(n, i) = cosine_[at];
+        waves.sine(n, i) = sine_[at];
+        at += step;
+        if (at >= turn) at -= turn;
+      }
+    }
+    return waves;
+  }
+
+ private:
+  std::vector<double> cosine_;
+  std::vector<double> sine_;
+};
+
 /// Positions of balls and teeth.
 struct ContactPlaces {
-  std::vector<double> balls;  ///< positions
-  std::vector<int> teeth;     ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches
+  std::vector<double> balls;  ///< positions, evenly around the turn
+  std::vector<int> teeth;     ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches;
+                              ///< in order, and the same after a mirror at a lobe
   int pitches = 1;            ///< pitches of the whole turn
   [[nodiscard]] double pitch() const { return 2 * std::numbers::pi / pitches; }
   [[nodiscard]] double position_of(int tooth) const { return (tooth + 0.5) * pitch(); }
@@ -36,12 +68,19 @@ struct ContactPlaces {
   [[nodiscard]] std::vector<double> positions() const;
 };
 
+/// Contacts or teeth whose numbers follow each other.
+struct ContactRun {
+  int first = 0;
+  int count = 0;
+};
+
 class ElasticRings {
  public:
   /// The contacts are the balls, the drive flanks of the teeth, and their coast flanks.
   /// @param shares  of the flanks
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
-               const ContactPlaces& places, const std::vector<FlankShares>& shares);
+               const ContactPlaces& places, const std::vector<FlankShares>& shares)
+      : ElasticRings(gear, geometry, options, places, shares, HalfPitches(places.pitches)) {}
 
   /// The same rings, softened by cracks.
   /// @throws SolverError  if hinges of one ring overlap so far that the ring has no stiffness left
@@ -67,7 +106,12 @@ class ElasticRings {
   /// (TC-4), (TC-31).
   [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
   /// Closings of all contacts under contact forces.
-  [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const;
+  [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const {
+    return closings(force, {{.first = 0, .count = contacts()}});
+  }
+  /// Closings of some contacts under contact forces; 0 for the others.
+  [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force,
+                                         const std::vector<ContactRun>& of) const;
   /// Coefficients of all modes under contact forces.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
   /// Closings of all contacts from coefficients, without (TC-31).
@@ -106,15 +150,24 @@ class ElasticRings {
   [[nodiscard]] HoopForce spline_hoop_force(const Eigen::VectorXd& force) const;
 
  private:
+  ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
+               const ContactPlaces& places, const std::vector<FlankShares>& shares,
+               const HalfPitches& angles);
   /// Closing of one contact due to another as a Fourier series in the angle between them (TC-4).
   struct Kernel {
     Eigen::VectorXd even;
     Eigen::VectorXd odd;
   };
+  /// Number of a tooth that may touch.
+  [[nodiscard]] int number(int tooth) const { return tooth_[static_cast<std::size_t>(tooth)]; }
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
-  void fill_flexibility(const ContactPlaces& places);
-  void fill_balls();
-  void fill_flanks(const ContactPlaces& places);
+  void fill_flexibility(const ContactPlaces& places, const HalfPitches& angles);
+  void fill_balls(const ContactPlaces& places);
+  /// How balls open under forces of all teeth in one direction.
+  /// @param kernel  the harmonics, even or odd in the angle between ball and tooth
+  [[nodiscard]] Eigen::MatrixXd balls_by_teeth(const Eigen::VectorXd& kernel, bool odd,
+                                               const ContactPlaces& places) const;
+  void fill_flanks(const ContactPlaces& places, const HalfPitches& angles);
   void fill_lobe();
 
   RingModel<double> model_;
@@ -126,7 +179,6 @@ class ElasticRings {
   std::vector<double> position_;  // positions of balls, drive flanks, coast flanks
   Waves at_balls_;
   Waves at_teeth_;
-  Waves of_tooth_;        // at_teeth_ with one column for each tooth
   Eigen::VectorXd lobe_;  // lobe displacement per unit force of each contact
   Eigen::MatrixXd flexibility_;
 };

@@ -2,6 +2,7 @@
 #include "strainwave/torsion/tooth_flanks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
@@ -9,6 +10,7 @@
 
 #include "angles.hpp"
 #include "half_path.hpp"
+#include "strainwave/core/roots.hpp"
 
 namespace strainwave {
 namespace {
@@ -45,6 +47,26 @@ Real roll(const Real& distance, const Real& base) {
   return square > 0 ? Real(sqrt(square)) : Real(0.0);
 }
 
+/// Turns the cosine and the sine of an angle to that of an angle which is larger by a small one.
+template <class Real>
+void turn_by(const Real& angle, Real& c, Real& s) {
+  using std::cos, std::sin;
+  Real cosine;
+  Real sine;
+  constexpr double kSmall = 0.03;  // the next terms are below 1e-18
+  if (std::abs(value_of(angle)) < kSmall) {
+    const Real square = angle * angle;
+    cosine = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
+    sine = angle * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));
+  } else {
+    cosine = cos(angle);
+    sine = sin(angle);
+  }
+  const Real before = c;
+  c = before * cosine - s * sine;
+  s = s * cosine + before * sine;
+}
+
 }  // namespace
 
 template <class Real>
@@ -77,19 +99,18 @@ BasicToothMotion<Real>::BasicToothMotion(const BasicTeeth<Real>& teeth)
 
 template <class Real>
 typename BasicToothMotion<Real>::Section BasicToothMotion<Real>::section(double t) const {
-  using std::cos, std::sin;
   const Real& R = ring_radius_;
   const Real& w0 = wave_;
   constexpr int kSteps = 3;  // of Newton's method; the start errs by (w_0/R)^2
-  Real phi = t - w0 / (2 * R) * std::sin(2 * t);
-  Real r;
-  Real slope;
-  for (int step = 0; step <= kSteps; ++step) {
-    const Real c = cos(2 * phi);
-    const Real s = sin(2 * phi);
-    r = mean_radius_ + w0 * c;
-    slope = -2 * w0 * s;
-    if (step == kSteps) break;
+  // Below this step Newton's method has no error that a double shows.
+  constexpr double kExact = 1e-9;
+  // cosine and sine of 2 t, and then of 2 phi
+  Real c(std::cos(2 * t));
+  Real s(std::sin(2 * t));
+  const Real start = -w0 / (2 * R) * s;
+  Real phi = t + start;
+  turn_by(Real(2 * start), c, s);
+  for (int step = 0; step < kSteps; ++step) {
     Real length = R * phi;
     Real before(0.0);  // sin(2 (n - 1) phi)
     Real sine = s;     // sin(2 n phi)
@@ -97,9 +118,12 @@ typename BasicToothMotion<Real>::Section BasicToothMotion<Real>::section(double 
       length += series_[static_cast<std::size_t>(n - 1)] * sine / (2 * n);
       before = std::exchange(sine, Real(2 * c * sine - before));
     }
-    phi -= (length - R * t) / length_of(r, slope);
+    const Real missing = (R * t - length) / length_of(Real(mean_radius_ + w0 * c), Real(2 * w0 * s));
+    phi += missing;
+    turn_by(Real(2 * missing), c, s);
+    if (std::is_same_v<Real, double> && std::abs(value_of(missing)) < kExact) break;
   }
-  return {.angle = phi, .radius = r, .slope = slope};
+  return {.angle = phi, .radius = mean_radius_ + w0 * c, .slope = -2 * w0 * s};
 }
 
 template <class Real>
@@ -138,13 +162,9 @@ template <class Real>
 BasicToothGap<Real>::BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone,
                                    const Real& face_width)
     : teeth_(teeth), cone_(cone), face_width_(face_width), motion_(teeth) {
-  double low = 0.0;
-  double high = pi / 2;
-  while (high - low > 1e-12) {
-    const double t = (low + high) / 2;
-    (engaged(t) ? low : high) = t;
-  }
-  end_ = low;
+  using std::cos, std::sin;
+  flank_direction_ = {cos(teeth.flank_angle), sin(teeth.flank_angle)};
+  end_ = find_end();
   const bool half_path = teeth.profile == ToothProfile::half_path;
   // At the seat the gap is least, so its derivative by the angle is zero, and the angle may be that
   // of the values alone.
@@ -181,18 +201,25 @@ Real BasicToothGap<Real>::tip_thickness() const {
 }
 
 template <class Real>
-bool BasicToothGap<Real>::engaged(double t) const {
-  using std::cos, std::sin;
-  const Pose at = motion_.pose(t);
-  return at.outward - tip_thickness() / 2 * sin(at.turn) +
-             (teeth_.pitch_offset + teeth_.addendum) * cos(at.turn) >=
-         pitch_height() - teeth_.spline_addendum;  // (TC-29)
+double BasicToothGap<Real>::find_end() const {
+  const double half_tip = value_of(tip_thickness()) / 2;
+  const double tip = value_of(teeth_.pitch_offset + teeth_.addendum);
+  const double lowest = value_of(pitch_height() - teeth_.spline_addendum);
+  const auto common = [&](double t) {  // height that both teeth have
+    const Pose at = motion_.pose(t);
+    const double turn = value_of(at.turn);
+    return value_of(at.outward) - half_tip * std::sin(turn) + tip * std::cos(turn) - lowest;
+  };
+  const double at_lobe = common(0.0);
+  if (!(at_lobe > 0)) return 0.0;
+  const double between = common(pi / 2);
+  if (between >= 0) return pi / 2;
+  return bracketed_root(common, 0.0, pi / 2, at_lobe, between);  // (TC-29)
 }
 
 template <class Real>
 Real BasicToothGap<Real>::straight_gap(const Pose& at, const Real& play) const {
   using std::cos, std::sin;
-  const Real& alpha = teeth_.flank_angle;
   const Real c = cos(at.turn);
   const Real s = sin(at.turn);
   const Real half = teeth_.thickness / 2;
@@ -200,10 +227,11 @@ Real BasicToothGap<Real>::straight_gap(const Pose& at, const Real& play) const {
   // from the pitch point of the tooth's flank to that of the wall
   const Real dx = half - at.across - half * c - e * s;
   const Real dy = pitch_height() - at.outward + half * s - e * c;
-  const Real beta = alpha - at.turn;
-  const Real tip = dx * cos(alpha) + dy * sin(alpha) + play - teeth_.addendum * s / cos(alpha);
-  const Real root =
-      dx * cos(beta) + dy * sin(beta) + play * c + teeth_.spline_addendum * s / cos(alpha);
+  const auto& [ca, sa] = flank_direction_;  // of alpha
+  const Real tilted = s / ca;
+  const Real tip = dx * ca + dy * sa + play - teeth_.addendum * tilted;
+  const Real root = dx * (ca * c + sa * s) + dy * (sa * c - ca * s) + play * c +
+                    teeth_.spline_addendum * tilted;
   return least(tip, root);  // (TC-29)
 }
 
@@ -358,32 +386,29 @@ double BasicToothGap<Real>::find_seat() const {
 
 template <class Real>
 double BasicToothGap<Real>::find_widest() const {
+  if (!(end_ > 0)) return end_;
   const auto height = [&](double t) { return value_of(mid_gap(t, play_)); };
   constexpr int kSamples = 120;
   const double step = end_ / kSamples;
+  std::array<double, kSamples + 1> heights;
+  for (int i = 0; i <= kSamples; ++i) heights[static_cast<std::size_t>(i)] = height(i * step);
   // Flanks that are seated beside the lobe have a gap at the lobe, too.
-  double seated = 0.0;
-  double least = height(seated);
-  for (int i = 1; i * step <= kSeat; ++i)
-    if (const double at = height(i * step); at < least) {
-      seated = i * step;
-      least = at;
-    }
-  double best = seated;
-  double most = least;
-  for (double t = seated; t <= end_; t += step)
-    if (const double at = height(t); at > most) {
-      best = t;
-      most = at;
-    }
-  double low = std::max(best - step, seated);
-  double high = std::min(best + step, end_);
-  while (high - low > 1e-10) {  // by the sign of the slope
+  const auto seats = std::min(kSamples, static_cast<int>(kSeat / step));
+  const auto seat = std::min_element(heights.begin(), heights.begin() + seats + 1);
+  const double seated = step * static_cast<double>(seat - heights.begin());
+  const double best =
+      step * static_cast<double>(std::max_element(seat, heights.end()) - heights.begin());
+  const double low = std::max(best - step, seated);
+  const double high = std::min(best + step, end_);
+  const auto rises = [&](double t) {
     constexpr double kStep = 1e-6;
-    const double t = (low + high) / 2;
-    (height(t + kStep) > height(t - kStep) ? low : high) = t;
-  }
-  return (low + high) / 2;
+    return height(t + kStep) - height(t - kStep);
+  };
+  const double at_low = rises(low);
+  const double at_high = rises(high);
+  if (!(at_low > 0)) return low;
+  if (!(at_high < 0)) return high;
+  return bracketed_root(rises, low, high, at_low, at_high);
 }
 
 template class BasicToothGap<double>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <numbers>
 #include <type_traits>
@@ -47,7 +48,7 @@ std::vector<LayerPoint> make_layer_points() {
   constexpr int kPanels = 6;
   std::vector<LayerPoint> points;
   for (int panel = 0; panel < kPanels; ++panel)
-    for_each_point<30>([&](double x, double weight) {
+    for_each_point<20>([&](double x, double weight) {
       constexpr double kLength = kShortest / kPanels;
       const double K = (panel + x) * kLength;
       const double e = std::exp(-2 * K);
@@ -67,23 +68,123 @@ const std::vector<LayerPoint>& layer_points() {
   return points;
 }
 
-/// Transform of a load that is constant over the root, with x = K B/2.
-template <class Real>
-Real of_even_load(const Real& x) {
-  using std::sin;
-  return sin(x) / x;
+/// Transforms of the loads over a root.
+template <class Number>
+struct RootLoads {
+  Number even{};    // of a load that is constant over the root
+  Number linear{};  // of the pressure of a moment, which is linear over it, divided by x/3
+};
+
+constexpr double kSmall = 0.3;  // where the transform of the linear load is a power series
+
+/// The power series of the linear load in x^2.
+template <class Number>
+Number of_small_linear_load(const Number& square) {
+  return 1.0 -
+         square / 10.0 * (1.0 - square / 28.0 * (1.0 - square / 54.0 * (1.0 - square / 88.0)));
 }
 
-/// Transform of the pressure of a moment, which is linear over the root, divided by x/3.
+/// @param x  K B/2
 template <class Real>
-Real of_linear_load(const Real& x) {
+RootLoads<Real> root_loads(const Real& x) {
   using std::cos, std::sin;
-  const Real square = x * x;
-  constexpr double kSmall = 0.3;
-  return x < kSmall
-             ? Real(1 - square / 10 * (1 - square / 28 * (1 - square / 54 * (1 - square / 88))))
-             : Real(3 * (sin(x) - x * cos(x)) / (square * x));
+  const Real s = sin(x);
+  return {.even = s / x,
+          .linear = x < kSmall ? of_small_linear_load<Real>(x * x)
+                               : Real(3 * (s - x * cos(x)) / (x * x * x))};
 }
+
+/// A complex number whose parts may carry derivatives.
+template <class Real>
+struct Complex {
+  Real re{};
+  Real im{};
+
+  friend Complex operator*(const Complex& a, const Complex& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  }
+  friend Complex operator*(const std::complex<double>& a, const Complex& b) {
+    return {a.real() * b.re - a.imag() * b.im, a.real() * b.im + a.imag() * b.re};
+  }
+  friend Complex operator-(const Complex& a, const Complex& b) {
+    return {a.re - b.re, a.im - b.im};
+  }
+  friend Complex operator-(double a, const Complex& b) { return {a - b.re, -b.im}; }
+  friend Complex operator*(const Complex& a, const Real& b) { return {a.re * b, a.im * b}; }
+  friend Complex operator/(const Complex& a, double b) { return {a.re / b, a.im / b}; }
+  [[nodiscard]] Complex inverse() const {
+    const Real square = re * re + im * im;
+    return {re / square, -im / square};
+  }
+};
+
+/// @param x  K B/2 of a complex wave number
+template <class Real>
+RootLoads<Complex<Real>> root_loads(const Complex<Real>& x) {
+  using std::cos, std::exp, std::sin;
+  const Real grows = exp(x.im);
+  const Real even = (grows + 1 / grows) / 2;
+  const Real odd = (grows - 1 / grows) / 2;
+  const Real c = cos(x.re);
+  const Real s = sin(x.re);
+  const Complex<Real> sine = {s * even, c * odd};
+  const Complex<Real> cosine = {c * even, -s * odd};
+  const Complex<Real> square = x * x;
+  const bool small = value_of(x.re * x.re + x.im * x.im) < kSmall * kSmall;
+  const Complex<Real> over = x.inverse();
+  return {.even = sine * over,
+          .linear = small ? of_small_linear_load(square)
+                          : (sine - x * cosine) * (over * over * over) * Real(3.0)};
+}
+
+/// A state of the layer without a load, which fades along it.
+struct FadingWave {
+  std::complex<double> wave;   // K, a root of sinh 2K + 2K
+  std::complex<double> press;  // 2K/(cosh 2K + 1)
+};
+
+/// From this distance between two roots on, less the width of a root, the fading waves alone tell
+/// the motion.
+constexpr double kFar = 0.5;
+/// A wave that has faded by exp(-40) is left out.
+constexpr double kFaded = 40.0;
+
+std::vector<FadingWave> make_fading_waves() {
+  constexpr int kWaves = 26;  // the next one fades by more than kFaded over kFar
+  std::vector<FadingWave> waves;
+  for (int j = 1; j <= kWaves; ++j) {
+    const double y = (2 * j - 0.5) * pi;
+    std::complex<double> z(std::log(2 * y), y - std::log(2 * y) / y);  // 2K, for large j
+    for (int step = 0; step < 20; ++step) z -= (std::sinh(z) + z) / (std::cosh(z) + 1.0);
+    waves.push_back({.wave = z / 2.0, .press = z / (std::cosh(z) + 1.0)});
+  }
+  return waves;
+}
+
+const std::vector<FadingWave>& fading_waves() {
+  static const std::vector<FadingWave> waves = make_fading_waves();
+  return waves;
+}
+
+/// The amplitudes of a fading wave under the loads over two roots, times -pi.
+template <class Real>
+struct FadingMotion {
+  std::complex<double> wave;
+  Complex<Real> along;
+  Complex<Real> outward;
+  Complex<Real> mixed;
+
+  FadingMotion(const FadingWave& of, const Real& root, const Real& lever) : wave(of.wave) {
+    const auto loads = root_loads(
+        Complex<Real>{of.wave.real() * root / 2, of.wave.imag() * root / 2});
+    const Complex<Real> u = loads.even - of.press * of.wave * (loads.linear * lever);
+    const Complex<Real> v = of.press * loads.even;
+    const std::complex<double> over = -pi / of.wave;
+    along = over * (u * u);    // (TC-31), by residues
+    outward = over * (v * v);  // (TC-31), by residues
+    mixed = over * (u * v);    // (TC-31), by residues
+  }
+};
 
 /// Means of -ln over the distances between the points of two roots.
 template <class Real>
@@ -141,6 +242,86 @@ class Weights {
   Eigen::Matrix<double, Eigen::Dynamic, kColumns> columns_;
 };
 
+/// Motions of teeth that are near each other: the half-plane is integrated over the roots, what the
+/// layer is more over the wave numbers.
+template <class Real>
+class NearTeeth {
+ public:
+  /// @param shift  zero; it carries the derivatives of the pitch
+  NearTeeth(const Real& root, const Real& lever, const Real& pitch, const Real& shift)
+      : root_(root),
+        pitch_(pitch),
+        shift_(shift),
+        slant_(lever / root),
+        of_tangential_(layer_points().size()),
+        of_radial_(layer_points().size()),
+        of_mixed_(layer_points().size()),
+        waves_(static_cast<Eigen::Index>(layer_points().size())) {
+    const std::vector<LayerPoint>& points = layer_points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const LayerPoint& at = points[i];
+      const double K = at.wave;
+      const RootLoads<Real> loads = root_loads<Real>(K * root / 2);
+      const Real& even = loads.even;
+      const Real linear = lever * loads.linear;
+      of_tangential_.set(i, at.weight * (at.shear / K * even * even + at.mixed * even * linear +
+                                         K * at.press * linear * linear));
+      of_radial_.set(i, at.weight * at.press / K * even * even);
+      of_mixed_.set(i, at.weight * (at.mixed / (2 * K) * even * even + at.press * even * linear));
+      waves_[static_cast<Eigen::Index>(i)] = K;
+      tangential_constant_ -= at.weight * at.fading / (2 * K * K);
+      radial_constant_ += at.weight * at.fading / K;
+    }
+    const Eigen::ArrayXd phase = waves_.array() * value_of(pitch);
+    first_cosine_ = phase.cos();
+    first_sine_ = phase.sin();
+    cosine_ = Eigen::ArrayXd::Ones(phase.size());
+    sine_ = Eigen::ArrayXd::Zero(phase.size());
+  }
+
+  struct Motion {
+    Real tangential{};
+    Real radial{};
+    Real mixed{};
+  };
+  /// The motion one pitch farther than the last one.
+  [[nodiscard]] Motion next() {
+    ++pitches_;
+    const Eigen::ArrayXd before = cosine_;
+    cosine_ = first_cosine_ * before - first_sine_ * sine_.array();
+    sine_ = first_sine_ * before + first_cosine_ * sine_.array();
+    Eigen::VectorXd cosine_slope;
+    Eigen::VectorXd sine_slope;
+    if constexpr (!std::is_same_v<Real, double>) {
+      cosine_slope = -pitches_ * waves_.cwiseProduct(sine_);
+      sine_slope = pitches_ * waves_.cwiseProduct(cosine_);
+    }
+    const Real distance = pitches_ * pitch_;
+    const HalfPlane<Real> plane = half_plane<15>(distance, root_);
+    return {.tangential = plane.even + slant_ * slant_ * plane.linear + pi / 4 * distance +
+                          tangential_constant_ + of_tangential_.sum(cosine_, cosine_slope, shift_),
+            .radial = plane.even + radial_constant_ + of_radial_.sum(cosine_, cosine_slope, shift_),
+            .mixed = pi / 4 - slant_ * plane.mixed + of_mixed_.sum(sine_, sine_slope, shift_)};
+  }
+
+ private:
+  Real root_;
+  Real pitch_;
+  Real shift_;
+  Real slant_;
+  Weights<Real> of_tangential_;
+  Weights<Real> of_radial_;
+  Weights<Real> of_mixed_;
+  Eigen::VectorXd waves_;
+  Eigen::ArrayXd first_cosine_;
+  Eigen::ArrayXd first_sine_;
+  Eigen::VectorXd cosine_;
+  Eigen::VectorXd sine_;
+  int pitches_ = 0;
+  double tangential_constant_ = std::numbers::ln2 - 1;
+  double radial_constant_ = std::numbers::ln2;
+};
+
 }  // namespace
 
 template <class Real>
@@ -152,61 +333,62 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
   const Real root = tooth.root_width() / tooth.wall;
   const Real lever = (tooth.dedendum - tooth.thickness * tan(tooth.flank_angle) / 2) / tooth.wall;
   const Real pitch = pi * tooth.module / tooth.wall;
-  const Real slant = lever / root;
-  // The half-plane is integrated over the roots, the rest over the wave numbers.
-  const std::vector<LayerPoint>& points = layer_points();
-  Weights<Real> of_tangential(points.size());
-  Weights<Real> of_radial(points.size());
-  Weights<Real> of_mixed(points.size());
-  Eigen::VectorXd waves(static_cast<Eigen::Index>(points.size()));
-  double tangential_constant = std::numbers::ln2 - 1;
-  double radial_constant = std::numbers::ln2;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const LayerPoint& at = points[i];
-    const double K = at.wave;
-    const Real x = K * root / 2;
-    const Real even = of_even_load(x);
-    const Real linear = lever * of_linear_load(x);
-    of_tangential.set(i, at.weight * (at.shear / K * even * even + at.mixed * even * linear +
-                                      K * at.press * linear * linear));
-    of_radial.set(i, at.weight * at.press / K * even * even);
-    of_mixed.set(i, at.weight * (at.mixed / (2 * K) * even * even + at.press * even * linear));
-    waves[static_cast<Eigen::Index>(i)] = K;
-    tangential_constant -= at.weight * at.fading / (2 * K * K);
-    radial_constant += at.weight * at.fading / K;
-  }
   const Real layer = 2 * (1 - steel.nu * steel.nu) / (pi * steel.E * face_width);
   const Real shift = pitch - value_of(pitch);  // zero; it carries the derivatives
   const int count =
       std::min(pitches / 2, static_cast<int>(std::floor(kReach / value_of(pitch)))) + 1;
   for (std::vector<Real>* const table : {&tangential_, &radial_, &mixed_})
     table->assign(static_cast<std::size_t>(count), Real(0.0));
-  const Eigen::ArrayXd first_cosine = (waves.array() * value_of(pitch)).cos();
-  const Eigen::ArrayXd first_sine = (waves.array() * value_of(pitch)).sin();
-  Eigen::VectorXd cosine = Eigen::VectorXd::Ones(waves.size());
-  Eigen::VectorXd sine = Eigen::VectorXd::Zero(waves.size());
-  Eigen::VectorXd cosine_slope;
-  Eigen::VectorXd sine_slope;
-  for (int n = 1; n < count; ++n) {  // advanced by one pitch
-    const Eigen::ArrayXd before = cosine;
-    cosine = first_cosine * before - first_sine * sine.array();
-    sine = first_sine * before + first_cosine * sine.array();
-    if constexpr (!std::is_same_v<Real, double>) {
-      cosine_slope = -n * waves.cwiseProduct(sine);
-      sine_slope = n * waves.cwiseProduct(cosine);
-    }
-    const Real distance = n * pitch;
-    constexpr int kNear = 8;
-    const HalfPlane<Real> plane =
-        n < kNear ? half_plane<15>(distance, root) : half_plane<7>(distance, root);
-    const Real tangential = plane.even + slant * slant * plane.linear + pi / 4 * distance +
-                            tangential_constant + of_tangential.sum(cosine, cosine_slope, shift);
-    const Real radial = plane.even + radial_constant + of_radial.sum(cosine, cosine_slope, shift);
-    const Real mixed = pi / 4 - slant * plane.mixed + of_mixed.sum(sine, sine_slope, shift);
+  const auto set = [&](int n, const Real& tangential, const Real& radial, const Real& mixed) {
     const auto k = static_cast<std::size_t>(n);
     tangential_[k] = layer * tangential;  // (TC-31)
     radial_[k] = layer * radial;
     mixed_[k] = layer * mixed;
+  };
+  const auto gap = [&](int n) { return n * value_of(pitch) - value_of(root); };
+  int n = 1;
+  if (n < count && gap(n) < kFar) {
+    NearTeeth<Real> near(root, lever, pitch, shift);
+    for (; n < count && gap(n) < kFar; ++n) {
+      const auto [tangential, radial, mixed] = near.next();
+      set(n, tangential, radial, mixed);
+    }
+  }
+  std::vector<FadingMotion<Real>> motions;
+  std::vector<std::complex<double>> at;    // exp(iKx) of each wave
+  std::vector<std::complex<double>> step;  // of one pitch
+  if (n < count)
+    for (const FadingWave& wave : fading_waves()) {
+      if (wave.wave.imag() * gap(n) > kFaded) break;
+      motions.emplace_back(wave, root, lever);
+      const std::complex<double> turns = std::complex<double>(0, 1) * wave.wave * value_of(pitch);
+      step.push_back(std::exp(turns));
+      at.push_back(std::exp(turns * static_cast<double>(n)));
+    }
+  for (; n < count; ++n) {
+    Real tangential(0.0);
+    Real radial(0.0);
+    Real mixed(0.0);
+    for (std::size_t j = 0; j < motions.size(); ++j) {
+      const FadingMotion<Real>& of = motions[j];
+      if (j > 0 && of.wave.imag() * gap(n) > kFaded) break;  // and so do the others
+      const double c = at[j].real();
+      const double s = at[j].imag();
+      tangential += of.along.re * s + of.along.im * c;
+      radial += of.outward.re * s + of.outward.im * c;
+      mixed += of.mixed.re * c - of.mixed.im * s;
+      if constexpr (!std::is_same_v<Real, double>) {
+        const std::complex<double> grows = std::complex<double>(0, n) * of.wave * at[j];
+        const auto moved = [&](const Complex<Real>& by) {
+          return grows * std::complex<double>(value_of(by.re), value_of(by.im));
+        };
+        tangential += moved(of.along).imag() * shift;
+        radial += moved(of.outward).imag() * shift;
+        mixed += moved(of.mixed).real() * shift;
+      }
+      at[j] *= step[j];
+    }
+    set(n, tangential, radial, mixed);
   }
 }
 

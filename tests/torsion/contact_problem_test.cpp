@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -119,34 +120,146 @@ TEST(ContactProblem, IdentityAStateBetweenStepsKnowsItsRings) {
             1e-3 * elastic.cwiseAbs().maxCoeff());
 }
 
+/// Expects that the flexibility of a drive is that of the modes of its rings.
+void expect_flexibility_of_modes(const CoupledDrive& drive, const std::string& what) {
+  const Eigen::MatrixXd& flexibility = drive.rings().flexibility();
+  const double largest = flexibility.cwiseAbs().maxCoeff();
+  const int drive_flanks = drive.balls();
+  const int coast_flanks = drive_flanks + drive.tooth_count();
+  for (const int j : {0, 5, drive.balls() - 1, drive_flanks, drive_flanks + 7, coast_flanks - 1,
+                      coast_flanks, coast_flanks + 7, drive.contacts() - 1}) {
+    const Eigen::VectorXd force = Eigen::VectorXd::Unit(drive.contacts(), j);
+    const Eigen::VectorXd closed = drive.rings().closings_of(drive.coefficients_of(force));
+    EXPECT_LT((flexibility.col(j) + closed).cwiseAbs().maxCoeff(), 1e-12 * largest)
+        << what << " " << j;
+  }
+}
+
 TEST(ElasticRings, IdentityFlexibilityIsThatOfTheModes) {
-  // Contact to contact by a series in the angle between them, against the coefficients of all
-  // modes: with an even and an odd number of teeth, for columns of a ball, a drive flank and a
-  // coast flank.
-  for (const double ratio : {100.0, 50.5}) {
-    const GearSet gear = housed_drive(ratio);
-    const CoupledGeometry g = coupled_geometry(gear, {});
-    const CoupledDrive sound(gear, g, {});
-    const CoupledDrive cracked = sound.cracked(
-        {.hinges = {{RingHinge::Ring::rim, 0.3, 2 * g.rim_thickness, 0.4 * g.rim_bending * 1e-3},
-                    {RingHinge::Ring::spline, 0.1, 1e-2, 0.2 * g.spline_bending * 1e-2}},
-         .teeth = {},
-         .balls = {}});
-    for (const CoupledDrive* const drive : {&sound, &cracked}) {
-      const Eigen::MatrixXd& flexibility = drive->rings().flexibility();
-      const double largest = flexibility.cwiseAbs().maxCoeff();
-      const int drive_flanks = drive->balls();
-      const int coast_flanks = drive_flanks + drive->tooth_count();
-      for (const int j : {0, 5, drive_flanks, drive_flanks + 7, coast_flanks - 1, coast_flanks,
-                          coast_flanks + 7, drive->contacts() - 1}) {
-        const Eigen::VectorXd force = Eigen::VectorXd::Unit(drive->contacts(), j);
-        const Eigen::VectorXd closed = drive->rings().closings_of(drive->coefficients_of(force));
-        EXPECT_LT((flexibility.col(j) + closed).cwiseAbs().maxCoeff(), 1e-12 * largest)
-            << ratio << " " << j;
+  // Contact to contact by a series in the angle between them and its symmetries (TC-4), against the
+  // coefficients of all modes: with an even and an odd number of teeth, with and without a ball at
+  // the lobe, for columns of a ball, a drive flank and a coast flank.
+  for (const double ratio : {100.0, 101.0, 50.5})
+    for (const double cage_phase : {0.0, 0.1}) {
+      const GearSet gear = housed_drive(ratio);
+      const CoupledGeometry g = coupled_geometry(gear, {});
+      const CoupledDrive sound(gear, g, {.cage_phase = cage_phase});
+      const CoupledDrive cracked = sound.cracked(
+          {.hinges = {{RingHinge::Ring::rim, 0.3, 2 * g.rim_thickness, 0.4 * g.rim_bending * 1e-3},
+                      {RingHinge::Ring::spline, 0.1, 1e-2, 0.2 * g.spline_bending * 1e-2}},
+           .teeth = {},
+           .balls = {}});
+      const std::string what = std::to_string(ratio) + " " + std::to_string(cage_phase);
+      expect_flexibility_of_modes(sound, what);
+      expect_flexibility_of_modes(cracked, what + " cracked");
+      EXPECT_GT(
+          (cracked.rings().flexibility() - sound.rings().flexibility()).cwiseAbs().maxCoeff(),
+          1e-3 * sound.rings().flexibility().cwiseAbs().maxCoeff());
+    }
+}
+
+TEST(ElasticRings, IdentityFlexibilityOfFlanksOfAllDirections) {
+  // Each half-path flank has its own shares in three directions.  Without a circular spline there
+  // are no neighbours (TC-31), which the modes do not contain.
+  GearSet gear = housed_drive(100);
+  gear.circular_spline.reset();
+  gear.mesh->tooth.emplace().profile = ToothProfile::half_path;
+  const CoupledDrive drive(gear, coupled_geometry(gear, {}), {});
+  ASSERT_NE(drive.shares_of(drive.balls()).higher, drive.shares_of(drive.balls() + 1).higher);
+  expect_flexibility_of_modes(drive, "half paths");
+}
+
+TEST(ElasticRings, IdentityTheWavesOfATurnRepeat) {
+  // Harmonics of multiples of half a pitch, from a table of one turn, against the functions.
+  // Tolerance: rounding of the angles of the functions, up to 400 rad.
+  for (const int pitches : {1, 2, 3, 23, 24, 50, 101, 202}) {
+    const HalfPitches angles(pitches);
+    const Waves waves = angles.waves(2 * pitches + 3, 64, [](Eigen::Index i) { return i; });
+    for (Eigen::Index i = 0; i < waves.cosine.cols(); ++i)
+      for (int n = 0; n <= 64; ++n) {
+        const double angle = n * std::numbers::pi * static_cast<double>(i) / pitches;
+        ASSERT_NEAR(waves.cosine(n, i), std::cos(angle), 3e-13) << pitches << " " << i << " " << n;
+        ASSERT_NEAR(waves.sine(n, i), std::sin(angle), 3e-13) << pitches << " " << i << " " << n;
+      }
+  }
+}
+
+TEST(ContactProblem, IdentityAJumpOfTheLoadIsManySteps) {
+  // The steps leave out contacts that are far from touching, and all contacts judge the result: one
+  // jump brings contacts to bear that were far away.  Tolerance: that of the solver.
+  for (const bool cracked : {false, true}) {
+    CoupledDrive drive = assembled(cracked);
+    for (const double torque : {200.0, -200.0}) {
+      const Equilibrium jump = drive.solve(torque, drive.assembled());
+      ASSERT_TRUE(jump.converged);
+      Equilibrium state = drive.assembled();
+      constexpr int kSteps = 20;
+      for (int i = 1; i <= kSteps; ++i) state = drive.solve(torque * i / kSteps, state);
+      ASSERT_TRUE(state.converged);
+      const double largest = state.force.cwiseAbs().maxCoeff();
+      EXPECT_LT((jump.force - state.force).cwiseAbs().maxCoeff(), 1e-9 * largest);
+      EXPECT_NEAR(jump.rotation / state.rotation, 1.0, 1e-10);
+      const auto touching = [&](const Equilibrium& of) { return (of.force.array() > 0).count(); };
+      EXPECT_GT(touching(state), touching(drive.assembled()) + 10);
+      // Back, in one jump too: contacts open.
+      const Equilibrium back = drive.solve(0.05 * torque, state);
+      const Equilibrium there = drive.solve(0.05 * torque, drive.assembled());
+      ASSERT_TRUE(back.converged && there.converged);
+      EXPECT_NEAR(back.rotation / there.rotation, 1.0, 1e-10);
+      for (const Equilibrium* const of : {&jump, &state, &back, &there}) {
+        // Closings and forces of all contacts, also of those that the steps left out.
+        const Eigen::VectorXd elastic = drive.rings().closings(of->force);
+        EXPECT_LT((of->elastic - elastic).cwiseAbs().maxCoeff(),
+                  1e-12 * elastic.cwiseAbs().maxCoeff());
+        EXPECT_LT(of->residual, 1e-10);
       }
     }
-    EXPECT_GT((cracked.rings().flexibility() - sound.rings().flexibility()).cwiseAbs().maxCoeff(),
-              1e-3 * sound.rings().flexibility().cwiseAbs().maxCoeff());
+  }
+}
+
+TEST(ContactProblem, IdentityPlayOfTheFlanks) {
+  // Flanks that are far from touching at rest carry the torque after the ring has turned through
+  // the play.  The play is a gap over the closing per unit of rotation.
+  GearSet gear = housed_drive(100);
+  gear.mesh->lobe_gap = 0.0;
+  const double gap = 20e-6;  // beyond the reach of the contacts that the steps see
+  CoupledDrive tight(gear, coupled_geometry(gear, {}), {});
+  gear.mesh->lobe_gap = gap;
+  CoupledDrive loose(gear, coupled_geometry(gear, {}), {});
+  ASSERT_TRUE(tight.assemble() && loose.assemble());
+  const double turn = loose.rings().model().turn(loose.shares_of(loose.balls()));
+  for (const double torque : {30.0, -30.0}) {
+    const Equilibrium state = loose.solve(torque, loose.assembled());
+    ASSERT_TRUE(state.converged);
+    EXPECT_NEAR((state.rotation - tight.solve(torque, tight.assembled()).rotation) * turn,
+                torque > 0 ? gap : -gap, 1e-9);
+  }
+}
+
+TEST(ContactProblem, IdentityAssemblyOfUnusualBearings) {
+  // The assembly begins with forces in the shape of a typical drive (TC-12).  Other bearings reach
+  // the same end: few balls, many balls, clearance, a flattened cam.
+  struct Case {
+    int balls;
+    double clearance;
+    double flattening;
+  };
+  for (const auto& [balls, clearance, flattening] :
+       {Case{7, 0.0, 0.0}, Case{40, 0.0, 0.0}, Case{23, 60e-6, 0.0}, Case{23, 0.0, 5.5},
+        Case{8, 9e-5, 6.0}}) {
+    GearSet gear = housed_drive(100);
+    gear.wave_generator->bearing->ball_count = balls;
+    gear.wave_generator->bearing->clearance = clearance;
+    gear.wave_generator->cam_flattening = flattening;
+    CoupledDrive drive(gear, coupled_geometry(gear, {}), {});
+    ASSERT_TRUE(drive.assemble()) << balls << " " << clearance << " " << flattening;
+    const double w0 = gear.drive.radial_displacement;
+    EXPECT_NEAR(drive.rings().lobe(drive.assembled().force) / w0, 1.0, 1e-9);
+    CoupledDrive other(gear, drive.geometry(), {});
+    ASSERT_TRUE(other.assemble_on(drive.cam_amplitude()));  // begins without forces
+    const double largest = drive.assembled().force.maxCoeff();
+    EXPECT_LT((other.assembled().force - drive.assembled().force).cwiseAbs().maxCoeff(),
+              1e-9 * largest);
   }
 }
 

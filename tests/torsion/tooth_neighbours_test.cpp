@@ -151,6 +151,25 @@ TEST(ToothNeighbours, ReferenceTheLayerByItsEquations) {
   }
 }
 
+TEST(ToothNeighbours, IdentityQuadratureAndFadingWavesMeet) {
+  // (TC-31): beyond half a thickness between the roots, the waves that fade along the layer take
+  // the place of the quadrature over the wave numbers.  Both sides of this end, for teeth that are 1
+  // to 9 pitches apart; tolerance 2e-12, the accuracy that the chapter states.
+  for (const int n : {1, 2, 3, 5, 9}) {
+    const double root = tooth_on<double>(1.0).root_width();
+    const double end = (n * pi - root) / 0.5;  // wall at which the roots are so far apart
+    const ToothNeighbours far(tooth_on<double>(end * (1 - 1e-13)), unit_steel(), 1.0, 320);
+    const ToothNeighbours near(tooth_on<double>(end * (1 + 1e-13)), unit_steel(), 1.0, 320);
+    for (const int m : {n, n + 1}) {
+      const FlankPlace other{.tooth = m, .side = 1};
+      const FlankPlace facing{.tooth = m - 1, .side = 1};
+      const FlankPlace coast{.tooth = 0, .side = -1};
+      EXPECT_NEAR(opening(far, other, kDrive), opening(near, other, kDrive), 2e-12) << n;
+      EXPECT_NEAR(opening(far, facing, coast), opening(near, facing, coast), 2e-12) << n;
+    }
+  }
+}
+
 TEST(ToothNeighbours, IdentityReciprocityAndMirror) {
   const BasicToothOnWall<double> tooth = tooth_on<double>(32);
   const ToothNeighbours teeth(tooth, unit_steel(), 1.0, 101);

@@ -147,7 +147,7 @@ class BasicToothGap {
   [[nodiscard]] Real involute_gap(const Pose& at, const Real& play) const;
   [[nodiscard]] Real pitch_height() const;
   [[nodiscard]] Real tip_thickness() const;
-  [[nodiscard]] bool engaged(double t) const;
+  [[nodiscard]] double find_end() const;
   [[nodiscard]] double find_seat() const;
   [[nodiscard]] double find_widest() const;
 
@@ -155,6 +155,11 @@ class BasicToothGap {
   Real cone_{};
   Real face_width_{};
   BasicToothMotion<Real> motion_;
+  struct Direction {
+    Real cosine{};
+    Real sine{};
+  };
+  Direction flank_direction_;                             // of alpha
   std::shared_ptr<const BasicHalfPath<Real>> half_path_;  // of half-path flanks
   double end_ = 0.0;
   double relief_ = 0.0;
