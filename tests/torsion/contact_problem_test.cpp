@@ -152,9 +152,8 @@ TEST(ElasticRings, IdentityFlexibilityIsThatOfTheModes) {
       const std::string what = std::to_string(ratio) + " " + std::to_string(cage_phase);
       expect_flexibility_of_modes(sound, what);
       expect_flexibility_of_modes(cracked, what + " cracked");
-      EXPECT_GT(
-          (cracked.rings().flexibility() - sound.rings().flexibility()).cwiseAbs().maxCoeff(),
-          1e-3 * sound.rings().flexibility().cwiseAbs().maxCoeff());
+      EXPECT_GT((cracked.rings().flexibility() - sound.rings().flexibility()).cwiseAbs().maxCoeff(),
+                1e-3 * sound.rings().flexibility().cwiseAbs().maxCoeff());
     }
 }
 

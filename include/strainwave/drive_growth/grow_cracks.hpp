@@ -48,9 +48,9 @@ enum class CrackEvent {
 };
 template <>
 struct EnumNames<CrackEvent> {
-  static constexpr std::array<std::string_view, 8> names = {
-      "arrested", "through_wall", "breaks",      "assessment",
-      "severed",  "range",        "wanted_size", "merges"};
+  static constexpr std::array<std::string_view, 8> names = {"arrested",    "through_wall", "breaks",
+                                                            "assessment",  "severed",      "range",
+                                                            "wanted_size", "merges"};
 };
 
 /// When the computation stops, if nothing else ends it before.
