@@ -37,9 +37,20 @@ Modes sum(const FrontModes& modes, double load, double assembly) {
   return K;
 }
 
+/// K along the front with its faces in one state; computed once if the crack keeps its fronts.
+/// @return  a reference into `kept`, or into the fronts of the crack
+const std::vector<FrontIntensity>& front_of(const AssessedCrack& asked, const CrackSize& size,
+                                            Faces faces, std::vector<FrontIntensity>& kept) {
+  if (asked.fronts == nullptr) return kept = asked.crack.front(size, faces);
+  auto& known = faces == Faces::pressed ? asked.fronts->pressed : asked.fronts->open;
+  if (!known) known = asked.crack.front(size, faces);
+  return *known;
+}
+
 /// K under the given load along the front of the crack scaled to a size, under T or -T.
-std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& size, double P,
+std::vector<FrontModes> under_load(const AssessedCrack& asked, const CrackSize& size, double P,
                                    double T, TorqueSense sense) {
+  const DriveCrack& crack = asked.crack;
   const Faces faces = sense == TorqueSense::positive ? crack.faces.positive : crack.faces.negative;
   const auto modes = [&](const UnitStressIntensity<2>& k) -> Modes {
     return {k.I[kAxial] * P + k.I[kTorsion] * T, k.II[kAxial] * P + k.II[kTorsion] * T,
@@ -52,12 +63,14 @@ std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& siz
       front.push_back({modes(at.load), at.assembly});
     return front;
   }
-  for (const FrontIntensity& at : crack.front(size, Faces::open))
+  std::vector<FrontIntensity> kept;
+  for (const FrontIntensity& at : front_of(asked, size, Faces::open, kept))
     front.push_back({modes(at.load), at.assembly});
   if (faces != Faces::pressed) return front;
   // (FR-17): pressed faces carry the normal stress, so only the shear stress makes them slide.
-  const std::vector<FrontIntensity> pressed =
-      crack.group ? crack.front_in_group(size, sense) : crack.front(size, Faces::pressed);
+  const std::vector<FrontIntensity>& pressed = crack.group
+                                                   ? kept = crack.front_in_group(size, sense)
+                                                   : front_of(asked, size, Faces::pressed, kept);
   for (std::size_t i = 0; i < front.size(); ++i) {
     const Modes sliding = modes(pressed[i].load);
     front[i].load = {std::min(front[i].load[0], 0.0), sliding[1], sliding[2]};
@@ -75,7 +88,7 @@ class AtSize {
     const double P = asked.load.axial_force;
     const double magnitude = std::abs(asked.load.torque);
     const double T = positive || !crack_.reverses ? magnitude : -magnitude;
-    front_ = under_load(crack_, grown, P, T, sense);
+    front_ = under_load(asked, grown, P, T, sense);
     reference_stress_ = crack_.reference_stress(grown, P, T);
     if (!with_assembly || !crack_.turn_table) return;
     torque_ = T;
@@ -83,6 +96,13 @@ class AtSize {
     if (crack_.turn_table->covers(0))
       for (std::size_t i = 0; i < turn_->stations(); ++i)
         without_torque_.push_back(turn_->at(i, 0));
+  }
+
+  /// The same crack with the stress of the assembly; it has no table of K over a turn.
+  [[nodiscard]] AtSize with_assembly_too() const {
+    AtSize together = *this;
+    together.with_assembly_ = true;
+    return together;
   }
 
   /// Largest equivalent K, by energy release rate, along the front and over a turn [Pa*m^0.5].
@@ -282,6 +302,12 @@ void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Mat
                         crack.material, wanted));
 }
 
+/// K of a state that proves a fracture where it reaches the toughness [Pa*m^0.5].  An upper bound
+/// of the bending does not prove that a crack of a laminate fractures (LA-20).
+double proving_factor(const DriveCrack& crack, const AtSize& at) {
+  return crack.laminate && at.with_assembly() ? at.K_load() : at.K_together();
+}
+
 /// Adds K and the results that follow without the assessment line.
 void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtSize& present) {
   state.K_load = present.K_load();
@@ -298,10 +324,7 @@ void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtS
         first_size(asked.crack, "beyond the toughness even without a crack", [&](double size) {
           return AtSize(asked, size, state.sense, state.with_assembly).K_together() / *K_Ic - 1;
         });
-  // An upper bound of the bending does not prove that a crack of a laminate fractures (LA-20).
-  const double proven =
-      asked.crack.laminate && state.with_assembly ? state.K_load / *K_Ic : *state.utilisation;
-  if (proven >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
+  if (proving_factor(asked.crack, present) / *K_Ic >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
 }
 
 /// Records why a point inside the line does not prove that the crack holds; (FA-13).
@@ -334,6 +357,13 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
   }
 }
 
+/// @param material  has a yield strength
+AssessmentMaterial line_material(const Material& material) {
+  return {.youngs_modulus = material.youngs_modulus.value(),
+          .yield_strength = *material.yield_strength,
+          .ultimate_strength = material.ultimate_strength};
+}
+
 StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_assembly) {
   const DriveCrack& crack = asked.crack;
   const Material& material = asked.material;
@@ -343,9 +373,7 @@ StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_
   add_intensities(state, asked, present);
   if (!material.yield_strength) return state;
 
-  const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus.value(),
-                                 .yield_strength = *material.yield_strength,
-                                 .ultimate_strength = material.ultimate_strength};
+  const AssessmentMaterial steel = line_material(material);
   // Without a toughness only collapse can be assessed, so assume a very tough material.
   const double K_Ic = material.fracture_toughness.value_or(std::numeric_limits<double>::infinity());
   const InDiagram point(present, steel, K_Ic);
@@ -487,15 +515,46 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
   return text + accuracy_words(state) + size_words(crack, state);
 }
 
-/// Whether reversing the torque changes K or the reference stress at the present size.
-bool senses_differ(const AssessedCrack& asked, bool with_assembly) {
-  const double size = std::min(asked.crack.size.size, asked.crack.range_end);
-  const AtSize positive(asked, size, TorqueSense::positive, with_assembly);
-  const AtSize negative(asked, size, TorqueSense::negative, with_assembly);
+/// Whether K or the reference stress of two senses of torque differ.
+bool senses_differ(const AtSize& positive, const AtSize& negative) {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); };
   return !close(positive.K_together(), negative.K_together()) ||
          !close(positive.reference_stress(), negative.reference_stress());
 }
+
+/// Whether reversing the torque changes K or the reference stress at the present size.
+bool senses_differ(const AssessedCrack& asked, bool with_assembly) {
+  const double size = std::min(asked.crack.size.size, asked.crack.range_end);
+  return senses_differ(AtSize(asked, size, TorqueSense::positive, with_assembly),
+                       AtSize(asked, size, TorqueSense::negative, with_assembly));
+}
+
+/// Whether the verdict of `state_of` is that the crack fractures or collapses.
+bool breaks_at(const AssessedCrack& asked, const AtSize& present) {
+  const Material& material = asked.material;
+  const std::optional<double>& K_Ic = asked.crack.toughness;
+  if (material.yield_strength && material.fracture_toughness) {
+    const InDiagram point(present, line_material(material), *material.fracture_toughness);
+    return !(point.beyond(1.0) < 0);  // (FA-13)
+  }
+  if (K_Ic && proving_factor(asked.crack, present) / *K_Ic >= 1) return true;  // (FA-13)
+  if (!material.yield_strength) return false;
+  const AssessmentMaterial steel = line_material(material);
+  return present.reference_stress() / *material.yield_strength > collapse_limit(steel);  // (FA-6)
+}
+
+/// A crack at its size under one sense of torque, by the load alone and with the assembly.
+struct UnderOneSense {
+  UnderOneSense(const AssessedCrack& asked, TorqueSense sense)
+      : alone(asked, std::min(asked.crack.size.size, asked.crack.range_end), sense, false) {
+    if (asked.crack.assembly) together.emplace(alone.with_assembly_too());
+  }
+  [[nodiscard]] bool breaks(const AssessedCrack& asked) const {
+    return breaks_at(asked, alone) || (together && breaks_at(asked, *together));
+  }
+  AtSize alone;
+  std::optional<AtSize> together = {};
+};
 
 /// The states under one sense of torque: the load alone, and with the assembly.
 std::vector<StrengthState> states_of(const AssessedCrack& asked, TorqueSense sense) {
@@ -519,6 +578,20 @@ std::size_t worst_of(const std::vector<StrengthState>& states, std::size_t first
 }
 
 }  // namespace
+
+bool breaks(const AssessedCrack& asked) {
+  const bool positive = asked.load.torque > 0;
+  const UnderOneSense given(asked, positive ? TorqueSense::positive : TorqueSense::negative);
+  if (given.breaks(asked)) return true;
+  const UnderOneSense other(asked, positive ? TorqueSense::negative : TorqueSense::positive);
+  if (!other.breaks(asked)) return false;
+  // As in `assess`, the other sense counts only if it differs by more than rounding.
+  const auto differ = [&](const AtSize& of_given, const AtSize& of_other) {
+    return positive ? senses_differ(of_given, of_other) : senses_differ(of_other, of_given);
+  };
+  return differ(given.alone, other.alone) ||
+         (given.together && differ(*given.together, *other.together));
+}
 
 CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   const TorqueSense given = asked.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative;
