@@ -10,6 +10,8 @@
 #include <numbers>
 #include <utility>
 
+#include "strainwave/crack_group/response_table.hpp"
+
 namespace strainwave {
 namespace {
 
@@ -52,10 +54,38 @@ bool same(const FacedCrack& a, const FacedCrack& b) {
          a.crack.half_length == b.crack.half_length && a.crack.angle == b.crack.angle;
 }
 
+/// Whether this thread answers pairs from tables, and the tables of the last pairs.
+thread_local bool tabulates = false;
+thread_local std::deque<ResponseTable> tables;
+
+/// The table of a pair of the same places, angles and faces.
+ResponseTable& table_of(const std::vector<FacedCrack>& cracks, double round,
+                        const std::array<SheetStress, 3>& stresses) {
+  constexpr std::size_t kTables = 4;
+  const auto same_pair = [&](const ResponseTable& of) {
+    return of.period() == round &&
+           std::ranges::equal(of.cracks(), cracks,
+                              [](const FacedCrack& a, const FacedCrack& b) {
+                                return a.closed == b.closed && a.crack.centre == b.crack.centre &&
+                                       a.crack.angle == b.crack.angle;
+                              }) &&
+           std::ranges::equal(of.stresses(), stresses,
+                              [](const auto& a, const auto& b) { return same(a, b); });
+  };
+  if (const auto found = std::ranges::find_if(tables, same_pair); found != tables.end())
+    return *found;
+  tables.emplace_front(cracks, std::vector(stresses.begin(), stresses.end()), round);
+  if (tables.size() > kTables) tables.pop_back();
+  return tables.front();
+}
+
 /// The responses, which this thread keeps for the last groups: a study may vary the load alone, and
 /// an assessment asks several times at each of some hundred sizes.
 std::vector<std::vector<CrackResponse>> solved(const std::vector<FacedCrack>& cracks, double round,
                                                const std::array<SheetStress, 3>& stresses) {
+  if (tabulates && cracks.size() == 2)
+    return table_of(cracks, round, stresses)
+        .at({cracks[0].crack.half_length, cracks[1].crack.half_length});
   constexpr std::size_t kKept = 128;
   thread_local std::deque<Solved> last;
   for (const Solved& of : last)
@@ -104,6 +134,9 @@ double ratio_of(const CrackResponse& of, const FacedCrack& crack, const SheetStr
 }
 
 }  // namespace
+
+TabulatedPairs::TabulatedPairs() : before_(std::exchange(tabulates, true)) {}
+TabulatedPairs::~TabulatedPairs() { tabulates = before_; }
 
 double GroupEffect::ratio() const {
   const double own = alone(kTorsion, kTorsion);

@@ -6,10 +6,9 @@
 
 namespace strainwave {
 
-GearSet with_crack_sizes(const GearSet& gear, std::span<const CrackSize> sizes) {
-  GearSet grown = gear;
+void set_crack_sizes(GearSet& gear, std::span<const CrackSize> sizes) {
   std::size_t index = 0;
-  for_each_crack(grown, [&](const std::string&, auto& crack) {
+  for_each_crack(gear, [&](const std::string&, auto& crack) {
     using Crack = std::decay_t<decltype(crack)>;
     const CrackSize& size = sizes[index++];
     if constexpr (ContactCrack<Crack>) {
@@ -32,6 +31,11 @@ GearSet with_crack_sizes(const GearSet& gear, std::span<const CrackSize> sizes) 
       crack.depth = size.size;
     }
   });
+}
+
+GearSet with_crack_sizes(const GearSet& gear, std::span<const CrackSize> sizes) {
+  GearSet grown = gear;
+  set_crack_sizes(grown, sizes);
   return grown;
 }
 

@@ -22,10 +22,13 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/crack_group/merged_crack.hpp"
 #include "strainwave/drive_cracks/shaft_group.hpp"
+#include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/drive_growth/crack_sizes.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/drive_growth/longest_duty.hpp"
 #include "strainwave/dynamics/kinematics.hpp"
+#include "strainwave/model/input/check_rules.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_reserves.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
@@ -49,18 +52,10 @@ constexpr double kAssessmentStep = 0.02;  // path between two failure assessment
 using State = std::vector<double>;  // ln of the size of each tip, then repetitions
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
 
-/// The drive without the influence of annular cracks on each other (CG-12).
-GearSet without_shielding(GearSet gear) {
-  if (gear.output_shaft)
-    for (auto& crack : gear.output_shaft->crack)
-      if (auto* const annular = std::get_if<AnnularCrack>(&crack)) annular->distance.reset();
-  return gear;
-}
-
 /// The stiffness under the softer sense of torque [N*m/rad].
-double stiffness_at(const GearSet& gear) {
-  const StiffnessResult result = torsional_stiffness(gear);
-  return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
+double softer_stiffness(const GearSet& gear) {
+  const SeriesCompliance<double> result = series_compliance<double>(gear);
+  return std::min(result.positive_stiffness(), result.negative_stiffness());
 }
 
 /// The steps of the duty and its peaks that the failure assessment looks at: those that no other
@@ -111,8 +106,10 @@ class Growing {
         step_factor_(step_factor),
         history_(duty_history(gear)),
         at_flexspline_(at_flexspline(history_)),
-        heaviest_(heaviest_steps(history_)),
-        first_stiffness_(stiffness_at(gear_)) {
+        heaviest_(heaviest_steps(history_)) {
+    check(gear_);
+    take_scratch();
+    first_stiffness_ = softer_stiffness(sized_);
     if (drawn != nullptr) deviating_.emplace(gear, drive_cracks(gear), *drawn);
     take_cracks();
     const double factor = amplification(start(0.0));
@@ -192,7 +189,7 @@ class Growing {
     const auto& resonance = gear_.duty->resonance;
     if (!resonance) return 1.0;
     try {
-      return strainwave::amplification(*resonance, first_stiffness_ / stiffness_at(gear_at(state)));
+      return strainwave::amplification(*resonance, first_stiffness_ / stiffness_at(state));
     } catch (const InputError&) {  // a trial beyond the end that `end_at` finds
       return 1.0;
     }
@@ -249,6 +246,19 @@ class Growing {
   [[nodiscard]] GearSet gear_at(const State& state) const {
     return with_crack_sizes(gear_, sizes(state));
   }
+  /// The stiffness under the softer sense of torque at a state [N*m/rad].
+  /// @throws InputError  if the drive breaks a rule at these sizes
+  [[nodiscard]] double stiffness_at(const State& state) const {
+    const std::vector<CrackSize> all = sizes(state);
+    set_crack_sizes(sized_, all);
+    // Nothing but sizes has changed since the first check.
+    const bool plain = std::ranges::all_of(all, [](const CrackSize& of) {
+      return of.size >= 0 && of.size < kPlainSize && of.aspect_ratio > 0 && of.aspect_ratio <= 1;
+    });
+    plain ? check_crack_rules(sized_) : check(sized_);
+    return softer_stiffness(sized_);
+  }
+  static constexpr double kPlainSize = 1e3;  ///< of a crack, inside the ranges of all fields [m]
 
   /// What ends the step at a state, apart from the failure assessment.
   struct End {
@@ -261,8 +271,7 @@ class Growing {
     const double factor = amplification(state);
     bool severed = false;
     try {
-      // A severed shaft has one deep crack, which the others do not shield.
-      severed = stiffness_at(without_shielding(gear_at(state))) < kSevered * first_stiffness_;
+      severed = stiffness_at(state) < kSevered * first_stiffness_;
     } catch (const InputError& error) {  // cracks that meet, for example
       return End{CrackEvent::range, crack_of(error.field()), error.what()};
     }
@@ -319,10 +328,11 @@ class Growing {
         Merger result{.first = crack_of(first.path),
                       .second = crack_of(second.path),
                       .crack = merged,
-                      .before = stiffness_at(gear_at(state))};
+                      .before = softer_stiffness(gear_at(state))};
         cracks.erase(cracks.begin() + static_cast<std::ptrdiff_t>(second.index));
         try {
-          result.after = stiffness_at(gear);
+          check(gear);
+          result.after = softer_stiffness(gear);
         } catch (const InputError&) {  // the one crack is too long for the drive
           continue;
         }
@@ -333,49 +343,81 @@ class Growing {
     return std::nullopt;
   }
 
-  /// The failure assessment of all cracks under the heaviest loads of the duty.
-  struct Assessment {
-    std::optional<std::string> failing;  ///< path of a crack beyond its line
-    std::optional<double> reserve;       ///< least factor on the loads at which a crack fails
-  };
-  [[nodiscard]] Assessment assessed(const State& state) const {
-    Assessment result;
-    const auto take = [&](const std::string& path, bool fails, std::optional<double> reserve) {
-      if (fails && !result.failing) result.failing = path;
-      if (reserve) result.reserve = std::min(result.reserve.value_or(*reserve), *reserve);
+  /// Least factor on the heaviest loads of the duty at which a crack fails the failure assessment;
+  /// absent: there is none.
+  [[nodiscard]] std::optional<double> reserve(const State& state) const {
+    std::optional<double> least;
+    const auto take = [&](std::optional<double> reserve) {
+      if (reserve) least = std::min(least.value_or(*reserve), *reserve);
+      return false;
     };
-    GearSet gear = gear_at(state);
+    (void)under_heaviest(
+        state,
+        [&](const GearSet& gear, const auto& counts) {
+          for (const CrackStrength& crack : crack_reserves(gear))
+            if (counts(crack.path) && !ends_in_table(crack, gear.load.torque))
+              take(crack.least_reserve());
+          return false;
+        },
+        [&](const std::string&, std::optional<double> reserve) { return take(reserve); });
+    return least;
+  }
+
+  /// The first crack that fails the failure assessment under the heaviest loads of the duty.
+  [[nodiscard]] std::optional<std::string> failing(const State& state) const {
+    std::optional<std::string> path;
+    BreakingCracks breaking;
+    (void)under_heaviest(
+        state,
+        [&](const GearSet& gear, const auto& counts) {
+          path = breaking.first(gear, counts);
+          return path.has_value();
+        },
+        [&](const std::string& of, std::optional<double> reserve) {
+          if (reserve && *reserve < 1) path = of;
+          return path.has_value();
+        });
+    return path;
+  }
+
+  /// Assesses the cracks at a state under the heaviest loads of the duty, until a call returns
+  /// true.
+  /// @param assess  (drive at the load, which paths count): assesses the cracks under torque
+  /// @param bent    (path, reserve): takes the reserve of a crack under bending
+  template <class Assess, class Bent>
+  bool under_heaviest(const State& state, const Assess& assess, const Bent& bent) const {
+    GearSet& gear = loaded_;
+    set_crack_sizes(gear, sizes(state));
     const double factor = amplification(state);
     const bool axial =
         std::ranges::any_of(heaviest_, [](const DutyStep& step) { return step.axial_force != 0; });
     const double of_flexspline = flexspline_torque(arrangement_of(history_.fixed), history_.ratio);
-    const auto assess = [&](double torque, const auto& counts) {
+    const auto under_torque = [&](double torque, const auto& counts) {
       // The assessment asks for a torque; a step without one takes a negligible torque.
       gear.load.torque = torque != 0 ? torque * factor : kNoTorque * gear_.load.torque;
-      for (const CrackStrength& crack : crack_reserves(gear))
-        if (counts(crack.path.starts_with("output_shaft")))
-          take(crack.path, crack.breaks(),
-               ends_in_table(crack, gear.load.torque) ? std::nullopt : crack.least_reserve());
+      return assess(
+          gear, [&](const std::string& path) { return counts(path.starts_with("output_shaft")); });
     };
     for (const DutyStep& step : heaviest_) {
       if (axial) gear.load.axial_force = step.axial_force * factor;
       if (step.torque != 0 || step.axial_force != 0) {
         const bool alike = of_flexspline == 1;  // all members bear the torque of the output
-        assess(of_flexspline * step.torque, [&](bool shaft) { return alike || !shaft; });
-        if (!alike) assess(step.torque, [](bool shaft) { return shaft; });
+        if (under_torque(of_flexspline * step.torque, [&](bool shaft) { return alike || !shaft; }))
+          return true;
+        if (!alike && under_torque(step.torque, [](bool shaft) { return shaft; })) return true;
       }
       if (step.bending_moment == 0) continue;
       for (std::size_t k = 0; k < cracks_.size(); ++k) {
         const DriveCrack& crack = cracks_[k].crack();
         if (crack.turning != TurningLoad::bending) continue;
-        const auto reserve = bent_reserve(gear, crack, size_of(state, k),
+        if (bent(crack.path, bent_reserve(gear, crack, size_of(state, k),
                                           {.torque = step.torque * factor,
                                            .axial_force = gear.load.axial_force,
-                                           .bending_moment = step.bending_moment * factor});
-        take(crack.path, reserve && *reserve < 1, reserve);
+                                           .bending_moment = step.bending_moment * factor})))
+          return true;
       }
     }
-    return result;
+    return false;
   }
 
   /// Whether a crack grows under the loads of the duty times a factor; absent: not known.
@@ -469,11 +511,13 @@ class Growing {
     const DriveCrack through = drive_cracks(grown)[in_drive_[k]];
     if (through.size.size >= through.range_end) return false;
     try {
-      (void)stiffness_at(grown);
+      check(grown);
+      (void)softer_stiffness(grown);
     } catch (const InputError&) {
       return false;
     }
     gear_ = std::move(grown);
+    take_scratch();
     if (deviating_) deviating_->go_on(in_drive_[k], through.size.size);
     take_cracks();
     return true;
@@ -514,6 +558,12 @@ class Growing {
   /// members that of the flexspline.
   [[nodiscard]] const DutyHistory& history_of(const DriveCrack& crack) const {
     return crack.turning == TurningLoad::bending ? history_ : at_flexspline_;
+  }
+
+  /// Takes the drives of which only sizes and loads are set.
+  void take_scratch() {
+    loaded_ = gear_;
+    sized_ = gear_;
   }
 
   void take_cracks() {
@@ -590,13 +640,15 @@ class Growing {
   }
 
   GearSet gear_;
+  mutable GearSet loaded_;  ///< the drive at the sizes and the load of the last assessment
+  mutable GearSet sized_;   ///< the drive at the sizes of the last stiffness
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
   DutyHistory history_;             ///< with the torque of the output
   DutyHistory at_flexspline_;       ///< with the torque of the flexspline
   std::vector<DutyStep> heaviest_;  ///< those that are assessed
-  double first_stiffness_;
+  double first_stiffness_ = 0.0;
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;     // first tip of each crack in the state
   std::vector<std::size_t> in_drive_;  // index among drive_cracks
@@ -864,7 +916,7 @@ class Path {
 
   /// The crack that fails the assessment at a state.
   [[nodiscard]] std::optional<std::string> failing(const State& state) const {
-    return growing_.assessed(state).failing;
+    return growing_.failing(state);
   }
 
   bool assessment_end(State& state, const std::string& path) {
@@ -1163,7 +1215,7 @@ class Path {
         if (note.code == "crack.superposed") note_superposed(note.path);
     row.change = std::min(row.positive / first_positive_, row.negative / first_negative_) - 1;
     row.resonance = std::sqrt(1 + row.change);  // (GR-25)
-    row.reserve = growing_.assessed(state).reserve;
+    row.reserve = growing_.reserve(state);
     if (!report_.stiffness.empty() && report_.stiffness.back().time == row.time &&
         report_.stiffness.back().change == row.change) {
       report_.stiffness.pop_back();
@@ -1198,6 +1250,7 @@ class Path {
 LifeTrace life_trace(const GearSet& gear, const GrowthOptions& options, const DrawnGrowth* drawn) {
   require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "1",
           "between 0 and 1");
+  const TabulatedPairs tables;
   LifeTrace trace;
   GrowthReport report;
   GrowthCheckpoint none;

@@ -40,19 +40,22 @@ Modes sum(const FrontModes& modes, double load, double assembly) {
 /// K along the front of a crack at one size, computed once for each state of the faces.
 class Fronts {
  public:
-  Fronts(const DriveCrack& crack, const CrackSize& size) : crack_(crack), size_(size) {}
+  /// @param known  K that is known already, which takes what is computed here; null: there is none
+  Fronts(const DriveCrack& crack, const CrackSize& size, FrontsAtSize* known = nullptr)
+      : crack_(crack), size_(size), known_(known) {}
   [[nodiscard]] const CrackSize& size() const { return size_; }
   [[nodiscard]] const std::vector<FrontIntensity>& with(Faces faces) {
-    std::vector<FrontIntensity>& front = faces == Faces::pressed ? pressed_ : open_;
-    if (front.empty()) front = crack_.front(size_, faces);
-    return front;
+    FrontsAtSize& fronts = known_ != nullptr ? *known_ : own_;
+    auto& front = faces == Faces::pressed ? fronts.pressed : fronts.open;
+    if (!front) front = crack_.front(size_, faces);
+    return *front;
   }
 
  private:
   const DriveCrack& crack_;
   CrackSize size_;
-  std::vector<FrontIntensity> open_;
-  std::vector<FrontIntensity> pressed_;
+  FrontsAtSize* known_;
+  FrontsAtSize own_ = {};
 };
 
 Faces faces_under(const DriveCrack& crack, TorqueSense sense) {
@@ -351,6 +354,12 @@ void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Mat
                         crack.material, wanted));
 }
 
+/// K of a state that proves a fracture where it reaches the toughness [Pa*m^0.5].  An upper bound
+/// of the bending does not prove that a crack of a laminate fractures (LA-20).
+double proving_factor(const DriveCrack& crack, const AtSize& at) {
+  return crack.laminate && at.with_assembly() ? at.K_load() : at.K_together();
+}
+
 /// Adds K and the results that follow without the assessment line.
 void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtSize& present) {
   state.K_load = present.K_load();
@@ -367,10 +376,8 @@ void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtS
         first_size(asked.crack, "beyond the toughness even without a crack", [&](double size) {
           return AtSize(asked, size, state.sense, state.with_assembly).K_together() / *K_Ic - 1;
         });
-  // An upper bound of the bending does not prove that a crack of a laminate fractures (LA-20).
-  const double proven =
-      asked.crack.laminate && state.with_assembly ? state.K_load / *K_Ic : *state.utilisation;
-  if (proven >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
+  if (proving_factor(asked.crack, present) / *K_Ic >= 1)
+    state.verdict = StrengthVerdict::fractures;  // (FA-13)
 }
 
 /// Records why a point inside the line does not prove that the crack holds; (FA-13).
@@ -403,6 +410,13 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
   }
 }
 
+/// @param material  has a yield strength
+AssessmentMaterial line_material(const Material& material) {
+  return {.youngs_modulus = material.youngs_modulus.value(),
+          .yield_strength = *material.yield_strength,
+          .ultimate_strength = material.ultimate_strength};
+}
+
 StrengthState state_of(const AssessedCrack& asked, TorqueSense which, const AtSize& present) {
   const DriveCrack& crack = asked.crack;
   const Material& material = asked.material;
@@ -412,9 +426,7 @@ StrengthState state_of(const AssessedCrack& asked, TorqueSense which, const AtSi
   add_intensities(state, asked, present);
   if (!material.yield_strength) return state;
 
-  const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus.value(),
-                                 .yield_strength = *material.yield_strength,
-                                 .ultimate_strength = material.ultimate_strength};
+  const AssessmentMaterial steel = line_material(material);
   // Without a toughness only collapse can be assessed, so assume a very tough material.
   const double K_Ic = material.fracture_toughness.value_or(std::numeric_limits<double>::infinity());
   const InDiagram point(present, steel, K_Ic);
@@ -569,11 +581,50 @@ struct PresentCrack {
   std::optional<AtSize> alone;
 };
 
-/// Whether reversing the torque changes K or the reference stress at the present size.
+/// Whether K or the reference stress of two senses of torque differ.
 bool senses_differ(const AtSize& one, const AtSize& other) {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); };
   return !close(one.K_together(), other.K_together()) ||
          !close(one.reference_stress(), other.reference_stress());
+}
+
+/// Whether reversing the torque changes K or the reference stress of a crack.
+bool senses_differ(const AssessedCrack& asked, const PresentCrack& one, const PresentCrack& other) {
+  return senses_differ(one.load_alone(), other.load_alone()) ||
+         (asked.crack.assembly && senses_differ(one.whole, other.whole));
+}
+
+/// Whether both senses of torque load the crack alike, so that it has one answer.
+bool same_load(const DriveCrack& crack) {
+  return !crack.reverses && !crack.group && !crack.turn_table &&
+         crack.faces.positive == crack.faces.negative;
+}
+
+/// Whether the verdict of `state_of` is that the crack fractures or collapses.
+bool breaks(const AssessedCrack& asked, const AtSize& present) {
+  const Material& material = asked.material;
+  const std::optional<double>& K_Ic = asked.crack.toughness;
+  if (material.yield_strength && material.fracture_toughness) {
+    const InDiagram point(present, line_material(material), *material.fracture_toughness);
+    return !(point.beyond(1.0) < 0);  // (FA-13)
+  }
+  if (K_Ic && proving_factor(asked.crack, present) / *K_Ic >= 1) return true;  // (FA-13)
+  if (!material.yield_strength) return false;
+  const AssessmentMaterial steel = line_material(material);
+  return present.reference_stress() / *material.yield_strength > collapse_limit(steel);  // (FA-6)
+}
+bool breaks(const AssessedCrack& asked, const PresentCrack& present) {
+  return breaks(asked, present.load_alone()) ||
+         (asked.crack.assembly && breaks(asked, present.whole));
+}
+
+/// K along the front of a crack at its present size.
+Fronts present_fronts(const AssessedCrack& asked) {
+  const DriveCrack& crack = asked.crack;
+  return {
+      crack,
+      {.size = std::min(crack.size.size, crack.range_end), .aspect_ratio = crack.size.aspect_ratio},
+      asked.fronts};
 }
 
 /// The states under one sense of torque: the load alone, and with the assembly.
@@ -600,25 +651,31 @@ std::size_t worst_of(const std::vector<StrengthState>& states, std::size_t first
 
 }  // namespace
 
+bool breaks(const AssessedCrack& asked) {
+  const bool positive = asked.load.torque > 0;
+  Fronts fronts = present_fronts(asked);
+  const PresentCrack given(asked, fronts, positive ? TorqueSense::positive : TorqueSense::negative);
+  if (breaks(asked, given)) return true;
+  if (same_load(asked.crack)) return false;
+  const PresentCrack other(asked, fronts, positive ? TorqueSense::negative : TorqueSense::positive);
+  // As in `assess`, the other sense counts only if it differs by more than rounding.
+  return breaks(asked, other) && senses_differ(asked, given, other);
+}
+
 CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   const TorqueSense given = asked.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative;
   const TorqueSense other =
       given == TorqueSense::positive ? TorqueSense::negative : TorqueSense::positive;
   result.toughness = asked.crack.toughness;
   const DriveCrack& crack = asked.crack;
-  Fronts fronts(crack, {.size = std::min(crack.size.size, crack.range_end),
-                        .aspect_ratio = crack.size.aspect_ratio});
+  Fronts fronts = present_fronts(asked);
   const PresentCrack present(asked, fronts, given);
   result.states = states_of(asked, present);
   const std::size_t n = result.states.size();
   const bool other_known = !crack.turn_table || crack.turn_table->covers(-asked.load.torque);
-  // A crack that sees the same load under both senses has one answer.
-  const bool same_load = !crack.reverses && !crack.group && !crack.turn_table &&
-                         crack.faces.positive == crack.faces.negative;
-  if (other_known && !same_load) {
+  if (other_known && !same_load(crack)) {
     const PresentCrack reversed(asked, fronts, other);
-    if (senses_differ(present.load_alone(), reversed.load_alone()) ||
-        (crack.assembly && senses_differ(present.whole, reversed.whole)))
+    if (senses_differ(asked, present, reversed))
       for (StrengthState& state : states_of(asked, reversed))
         result.states.push_back(std::move(state));
   }

@@ -211,6 +211,14 @@ void end_in_group(DriveCrack& crack) {
   });
 }
 
+/// A surface crack of a row is assessed with its shape, so the end of its length ends its depth.
+void end_in_row(DriveCrack& crack) {
+  const double end = crack.length_end * crack.size.aspect_ratio;
+  if (crack.count == 1 || end >= crack.range_end) return;
+  crack.range_end = end;
+  crack.range_text = "where the surface cracks of the row influence each other too much";
+}
+
 /// What an assessment computes beside verdicts and reserves.
 struct Asked {
   bool sizes = true;  ///< critical sizes
@@ -285,12 +293,7 @@ std::vector<CrackStrength> strengths(const GearSet& gear, std::span<const CrackR
                                      const Asked& what) {
   std::vector<CrackStrength> result;
   for (DriveCrack& crack : drive_cracks(gear)) {
-    // A surface crack of a row is assessed with its shape, so the end of its length ends its depth.
-    const double end = crack.length_end * crack.size.aspect_ratio;
-    if (crack.count > 1 && end < crack.range_end) {
-      crack.range_end = end;
-      crack.range_text = "where the surface cracks of the row influence each other too much";
-    }
+    end_in_row(crack);
     if (what.sizes && crack.group && crack.size.size < crack.range_end &&
         crack.group->fault().empty())
       end_in_group(crack);
@@ -321,6 +324,40 @@ bool strength_is_known(const GearSet& gear) {
     return named.second.fracture_toughness || named.second.yield_strength ||
            named.second.fracture_energy;
   });
+}
+
+BreakingCracks::BreakingCracks() = default;
+BreakingCracks::~BreakingCracks() = default;
+
+std::optional<std::string> BreakingCracks::first(
+    const GearSet& gear, const std::function<bool(const std::string& path)>& counts) {
+  std::vector<DriveCrack> cracks = drive_cracks(gear);
+  fronts_.resize(cracks.size());
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    DriveCrack& crack = cracks[i];
+    if (!counts(crack.path)) continue;
+    end_in_row(crack);
+    // These few kinds are assessed in another way, or are not assessed.
+    if (crack.acts_in_coupled_drive || crack.turn_table) {
+      if (strength_of(gear, crack, {}, {.sizes = false, .words = false}).breaks())
+        return crack.path;
+      continue;
+    }
+    if (crack.group && !crack.group->fault().empty()) continue;
+    // K of these cracks depends on more than its size and the state of its own faces.
+    FrontsAtSize of_this_load;
+    const bool of_size_alone =
+        !crack.group && crack.reverses && crack.turning != TurningLoad::balls;
+    FrontsAtSize& fronts = of_size_alone ? fronts_[i] : of_this_load;
+    if (breaks({.crack = crack,
+                .material = material_of(gear, crack.material, crack.path + ".material"),
+                .load = gear.load,
+                .relative_uncertainty = {},
+                .with_sizes = false,
+                .fronts = &fronts}))
+      return crack.path;
+  }
+  return std::nullopt;
 }
 
 std::vector<CrackStrength> crack_strength(const GearSet& gear) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
+#include <utility>
 
 #include "drawn_outputs.hpp"
 #include "strainwave/core/counter_random.hpp"
@@ -14,6 +16,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/study/outputs.hpp"
 #include "strainwave/uncertainty/design_point.hpp"
+#include "strainwave/uncertainty/failure_centre.hpp"
 #include "strainwave/uncertainty/sampled_probability.hpp"
 
 namespace strainwave {
@@ -23,6 +26,11 @@ constexpr std::string_view kRequireOption = "require";
 constexpr int kDraws = 200'000;
 constexpr int kMarginDraws = 20'000;  // of strength margins, tens of microseconds each
 constexpr int kSlowDraws = 2'000;     // of the coupled drive, some milliseconds each
+/// Failures among the plain draws for a relative standard error of 10 %.
+constexpr int kEnough = 100;
+/// Draws of a round of the search for further causes: at least these, and so many for each input.
+constexpr std::size_t kCauseDraws = 200;
+constexpr std::size_t kCauseDrawsPerInput = 50;
 
 /// The margin of a requirement over independent standard normal variables, for one thread.
 class Margin {
@@ -94,9 +102,39 @@ FirstOrderReliability first_order(const GearSet& gear, const DrawnOutputs& outpu
   return result;
 }
 
+/// The centres of the failures: the design point, and those that draws find elsewhere (UQ-10).
+/// @param found  by the search
+std::vector<std::vector<double>> all_centres(const DesignPoint& point, FailureCentres found) {
+  std::vector<std::vector<double>> centres;
+  if (point.converged) centres.push_back(point.place);
+  for (std::vector<double>& place : found.places) {
+    // The search finds the cause of the design point too, as a place nearer to the design point
+    // than to the origin.
+    const double along =
+        point.converged ? std::inner_product(place.begin(), place.end(), point.place.begin(), 0.0)
+                        : 0.0;
+    const double square = point.reliability_index * point.reliability_index;
+    if (!point.converged || !(along > square / 2)) centres.push_back(std::move(place));
+  }
+  return centres;
+}
+
+/// Whether the output has the same value at the file and in draws that move all inputs.
+bool is_constant(const std::function<LimitState()>& make, std::size_t inputs,
+                 const ReliabilitySettings& settings) {
+  constexpr std::size_t kProbes = 200;
+  const LimitState margin = make();
+  std::vector<double> u(inputs, 0.0);
+  const std::optional<double> at_file = margin(u);
+  for (std::size_t n = 0; n < kProbes && at_file; ++n) {
+    counter_normals(settings.seed, n, u);
+    if (margin(u) != at_file) return false;
+  }
+  return at_file.has_value();
+}
+
 /// Chooses the road to trust, (UQ-6), (UQ-7).
 void judge(RequirementReliability& answer) {
-  constexpr int kEnough = 100;      // failures for a relative standard error of 10 %
   constexpr double kPrecise = 0.2;  // largest relative standard error of importance sampling
   const DrawnReliability& plain = answer.monte_carlo;
   answer.low = plain.low;
@@ -121,17 +159,35 @@ std::string asked(const Requirement& requirement) {
                      shown_quantity(requirement.bound, requirement.unit, 9, requirement.output));
 }
 
-void add_notes(std::vector<Note>& notes, const RequirementReliability& answer) {
+/// What the notes need beside the answer.
+struct CausesFound {
+  std::size_t centres = 0;  ///< of the failures about which draws scatter
+  bool constant = false;    ///< whether the output does not depend on the inputs
+};
+
+void add_notes(std::vector<Note>& notes, const RequirementReliability& answer,
+               const CausesFound& findings) {
   const std::string name = asked(answer.requirement);
   const DrawnReliability& plain = answer.monte_carlo;
   const auto& about = answer.importance_sampling;
-  if (answer.trusted == ReliabilityRoad::none) {
+  if (findings.constant)
+    notes.push_back({.code = "reliability.constant",
+                     .text = fmt::format("{}: the output is the same in all draws, because it does "
+                                         "not depend on the inputs that scatter",
+                                         name),
+                     .path = "scatter",
+                     .equation = "UQ-6",
+                     .severity = answer.trusted == ReliabilityRoad::none ? Severity::cannot_tell
+                                                                         : Severity::care,
+                     .next_step = "Let an input scatter on which the output depends, or ask for "
+                                  "another output."});
+  else if (answer.trusted == ReliabilityRoad::none) {
     const bool other = about && plain.low > about->high;
     notes.push_back(
         {.code = "reliability.cannot_tell",
          .text = fmt::format(
              "{}: the probability is between {:.3g} and {:.3g}; {}", name, answer.low, answer.high,
-             other ? "there are failures away from the design point, which draws about it miss"
+             other ? "there are failures away from the centres, which draws about these miss"
              : answer.first_order.converged ? "draws about the design point are not precise enough"
                                             : answer.first_order.reason),
          .path = "scatter",
@@ -155,11 +211,15 @@ void add_notes(std::vector<Note>& notes, const RequirementReliability& answer) {
   if (answer.trusted == ReliabilityRoad::importance_sampling)
     notes.push_back(
         {.code = "reliability.elsewhere",
-         .text = fmt::format("{}: the interval is that of failures about the design point. "
-                             "Failures by another cause may be missing: the {} plain draws, of "
-                             "which {} fail, exclude with 97.5 % confidence only a probability "
-                             "above {:.2g}",
-                             name, plain.draws, plain.failures, plain.high),
+         .text = fmt::format("{}: the interval is that of failures about {}. Failures by another "
+                             "cause may be missing: a search by draws found none, but the {} plain "
+                             "draws, of which {} fail, exclude with 97.5 % confidence only a "
+                             "probability above {:.2g}",
+                             name,
+                             findings.centres > 1
+                                 ? fmt::format("{} centres, each of a cause", findings.centres)
+                                 : "the design point",
+                             plain.draws, plain.failures, plain.high),
          .path = "scatter",
          .equation = "UQ-7",
          .severity = Severity::care,
@@ -179,7 +239,7 @@ void add_notes(std::vector<Note>& notes, const RequirementReliability& answer) {
 
 RequirementReliability reliability_of_one(const GearSet& gear, const Requirement& requirement,
                                           const ReliabilitySettings& settings,
-                                          const Progress& progress) {
+                                          CausesFound& findings, const Progress& progress) {
   RequirementReliability answer{.requirement = requirement};
   DrawnOutputs outputs(gear, {requirement.output}, kRequireOption);
   answer.value = outputs.at_file()[0];
@@ -223,11 +283,25 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
     answer.second_order = {.probability = curved.probability,
                            .curvatures = std::move(curved.curvatures),
                            .reason = std::move(curved.reason)};
-    SamplingOptions about = sampling;
-    about.draws = std::max<std::size_t>(draws / 4, 2);
-    about.seed = splitmix64(settings.seed, 1);
-    answer.importance_sampling = drawn(importance_sampling(make, point.place, about, after_draws));
   }
+  std::vector<std::vector<double>> centres = all_centres(point, {});
+  findings.constant = is_constant(make, inputs, settings);
+  const bool rare = plain.failures < kEnough && (!point.converged || point.reliability_index > 0);
+  if (rare && !findings.constant)
+    centres = all_centres(
+        point, find_failure_centres(make, inputs,
+                                    {.draws = std::max(kCauseDraws, kCauseDrawsPerInput * inputs),
+                                     .seed = splitmix64(settings.seed, 2),
+                                     .threads = settings.threads},
+                                    after_draws));
+  findings.centres = centres.size();
+  SamplingOptions about = sampling;
+  about.draws = std::max<std::size_t>(draws / 4, 2);
+  about.seed = splitmix64(settings.seed, 1);
+  if (point.converged && centres.size() == 1)
+    answer.importance_sampling = drawn(importance_sampling(make, point.place, about, after_draws));
+  else if (!centres.empty())
+    answer.importance_sampling = drawn(mixture_sampling(make, centres, about, after_draws));
   answer.tables = outputs.table_evidence(draws, fill);
   judge(answer);
   return answer;
@@ -238,7 +312,7 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
 ResultEvidence evidence_of(const ReliabilityReport& report) {
   ResultEvidence evidence;
   evidence.notes = report.notes;
-  for (const char* const tag : {"UQ-4", "UQ-5", "UQ-6", "UQ-7"})
+  for (const char* const tag : {"UQ-4", "UQ-5", "UQ-6", "UQ-7", "UQ-10", "UQ-11"})
     evidence.equations.emplace_back(tag);
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
@@ -271,9 +345,11 @@ ReliabilityReport reliability_of(const GearSet& gear, const std::vector<Requirem
   const auto count = static_cast<double>(requirements.size());
   for (std::size_t n = 0; n < requirements.size(); ++n) {
     const auto before = static_cast<double>(n);
-    report.answers.push_back(reliability_of_one(
-        gear, requirements[n], settings, progress.part(before / count, (before + 1) / count)));
-    add_notes(report.notes, report.answers.back());
+    CausesFound findings;
+    report.answers.push_back(
+        reliability_of_one(gear, requirements[n], settings, findings,
+                           progress.part(before / count, (before + 1) / count)));
+    add_notes(report.notes, report.answers.back(), findings);
     if (const auto& tables = report.answers.back().tables) {
       Note note = note_of(*tables);
       note.path = requirements[n].output;

@@ -7,6 +7,7 @@
 
 #include "draws_about.hpp"
 #include "strainwave/core/parallel.hpp"
+#include "strainwave/uncertainty/failure_centre.hpp"
 
 namespace strainwave {
 namespace {
@@ -15,19 +16,30 @@ enum class Draw : unsigned char { met, failed, without_value };
 
 constexpr double kNormal95 = 1.959963984540054;
 
-std::vector<Draw> draws_of(const std::function<LimitState()>& make,
-                           const std::vector<double>& centre, const SamplingOptions& options,
+/// @param about  of a draw: what the draw scatters about
+template <class About>
+std::vector<Draw> draws_at(const std::function<LimitState()>& make, std::size_t inputs,
+                           const About& about, const SamplingOptions& options,
                            const Progress& progress) {
   std::vector<Draw> draws(options.draws);
   for_each_index(draws.size(), {.block = 256, .threads = options.threads}, progress, [&] {
-    return [&draws, margin = make(), about = DrawsAbout(centre, options.seed),
-            z = std::vector<double>(centre.size())](std::size_t n) mutable {
-      about.fill(n, z);
-      const std::optional<double> g = margin(z);
-      draws[n] = !g ? Draw::without_value : *g < 0 ? Draw::failed : Draw::met;
-    };
+    return
+        [&draws, &about, margin = make(), z = std::vector<double>(inputs)](std::size_t n) mutable {
+          about(n).fill(n, z);
+          const std::optional<double> g = margin(z);
+          draws[n] = !g ? Draw::without_value : *g < 0 ? Draw::failed : Draw::met;
+        };
   });
   return draws;
+}
+
+std::vector<Draw> draws_of(const std::function<LimitState()>& make,
+                           const std::vector<double>& centre, const SamplingOptions& options,
+                           const Progress& progress) {
+  const DrawsAbout about(centre, options.seed);
+  return draws_at(
+      make, centre.size(), [&](std::size_t) -> const DrawsAbout& { return about; }, options,
+      progress);
 }
 
 }  // namespace
@@ -102,6 +114,45 @@ SampledProbability importance_sampling(const std::function<LimitState()>& make,
     result.low = std::max(0.0, result.probability - half);
     result.high = std::min(1.0, 1 - share + half);
   }
+  return result;
+}
+
+SampledProbability mixture_sampling(const std::function<LimitState()>& make,
+                                    const std::vector<std::vector<double>>& centres,
+                                    const SamplingOptions& options, const Progress& progress) {
+  const std::vector<double> origin(centres.front().size(), 0.0);
+  // Draw n scatters about the origin or about a centre, in turns.
+  const auto about = [&](std::size_t n) {
+    const std::size_t turn = n % (centres.size() + 1);
+    return DrawsAbout(turn == 0 ? origin : centres[turn - 1], options.seed);
+  };
+  const std::vector<Draw> draws = draws_at(make, origin.size(), about, options, progress);
+  SampledProbability result{.draws = draws.size()};
+  std::vector<double> u(origin.size());
+  double sum = 0.0;
+  double squares = 0.0;
+  double left_out = 0.0;
+  for (std::size_t n = 0; n < draws.size(); ++n) {
+    if (draws[n] == Draw::met) continue;
+    about(n).fill(n, u);
+    const double weight = mixture_weight(u, centres);  // (UQ-11)
+    if (draws[n] == Draw::without_value) {
+      ++result.without_value;
+      left_out += weight;
+      continue;
+    }
+    ++result.failures;
+    sum += weight;
+    squares += weight * weight;
+  }
+  const auto count = static_cast<double>(draws.size());
+  result.probability = sum / count;
+  // The parts of the draws have less variance than draws from the whole mixture.
+  result.standard_error =
+      std::sqrt(std::max(0.0, squares / count - result.probability * result.probability) / count);
+  const double half = kNormal95 * result.standard_error;
+  result.low = std::max(0.0, result.probability - half);
+  result.high = std::min(1.0, result.probability + half + left_out / count);
   return result;
 }
 

@@ -17,9 +17,11 @@
 #include "growth_support.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/crack_group/annular_cracks.hpp"
+#include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/expect.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -147,6 +149,27 @@ TEST(UnlikeGrowth, BehaviourTheEndWhereCracksOfTwoLinesMeet) {
             std::string::npos)
       << note->text;
   EXPECT_EQ(note->path, "flexspline.crack[1]");
+}
+
+// Kind: cross-check (CG-15).  The lives of a study take the influence of a pair from a table, and
+// `grow` solves each pair.  The sizes and times agree, also where the cracks are about to meet.
+// Tolerance: 1e-6, ten times that of the table, because the rate has the third power of K; the
+// steps of both are the same.
+TEST(UnlikeGrowth, CrosscheckOfTheTableOfPairs) {
+  const GearSet gear = pair_in_line(2 * mm, 1.5 * mm, 6 * mm);
+  const GrowthOptions options =
+      test::kSanitized ? test::until_size("flexspline.crack[0]", 2.05 * mm) : GrowthOptions{};
+  const GrowthReport solved = grow_cracks(gear, options);
+  const LifeTrace tabulated = life_trace(gear, options);
+  ASSERT_EQ(tabulated.end, solved.end);
+  EXPECT_EQ(tabulated.governing, solved.governing);
+  test::expect_relative(tabulated.time, solved.time, 1e-6);
+  for (const std::size_t k : {0U, 1U})
+    test::expect_relative(tabulated.sizes[k].back(), solved.cracks[k].series.back().size, 1e-6);
+  // Lives of other sizes in between do not change the answer by a bit.
+  (void)life_trace(pair_in_line(2.02 * mm, 1.4 * mm, 6 * mm),
+                   test::until_size("flexspline.crack[0]", 2.05 * mm));
+  EXPECT_EQ(life_trace(gear, options).time, tabulated.time);
 }
 
 // Kind: behaviour.  Cracks without places grow without each other, and a note says so; the ligament

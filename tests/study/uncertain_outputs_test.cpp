@@ -592,11 +592,12 @@ TEST(Reliability, ReferenceALimitWithTwoSidesIsNamed) {
   EXPECT_EQ(test::count_notes(report.notes, "reliability.curved"), 1);
 }
 
-// Kind: reference (UQ-7).  Two limits of the maker scatter independently, so the drive fails by two
-// causes.  With the nearer one at 4.38 and the other at 4.42 standard deviations the draws about
-// the design point find the first cause alone.  A note bounds the rest by the plain draws.
+// Kind: reference (UQ-10), (UQ-11).  Two limits of the maker scatter independently, so the drive
+// fails by two causes, the nearer one at 4.38 and the other at 4.42 standard deviations.  A search
+// by draws finds the second cause, and draws about both give the sum; draws about the design point
+// alone gave half of it.  A note still bounds what the search may miss, by the plain draws.
 // Tolerance: four standard errors.
-TEST(Reliability, ReferenceAnotherCauseIsNamed) {
+TEST(Reliability, ReferenceTwoCauses) {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/life_size25.toml");
   gear.wave_generator.reset();
   gear.flexspline.reset();
@@ -616,11 +617,41 @@ TEST(Reliability, ReferenceAnotherCauseIsNamed) {
   const RequirementReliability& answer = report.answers[0];
   EXPECT_EQ(answer.trusted, ReliabilityRoad::importance_sampling);
   ASSERT_TRUE(answer.probability);
-  EXPECT_NEAR(*answer.probability, one, 4 * answer.importance_sampling->standard_error);
-  EXPECT_GT(one + other, answer.high);
-  EXPECT_LT(one + other, answer.monte_carlo.high);
+  EXPECT_NEAR(*answer.probability, one + other - one * other,
+              4 * answer.importance_sampling->standard_error);
+  EXPECT_LT(answer.importance_sampling->standard_error, 0.12 * (one + other));
+  EXPECT_GT(answer.low, std::max(one, other));
+  ASSERT_TRUE(answer.first_order.converged);
+  test::expect_relative(answer.first_order.probability, one, 1e-3);
   EXPECT_EQ(test::count_notes(report.notes, "reliability.elsewhere"), 1);
+  const auto note = std::ranges::find(report.notes, "reliability.elsewhere", &Note::code);
+  EXPECT_NE(note->text.find("about 2 centres, each of a cause"), std::string::npos) << note->text;
   EXPECT_EQ(evidence_of(report).verdict.judgement, Judgement::with_care);
+}
+
+// Kind: behaviour (UQ-6).  An output on which the scattering inputs have no influence: a note says
+// this in place of the advice to take more draws, whether the requirement is always kept or broken.
+TEST(Reliability, BehaviourAConstantOutput) {
+  GearSet gear = uncertain_example();
+  gear.scatter = {
+      {.path = "output_shaft.crack[0].depth", .relative_standard_deviation = 0.1, .source = {}}};
+  for (const bool kept : {true, false}) {
+    const ReliabilityReport report = reliability(
+        gear, kept ? "intact.stiffness >= 1 N*m/rad" : "intact.stiffness >= 1e12 N*m/rad",
+        {.draws = 200});
+    EXPECT_EQ(test::count_notes(report.notes, "reliability.constant"), 1);
+    EXPECT_EQ(test::count_notes(report.notes, "reliability.cannot_tell"), 0);
+    const auto note = std::ranges::find(report.notes, "reliability.constant", &Note::code);
+    EXPECT_NE(note->text.find("does not depend on the inputs"), std::string::npos) << note->text;
+    EXPECT_EQ(note->next_step.find("--draws"), std::string::npos) << note->next_step;
+    EXPECT_EQ(evidence_of(report).verdict.judgement,
+              kept ? Judgement::cannot_be_told : Judgement::with_care);
+  }
+  // An output that depends on the inputs has no such note, even if no draw breaks the requirement.
+  const ReliabilityReport varies =
+      reliability(gear, "cracked.positive.stiffness >= 1 N*m/rad", {.draws = 200});
+  EXPECT_EQ(test::count_notes(varies.notes, "reliability.constant"), 0);
+  EXPECT_EQ(test::count_notes(varies.notes, "reliability.cannot_tell"), 1);
 }
 
 // Kind: behaviour (UQ-6).  A crack that is closed changes nothing, so "< 0" is broken on its bound

@@ -13,6 +13,7 @@
 
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/uncertainty/normal.hpp"
+#include "strainwave/uncertainty/sampled_probability.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -184,6 +185,50 @@ TEST(FailureCentre, CrosscheckARareAndACommonMean) {
   EXPECT_NEAR(failed / kDraws, exact, 4 * std::sqrt(squares) / kDraws);
   EXPECT_LT(std::sqrt(squares) / kDraws, 0.06 * exact);
   EXPECT_NEAR(square_of_first / kDraws, 1, 4 * std::sqrt(2.0 / (kDraws / 3.0)));
+}
+
+// Kind: reference (UQ-11).  Two planes by draws about the origin and about both design points:
+// Phi(-4) + Phi(-4.2) less the product.  Draws about one of them alone miss the other.  The answer
+// is the same for any number of threads.  Tolerance: four standard errors.
+TEST(FailureCentre, ReferenceMixtureSampling) {
+  const LimitState either = [](std::span<const double> u) -> std::optional<double> {
+    return std::min(4 - u[0], 4.2 - u[1]);
+  };
+  const auto make = [&] { return either; };
+  const std::vector<std::vector<double>> both = {{4.0, 0.0}, {0.0, 4.2}};
+  const double one = normal_probability(-4);
+  const double other = normal_probability(-4.2);
+  const SampledProbability two = mixture_sampling(make, both, {.draws = 20000});
+  EXPECT_NEAR(two.probability, one + other - one * other, 4 * two.standard_error);
+  EXPECT_LT(two.standard_error, 0.03 * (one + other));
+  EXPECT_GT(two.low, one);
+  EXPECT_LE(two.low, one + other);
+  EXPECT_GE(two.high, one + other);
+  // About a third of the draws scatter about each centre, and half of these fail.
+  EXPECT_NEAR(static_cast<double>(two.failures) / 20000, 1.0 / 3, 0.02);
+  const SampledProbability first = mixture_sampling(make, {both[0]}, {.draws = 20000});
+  EXPECT_NEAR(first.probability, one, 4 * first.standard_error);
+  const SampledProbability threads = mixture_sampling(make, both, {.draws = 20000, .threads = 2});
+  EXPECT_EQ(threads.probability, two.probability);
+  // Another seed gives other draws.
+  EXPECT_NE(mixture_sampling(make, both, {.draws = 20000, .seed = 2}).probability, two.probability);
+}
+
+// Kind: reference (UQ-11).  Draws without a value count as failures in the upper limit alone, by
+// their weight.  Tolerance: four standard errors.
+TEST(FailureCentre, ReferenceMixtureWithoutAValue) {
+  const LimitState limit = [](std::span<const double> u) -> std::optional<double> {
+    if (u[0] > 3) return std::nullopt;
+    return 2 - u[0];
+  };
+  const double beyond = normal_probability(-3);
+  const double failed = normal_probability(-2) - beyond;
+  const SampledProbability about =
+      mixture_sampling([&] { return limit; }, {{2.0}}, {.draws = 100000});
+  EXPECT_NEAR(about.probability, failed, 4 * about.standard_error);
+  EXPECT_GT(about.without_value, 5000U);
+  EXPECT_NEAR(about.high - about.probability, beyond + 1.96 * about.standard_error, 1e-4);
+  EXPECT_NEAR(about.probability - about.low, 1.96 * about.standard_error, 1e-6);
 }
 
 }  // namespace

@@ -144,6 +144,20 @@ class WallGroup {
   std::vector<Member> members_;
 };
 
+/// While it lives, groups of two cracks answer from tables over the half lengths (CG-15) in this
+/// thread, which keeps them for later: for many lives, which pass the same sizes.  An answer does
+/// not depend on the lives before it.
+class TabulatedPairs {
+ public:
+  TabulatedPairs();
+  ~TabulatedPairs();
+  TabulatedPairs(const TabulatedPairs&) = delete;
+  TabulatedPairs& operator=(const TabulatedPairs&) = delete;
+
+ private:
+  bool before_;
+};
+
 /// The groups of a drive: of the barrel or the whole wall, and of the rim.  A section of a laminate
 /// has none, because the solution is that of an isotropic sheet.
 /// @param gear   has passed `check`

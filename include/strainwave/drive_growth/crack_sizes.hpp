@@ -8,6 +8,11 @@
 
 namespace strainwave {
 
+/// Gives the cracks of a drive other sizes.
+/// @param gear   the drive, in which only the sizes change
+/// @param sizes  as of with_crack_sizes
+void set_crack_sizes(GearSet& gear, std::span<const CrackSize> sizes);
+
 /// The drive with its cracks at other sizes.
 /// @param gear   the drive with its cracks
 /// @param sizes  one per crack, in the order of drive_cracks; a contact crack of size 0, or

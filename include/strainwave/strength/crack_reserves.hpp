@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "strainwave/model/input/gear_set.hpp"
@@ -23,5 +26,26 @@ namespace strainwave {
 /// Whether a material of the drive states a property by which its cracks can be assessed;
 /// otherwise a result has no strength.
 [[nodiscard]] bool strength_is_known(const GearSet& gear);
+struct FrontsAtSize;
+
+/// The verdicts of crack_reserves alone, for a drive under several loads: K along each front is
+/// computed once for all of them.
+class BreakingCracks {
+ public:
+  BreakingCracks();
+  ~BreakingCracks();
+  BreakingCracks(const BreakingCracks&) = delete;
+  BreakingCracks& operator=(const BreakingCracks&) = delete;
+
+  /// The first crack that fractures or collapses at the load of a drive, in the order of
+  /// crack_reserves; absent: there is none.
+  /// @param gear    has passed `check`; the drives of all calls differ in their load alone
+  /// @param counts  whether a crack of this path is assessed
+  [[nodiscard]] std::optional<std::string> first(
+      const GearSet& gear, const std::function<bool(const std::string& path)>& counts);
+
+ private:
+  std::vector<FrontsAtSize> fronts_;  // of each crack, at the sizes of the drive
+};
 
 }  // namespace strainwave

@@ -20,7 +20,7 @@ namespace strainwave {
 /// The road to a probability that can be trusted most.
 enum class ReliabilityRoad {
   monte_carlo,          ///< plain draws
-  importance_sampling,  ///< draws about the design point
+  importance_sampling,  ///< draws about the design point, or about all centres of failures
   none,                 ///< only limits can be stated
 };
 template <>
@@ -150,7 +150,8 @@ struct RequirementReliability {
     field(shown("trusted", "", "where the probability comes from"), &R::trusted);
     field({"first_order", "", "by the nearest failure"}, &R::first_order);
     field({"second_order", "", "with the curvature of the limit"}, &R::second_order);
-    field({"importance_sampling", "", "by draws about the nearest failure"},
+    field({"importance_sampling", "",
+           "by draws about the nearest failure, or about each cause of failures"},
           &R::importance_sampling);
     field({"monte_carlo", "", "by plain draws"}, &R::monte_carlo);
     field(
@@ -190,9 +191,10 @@ struct ReliabilitySettings {
 
 /// Probability that each requirement is not met, by four roads.
 ///
-/// Implements theory manual eqs. (UQ-4) to (UQ-7).  First and second order describe the limit at
-/// the design point; draws about it and plain draws judge both.  The answer says which road to
-/// trust. The uncertainty of the model's form is not part of the probability.
+/// Implements theory manual eqs. (UQ-4) to (UQ-7), and (UQ-10), (UQ-11) for failures by several
+/// causes.  First and second order describe the limit at the design point; draws about the failures
+/// and plain draws judge both.  The answer says which road to trust.  The uncertainty of the
+/// model's form is not part of the probability.
 ///
 /// @throws InputError  if the file gives no scatter, or a setting is out of range
 [[nodiscard]] ReliabilityReport reliability_of(const GearSet& gear,

@@ -63,4 +63,19 @@ struct SamplingOptions {
                                                      const SamplingOptions& options = {},
                                                      const Progress& progress = {});
 
+/// Equal numbers of draws about the origin and about each of some centres of failures, each with
+/// the weight of the mixture.
+///
+/// Implements theory manual eq. (UQ-11).  It is exact on average for any centres, and efficient if
+/// the failures lie about them.
+///
+/// @param make      makes the margin of one thread
+/// @param centres   u*_c, shape (centres, inputs); at least one
+/// @param options   as in `plain_sampling`
+/// @param progress  as in `plain_sampling`
+[[nodiscard]] SampledProbability mixture_sampling(const std::function<LimitState()>& make,
+                                                  const std::vector<std::vector<double>>& centres,
+                                                  const SamplingOptions& options = {},
+                                                  const Progress& progress = {});
+
 }  // namespace strainwave

@@ -704,6 +704,15 @@ void check_cam(const GearSet& gear, const Cam& cam, const LazyPath& path) {
                      "must be left out, because the heights of the cam are given by its profile");
 }
 
+void check_cracks_of_wave_generator(const GearSet& gear) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const FieldPath path("wave_generator");
+  check_cracks(gear, path, wg.crack);
+  if (wg.bearing && wg.bearing->outer_ring)
+    check_hinges<OuterRaceCrack>(path / "crack", wg.crack, wg.bearing->outer_ring->thickness,
+                                 wg.bearing->outer_ring->mean_radius);
+}
+
 void check_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   const LazyPath path("wave_generator");
@@ -775,10 +784,7 @@ void check_wave_generator(const GearSet& gear) {
       check_waves_that_bend(gear);
     }
   }
-  check_cracks(gear, path, wg.crack);
-  if (wg.bearing && wg.bearing->outer_ring)
-    check_hinges<OuterRaceCrack>(path / "crack", wg.crack, wg.bearing->outer_ring->thickness,
-                                 wg.bearing->outer_ring->mean_radius);
+  check_cracks_of_wave_generator(gear);
 }
 
 void check_diaphragm(const LazyPath& path, const Diaphragm& diaphragm) {
@@ -893,6 +899,18 @@ void check_rim_at_teeth(const LazyPath& path, const GearSet& gear, const TubeSec
           });
 }
 
+void check_cracks_of_flexspline(const GearSet& gear) {
+  const Flexspline& fs = *gear.flexspline;
+  const FieldPath path("flexspline");
+  check_cracks(gear, path, fs.crack);
+  check_repeated(path / "crack", fs.crack);
+  check_apart(path / "crack", gear);
+  check_overlaps(path / "crack", fs);
+  if (fs.rim)
+    check_hinges<RimAxialCrack>(path / "crack", fs.crack, fs.rim->wall_thickness,
+                                (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2);
+}
+
 void check_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   const LazyPath path("flexspline");
@@ -941,13 +959,16 @@ void check_flexspline(const GearSet& gear) {
          {std::pair{"wall_thickness", fs.wall_thickness}, {"length", fs.length}})
       if (!value)
         throw InputError((path / field).text(), "must be given where crack_free = \"factor\" [m]");
-  check_cracks(gear, path, fs.crack);
-  check_repeated(path / "crack", fs.crack);
-  check_apart(path / "crack", gear);
-  check_overlaps(path / "crack", fs);
-  if (fs.rim)
-    check_hinges<RimAxialCrack>(path / "crack", fs.crack, fs.rim->wall_thickness,
-                                (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2);
+  check_cracks_of_flexspline(gear);
+}
+
+void check_cracks_of_circular_spline(const GearSet& gear) {
+  const CircularSpline& ring = *gear.circular_spline;
+  const FieldPath path("circular_spline");
+  check_cracks(gear, path, ring.crack);
+  check_hinges<CircularSplineRingCrack>(path / "crack", ring.crack,
+                                        (ring.outer_diameter - ring.inner_diameter) / 2,
+                                        (ring.outer_diameter + ring.inner_diameter) / 4);
 }
 
 void check_circular_spline(const GearSet& gear) {
@@ -958,10 +979,7 @@ void check_circular_spline(const GearSet& gear) {
           "m", "inner_diameter < outer_diameter");
   require(ring.inner_diameter > gear.drive.pitch_diameter, path / "inner_diameter",
           ring.inner_diameter, "m", "inner_diameter > drive.pitch_diameter");
-  check_cracks(gear, path, ring.crack);
-  check_hinges<CircularSplineRingCrack>(path / "crack", ring.crack,
-                                        (ring.outer_diameter - ring.inner_diameter) / 2,
-                                        (ring.outer_diameter + ring.inner_diameter) / 4);
+  check_cracks_of_circular_spline(gear);
 }
 
 void check_rating(const Rating& rating) {
@@ -1261,6 +1279,16 @@ void check_rules(const GearSet& gear) {
   for (std::size_t i = 0; i < gear.correlation.size(); ++i) check_correlation(gear, i);
   if (!gear.correlation.empty()) (void)life_normals(gear);
   if (gear.inspection) check_inspection(gear);
+}
+
+void check_crack_rules(const GearSet& gear) {
+  if (gear.wave_generator) check_cracks_of_wave_generator(gear);
+  if (gear.flexspline) check_cracks_of_flexspline(gear);
+  if (gear.output_shaft) check_cracks(gear, FieldPath("output_shaft"), gear.output_shaft->crack);
+  if (gear.mesh) check_cracks(gear, FieldPath("mesh"), gear.mesh->crack);
+  if (gear.circular_spline) check_cracks_of_circular_spline(gear);
+  check_compliance_tables(gear);
+  check_turn_tables(gear);
 }
 
 }  // namespace strainwave
