@@ -761,7 +761,7 @@ TEST(InspectionReport, ReferenceTwoCracks) {
 
 // Kind: cross-check (IR-16).  Where both can be had, plain draws and draws about the failures
 // agree, without and with inspections, in percentiles and cost.  Tolerance: their limits overlap;
-// three standard errors of shares and cost, for the draws that there are.
+// shares and cost by the scatter of the draws, which is twice as large for a quarter of them.
 TEST(InspectionReport, CrosscheckPlainDrawsAndDrawsAboutFailures) {
   GearSet gear = scattering_shaft();
   gear.inspection = Inspection{
