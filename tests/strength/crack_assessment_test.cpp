@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/drive_cracks/reference_stress.hpp"
+#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/sif/kassir_sih.hpp"
 #include "strainwave/sif/member/shaft_surface.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
@@ -24,7 +27,9 @@
 #include "strainwave/strength/failure_assessment.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
+#include "support/random_drive.hpp"
 #include "support/reference_csv.hpp"
+#include "support/sanitized.hpp"
 
 namespace strainwave {
 namespace {
@@ -1067,6 +1072,78 @@ TEST(CrackStrength, IdentityReservesAlone) {
       }
     }
   }
+}
+
+// Kind: identity (FA-13).  The cracks that break are those of the full assessment, to the last bit
+// of its limits: under several loads at the same sizes, with and without toughness, strength, axial
+// force and assembly.  Fronts of one load serve the next, unless K depends on the load itself.
+TEST(CrackStrength, IdentityBreakingCracks) {
+  const std::uint64_t drives = test::kSanitized ? 40 : 400;
+  int broken = 0;
+  int other_sense = 0;
+  int whole = 0;
+  for (std::uint64_t seed = 1; seed <= drives; ++seed) {
+    GearSet gear = test::random_drive(seed);
+    try {
+      check(gear);
+    } catch (const InputError&) {
+      continue;
+    }
+    const double torque = gear.load.torque;
+    const double force = gear.load.axial_force;
+    BreakingCracks breaking;
+    for (const double share : {0.1, 1.0, -1.0, 20.0, -0.5}) {
+      gear.load.torque = share * torque;
+      gear.load.axial_force = std::abs(share) * force * (share < 0 ? -1 : 1);
+      const std::vector<CrackStrength> all = crack_reserves(gear);
+      for (const bool shaft : {false, true}) {
+        std::optional<std::string> expected;
+        for (const CrackStrength& crack : all)
+          if (!expected && crack.breaks() && crack.path.starts_with("output_shaft") == shaft) {
+            expected = crack.path;
+            const StrengthState& worst = *crack.worst();
+            other_sense += (worst.sense == TorqueSense::positive) != (gear.load.torque > 0) ? 1 : 0;
+          }
+        broken += expected ? 1 : 0;
+        whole += expected ? 0 : 1;
+        EXPECT_EQ(breaking.first(gear,
+                                 [&](const std::string& path) {
+                                   return path.starts_with("output_shaft") == shaft;
+                                 }),
+                  expected)
+            << "seed " << seed << ", share " << share;
+      }
+    }
+  }
+  EXPECT_GT(broken, static_cast<int>(drives) / 4);
+  EXPECT_GT(whole, static_cast<int>(drives) / 4);
+  if (!test::kSanitized) {
+    EXPECT_GT(other_sense, 0);
+  }
+}
+
+// Kind: identity (FA-13), (CG-9).  The same for a group of through cracks, whose fronts depend on
+// the faces of the others under each load.
+TEST(CrackStrength, IdentityBreakingCracksOfAGroup) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/crack_pair.toml");
+  Material& steel = gear.material.at("steel");
+  int broken = 0;
+  int whole = 0;
+  for (const double toughness : {0.5 * MPa, 3 * MPa, 200 * MPa}) {
+    steel.fracture_toughness = toughness;
+    BreakingCracks breaking;
+    for (const double torque : {20.0, 120.0, -120.0, -20.0}) {
+      gear.load.torque = torque;
+      std::optional<std::string> expected;
+      for (const CrackStrength& crack : crack_reserves(gear))
+        if (!expected && crack.breaks()) expected = crack.path;
+      (expected ? broken : whole) += 1;
+      EXPECT_EQ(breaking.first(gear, [](const std::string&) { return true; }), expected)
+          << toughness << " " << torque;
+    }
+  }
+  EXPECT_GT(broken, 0);
+  EXPECT_GT(whole, 0);
 }
 
 }  // namespace
