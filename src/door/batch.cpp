@@ -152,7 +152,7 @@ BatchResult batch(const GearSet& gear, const BatchTask& task, const Progress& pr
   };
   if (task.method == Method::corrected && VariedSeries::covers(task.outputs)) {
     series.emplace(gear, std::vector(task.paths.begin(), task.paths.end()),
-                   std::vector(task.outputs.begin(), task.outputs.end()), RowLimits::of_file);
+                   std::vector(task.outputs.begin(), task.outputs.end()));
     series->prepare(n_rows, fill);
   }
   for_each_index(n_rows, {.block = series ? 64U : 1U, .threads = task.threads}, progress, [&] {

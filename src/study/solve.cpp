@@ -103,7 +103,7 @@ class Probe {
     } catch (const InputError&) {
       return std::nullopt;
     }
-    return VariedSeries(gear, {path}, {output}, RowLimits::of_file);
+    return VariedSeries(gear, {path}, {output});
   }
   [[nodiscard]] StiffnessResult result(double x, const EvaluationOptions& options) {
     set_number(gear_, path_, x);

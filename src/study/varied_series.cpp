@@ -7,14 +7,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <type_traits>
 
 #include "drawn_drive.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/crack_tables/crack_tables.hpp"
 #include "strainwave/model/input/check_rules.hpp"
 #include "strainwave/strength/crack_reserves.hpp"
@@ -102,28 +100,6 @@ struct PlannedOutput {
   std::string margin;          ///< its name in the strength
 };
 
-/// The values of a number that keep to the [[range]] and [[scatter]] of a file.
-struct RowLimit {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool zero = true;  ///< whether 0 is allowed
-  [[nodiscard]] bool allows(double value) const {
-    return value >= lower && value <= upper && (zero || value != 0);
-  }
-};
-
-RowLimit limit_of(const GearSet& gear, const NumberAt& number) {
-  RowLimit limit;
-  for (const InputRange& range : gear.range) {
-    if (range.path != number.path) continue;
-    limit.lower = std::max(limit.lower, parse_quantity("lower", range.lower, number.field.unit));
-    limit.upper = std::min(limit.upper, parse_quantity("upper", range.upper, number.field.unit));
-  }
-  for (const InputScatter& scatter : gear.scatter)
-    if (scatter.path == number.path) limit.zero = false;
-  return limit;
-}
-
 }  // namespace
 
 Note note_of(const TableEvidence& evidence) {
@@ -148,8 +124,7 @@ std::span<const SeriesOutput> series_outputs() { return kSeriesOutputs; }
 struct VariedSeries::Plan {
   const GearSet& gear;  ///< has passed `check`
   std::vector<std::string> paths;
-  std::vector<Field> fields;     ///< of the paths
-  std::vector<RowLimit> limits;  ///< of the paths
+  std::vector<Field> fields;  ///< of the paths
   std::vector<PlannedOutput> outputs;
   std::optional<CrackTables> tables;
 
@@ -173,7 +148,7 @@ struct VariedSeries::Evaluator::State {
   /// The drive with these values; null if it breaks a rule.
   const GearSet* with(std::span<const double> values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!in_range(plan.fields[i], values[i]) || !plan.limits[i].allows(values[i])) return nullptr;
+      if (!in_range(plan.fields[i], values[i])) return nullptr;
       drawn.number(i) = values[i];
     }
     try {
@@ -209,13 +184,9 @@ struct VariedSeries::Evaluator::State {
 };
 
 VariedSeries::VariedSeries(const GearSet& gear, const std::vector<std::string>& paths,
-                           const std::vector<std::string>& outputs, RowLimits limits)
-    : plan_(new Plan{gear, paths, {}, {}, {}, {}}) {
-  for (const std::string& path : paths) {
-    const NumberAt number = number_at(gear, path);
-    plan_->fields.push_back(number.field);
-    plan_->limits.push_back(limits == RowLimits::of_file ? limit_of(gear, number) : RowLimit());
-  }
+                           const std::vector<std::string>& outputs)
+    : plan_(new Plan{gear, paths, {}, {}, {}}) {
+  for (const std::string& path : paths) plan_->fields.push_back(number_at(gear, path).field);
   for (const std::string& name : outputs) plan_->outputs.emplace_back(name);
 }
 VariedSeries::~VariedSeries() = default;

@@ -191,7 +191,7 @@ TEST(VariedSeries, BehaviourStudiesStateTheErrorOfTheirTables) {
     return std::ranges::find(notes, "tables.error", &Note::code) != notes.end();
   };
   const Sensitivity sensitivity = sensitivity_of(gear);
-  const Scatter few = scatter_of(gear, sensitivity, {.samples = 100});
+  const Scatter few = scatter_of(gear, sensitivity, {.samples = 20});
   EXPECT_FALSE(few.tables || has_note(few.notes));
   if (test::kSanitized) return;
   const Scatter many = scatter_of(gear, sensitivity, {.samples = 100'000});

@@ -36,12 +36,6 @@ enum class Fate : unsigned char {
   unusable,  ///< it is outside the validity of the model
 };
 
-/// Which limits of a file the rows of a study keep to, beside the rules of the drive.
-enum class RowLimits {
-  none,     ///< none: draws may leave the ranges of the file
-  of_file,  ///< those of [[range]] and [[scatter]], as `check` demands
-};
-
 /// Outputs of the sum of the members, and strength margins of cracks, for many drives that differ
 /// in some numbers: what all threads share.
 ///
@@ -55,9 +49,8 @@ class VariedSeries {
   /// @param gear     has passed `check`; must outlive this object
   /// @param paths    of numbers of the drive that `can_vary` accepts
   /// @param outputs  names that `covers` accepts
-  /// @param limits   of the file, to which the rows keep
   VariedSeries(const GearSet& gear, const std::vector<std::string>& paths,
-               const std::vector<std::string>& outputs, RowLimits limits = RowLimits::none);
+               const std::vector<std::string>& outputs);
   ~VariedSeries();
   /// Takes over the tables of another object, which must not be used after that.
   VariedSeries(VariedSeries&&) noexcept;
