@@ -706,7 +706,7 @@ void check_cam(const GearSet& gear, const Cam& cam, const LazyPath& path) {
 
 void check_cracks_of_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
-  const FieldPath path("wave_generator");
+  const LazyPath path("wave_generator");
   check_cracks(gear, path, wg.crack);
   if (wg.bearing && wg.bearing->outer_ring)
     check_hinges<OuterRaceCrack>(path / "crack", wg.crack, wg.bearing->outer_ring->thickness,
@@ -901,7 +901,7 @@ void check_rim_at_teeth(const LazyPath& path, const GearSet& gear, const TubeSec
 
 void check_cracks_of_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
-  const FieldPath path("flexspline");
+  const LazyPath path("flexspline");
   check_cracks(gear, path, fs.crack);
   check_repeated(path / "crack", fs.crack);
   check_apart(path / "crack", gear);
@@ -964,7 +964,7 @@ void check_flexspline(const GearSet& gear) {
 
 void check_cracks_of_circular_spline(const GearSet& gear) {
   const CircularSpline& ring = *gear.circular_spline;
-  const FieldPath path("circular_spline");
+  const LazyPath path("circular_spline");
   check_cracks(gear, path, ring.crack);
   check_hinges<CircularSplineRingCrack>(path / "crack", ring.crack,
                                         (ring.outer_diameter - ring.inner_diameter) / 2,
@@ -1284,8 +1284,8 @@ void check_rules(const GearSet& gear) {
 void check_crack_rules(const GearSet& gear) {
   if (gear.wave_generator) check_cracks_of_wave_generator(gear);
   if (gear.flexspline) check_cracks_of_flexspline(gear);
-  if (gear.output_shaft) check_cracks(gear, FieldPath("output_shaft"), gear.output_shaft->crack);
-  if (gear.mesh) check_cracks(gear, FieldPath("mesh"), gear.mesh->crack);
+  if (gear.output_shaft) check_cracks(gear, LazyPath("output_shaft"), gear.output_shaft->crack);
+  if (gear.mesh) check_cracks(gear, LazyPath("mesh"), gear.mesh->crack);
   if (gear.circular_spline) check_cracks_of_circular_spline(gear);
   check_compliance_tables(gear);
   check_turn_tables(gear);
