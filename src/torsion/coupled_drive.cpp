@@ -180,11 +180,13 @@ void CoupledDrive::close(Equilibrium& state, const std::vector<ContactRun>& of) 
   state.system.reset();
   state.elastic = rings_->closings(state.force, of);
   state.closing = Eigen::VectorXd::Constant(contacts(), -g_.radial_displacement);
-  for (const auto& [first, count] : of) {
-    const auto at = [first, count](const Eigen::VectorXd& all) { return all.segment(first, count); };
-    state.closing.segment(first, count) = at(free_) + amplitude_ * at(cam_) +
-                                          state.rotation * at(rotation_) + at(state.elastic) -
-                                          at(own_).cwiseProduct(at(state.force));
+  for (const ContactRun& run : of) {
+    const auto at = [&run](const Eigen::VectorXd& all) {
+      return all.segment(run.first, run.count);
+    };
+    state.closing.segment(run.first, run.count) =
+        at(free_) + amplitude_ * at(cam_) + state.rotation * at(rotation_) + at(state.elastic) -
+        at(own_).cwiseProduct(at(state.force));
   }
 }
 
@@ -540,8 +542,7 @@ void CoupledDrive::guess_assembled() {
   // Forces of the balls in the shape that typical drives have, which lift the lobes by w_0.
   constexpr double kBeyond = 0.1;  // of cos 2 psi: balls press a little beyond 45 degrees
   Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts());
-  for (int k = 0; k < g_.balls; ++k)
-    force[k] = std::sqrt(std::max(0.0, cam_[k] + kBeyond));
+  for (int k = 0; k < g_.balls; ++k) force[k] = std::sqrt(std::max(0.0, cam_[k] + kBeyond));
   const double lifted = rings_->lobe(force);
   if (!(lifted > 0)) return;
   force *= w0 / lifted;

@@ -235,19 +235,18 @@ Eigen::MatrixXd ElasticRings::balls_by_teeth(const Eigen::VectorXd& kernel, bool
 }
 
 void ElasticRings::fill_balls(const ContactPlaces& places) {
-  const Eigen::VectorXd balls = HalfPitches(balls_)
-                                    .waves(balls_, model_.harmonics(),
-                                           [](Eigen::Index k) { return 2 * k; })
-                                    .cosine.transpose() *
-                                kernel(model_.ball(), model_.ball()).even;
+  const Eigen::VectorXd balls =
+      HalfPitches(balls_)
+          .waves(balls_, model_.harmonics(), [](Eigen::Index k) { return 2 * k; })
+          .cosine.transpose() *
+      kernel(model_.ball(), model_.ball()).even;
   for (int i = 0; i < balls_; ++i)
     for (int k = 0; k < balls_; ++k) flexibility_(i, k) = balls[std::abs(i - k)];
   flexibility_.rightCols(2 * teeth_).topRows(balls_).setZero();
   for (int k = 0; k < 3; ++k) {
     if (absent(shares_.row(k))) continue;
     const Kernel mixed = kernel(model_.ball(), model_.flanks()[static_cast<std::size_t>(k)]);
-    const Eigen::MatrixXd opens =
-        balls_by_teeth(k == 0 ? mixed.even : mixed.odd, k > 0, places);
+    const Eigen::MatrixXd opens = balls_by_teeth(k == 0 ? mixed.even : mixed.odd, k > 0, places);
     for (const int first : {0, teeth_})
       flexibility_.block(0, balls_ + first, balls_, teeth_) +=
           opens * shares_.row(k).segment(first, teeth_).asDiagonal();
@@ -261,8 +260,8 @@ void ElasticRings::fill_flanks(const ContactPlaces& places, const HalfPitches& a
   // along the pitch circle, are even in it, a radial force and one along the pitch circle odd.
   const int turn = places.pitches;
   const int half = turn / 2;
-  const Waves waves = angles.waves(half + 1, model_.harmonics(),
-                                   [](Eigen::Index k) { return 2 * k; });
+  const Waves waves =
+      angles.waves(half + 1, model_.harmonics(), [](Eigen::Index k) { return 2 * k; });
   const auto& [outward, along, higher] = model_.flanks();
   // The closing over the pitches between two teeth, from -(turn - 1) to turn - 1.
   using Table = Eigen::ArrayXd;
@@ -314,16 +313,35 @@ void ElasticRings::fill_flanks(const ContactPlaces& places, const HalfPitches& a
     ++runs.back().count;
   }
   const Eigen::ArrayX3d shares = shares_.transpose();
+  // All flanks but half paths of a side have the same shares, so one table serves a whole block.
+  const auto alike = [&](int first) {
+    const auto of_side = shares.middleRows(first, teeth_);
+    return (of_side.colwise().minCoeff() == of_side.colwise().maxCoeff()).all();
+  };
+  const bool one_table = teeth_ > 0 && !has_higher && alike(0) && alike(teeth_);
   const auto fill = [&](int of_first, int by_first, const Tables& by) {
+    Table block;
+    if (one_table) {
+      const auto a = shares.row(of_first);
+      const auto b = shares.row(by_first);
+      block = a[0] * b[0] * by.outward + a[1] * b[1] * by.along +
+              (a[0] * b[1] - a[1] * b[0]) * by.mixed;
+    }
     for (int j = 0; j < teeth_; ++j) {
       const auto b = shares_.col(by_first + j);
       for (const ContactRun& run : runs) {
         const int steps = number(run.first) - number(j) + turn - 1;
-        const auto a = [&](int k) { return shares.col(k).segment(of_first + run.first, run.count); };
         const auto at = [&](const Table& of) { return of.segment(steps, run.count); };
         auto opens = flexibility_.col(balls_ + by_first + j)
                          .segment(balls_ + of_first + run.first, run.count)
                          .array();
+        if (one_table) {
+          opens = at(block);
+          continue;
+        }
+        const auto a = [&](int k) {
+          return shares.col(k).segment(of_first + run.first, run.count);
+        };
         opens = a(0) * (b[0] * at(by.outward) + b[1] * at(by.mixed)) +
                 a(1) * (b[1] * at(by.along) - b[0] * at(by.mixed));
         if (has_higher)

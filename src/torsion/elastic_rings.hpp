@@ -59,9 +59,9 @@ class HalfPitches {
 /// Positions of balls and teeth.
 struct ContactPlaces {
   std::vector<double> balls;  ///< positions, evenly around the turn
-  std::vector<int> teeth;     ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches;
-                              ///< in order, and the same after a mirror at a lobe
-  int pitches = 1;            ///< pitches of the whole turn
+  std::vector<int> teeth;  ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches;
+                           ///< in order, and the same after a mirror at a lobe
+  int pitches = 1;         ///< pitches of the whole turn
   [[nodiscard]] double pitch() const { return 2 * std::numbers::pi / pitches; }
   [[nodiscard]] double position_of(int tooth) const { return (tooth + 0.5) * pitch(); }
   /// Positions of balls, drive flanks and coast flanks.

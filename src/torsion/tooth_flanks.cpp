@@ -118,7 +118,8 @@ typename BasicToothMotion<Real>::Section BasicToothMotion<Real>::section(double 
       length += series_[static_cast<std::size_t>(n - 1)] * sine / (2 * n);
       before = std::exchange(sine, Real(2 * c * sine - before));
     }
-    const Real missing = (R * t - length) / length_of(Real(mean_radius_ + w0 * c), Real(2 * w0 * s));
+    const Real missing =
+        (R * t - length) / length_of(Real(mean_radius_ + w0 * c), Real(2 * w0 * s));
     phi += missing;
     turn_by(Real(2 * missing), c, s);
     if (std::is_same_v<Real, double> && std::abs(value_of(missing)) < kExact) break;
@@ -230,8 +231,8 @@ Real BasicToothGap<Real>::straight_gap(const Pose& at, const Real& play) const {
   const auto& [ca, sa] = flank_direction_;  // of alpha
   const Real tilted = s / ca;
   const Real tip = dx * ca + dy * sa + play - teeth_.addendum * tilted;
-  const Real root = dx * (ca * c + sa * s) + dy * (sa * c - ca * s) + play * c +
-                    teeth_.spline_addendum * tilted;
+  const Real root =
+      dx * (ca * c + sa * s) + dy * (sa * c - ca * s) + play * c + teeth_.spline_addendum * tilted;
   return least(tip, root);  // (TC-29)
 }
 

@@ -153,8 +153,8 @@ TEST(ToothNeighbours, ReferenceTheLayerByItsEquations) {
 
 TEST(ToothNeighbours, IdentityQuadratureAndFadingWavesMeet) {
   // (TC-31): beyond half a thickness between the roots, the waves that fade along the layer take
-  // the place of the quadrature over the wave numbers.  Both sides of this end, for teeth that are 1
-  // to 9 pitches apart; tolerance 2e-12, the accuracy that the chapter states.
+  // the place of the quadrature over the wave numbers.  Both sides of this end, for teeth that are
+  // 1 to 9 pitches apart; tolerance 2e-12, the accuracy that the chapter states.
   for (const int n : {1, 2, 3, 5, 9}) {
     const double root = tooth_on<double>(1.0).root_width();
     const double end = (n * pi - root) / 0.5;  // wall at which the roots are so far apart
