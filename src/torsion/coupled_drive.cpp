@@ -180,13 +180,13 @@ void CoupledDrive::close(Equilibrium& state, const std::vector<ContactRun>& of) 
   state.system.reset();
   state.elastic = rings_->closings(state.force, of);
   state.closing = Eigen::VectorXd::Constant(contacts(), -g_.radial_displacement);
-  for (const auto& [first, count] : of) {
-    const auto at = [first, count](const Eigen::VectorXd& all) {
-      return all.segment(first, count);
+  for (const ContactRun& run : of) {
+    const auto at = [&run](const Eigen::VectorXd& all) {
+      return all.segment(run.first, run.count);
     };
-    state.closing.segment(first, count) = at(free_) + amplitude_ * at(cam_) +
-                                          state.rotation * at(rotation_) + at(state.elastic) -
-                                          at(own_).cwiseProduct(at(state.force));
+    state.closing.segment(run.first, run.count) =
+        at(free_) + amplitude_ * at(cam_) + state.rotation * at(rotation_) + at(state.elastic) -
+        at(own_).cwiseProduct(at(state.force));
   }
 }
 

@@ -313,18 +313,35 @@ void ElasticRings::fill_flanks(const ContactPlaces& places, const HalfPitches& a
     ++runs.back().count;
   }
   const Eigen::ArrayX3d shares = shares_.transpose();
+  // All flanks but half paths of a side have the same shares, so one table serves a whole block.
+  const auto alike = [&](int first) {
+    const auto of_side = shares.middleRows(first, teeth_);
+    return (of_side.colwise().minCoeff() == of_side.colwise().maxCoeff()).all();
+  };
+  const bool one_table = teeth_ > 0 && !has_higher && alike(0) && alike(teeth_);
   const auto fill = [&](int of_first, int by_first, const Tables& by) {
+    Table block;
+    if (one_table) {
+      const auto a = shares.row(of_first);
+      const auto b = shares.row(by_first);
+      block = a[0] * b[0] * by.outward + a[1] * b[1] * by.along +
+              (a[0] * b[1] - a[1] * b[0]) * by.mixed;
+    }
     for (int j = 0; j < teeth_; ++j) {
       const auto b = shares_.col(by_first + j);
       for (const ContactRun& run : runs) {
         const int steps = number(run.first) - number(j) + turn - 1;
-        const auto a = [&](int k) {
-          return shares.col(k).segment(of_first + run.first, run.count);
-        };
         const auto at = [&](const Table& of) { return of.segment(steps, run.count); };
         auto opens = flexibility_.col(balls_ + by_first + j)
                          .segment(balls_ + of_first + run.first, run.count)
                          .array();
+        if (one_table) {
+          opens = at(block);
+          continue;
+        }
+        const auto a = [&](int k) {
+          return shares.col(k).segment(of_first + run.first, run.count);
+        };
         opens = a(0) * (b[0] * at(by.outward) + b[1] * at(by.mixed)) +
                 a(1) * (b[1] * at(by.along) - b[0] * at(by.mixed));
         if (has_higher)

@@ -180,9 +180,9 @@ struct FadingMotion {
     const Complex<Real> u = loads.even - of.press * of.wave * (loads.linear * lever);
     const Complex<Real> v = of.press * loads.even;
     const std::complex<double> over = -pi / of.wave;
-    along = over * (u * u);    // (TC-31), by residues
-    outward = over * (v * v);  // (TC-31), by residues
-    mixed = over * (u * v);    // (TC-31), by residues
+    along = over * (u * u);    // (TC-31)
+    outward = over * (v * v);  // (TC-31)
+    mixed = over * (u * v);    // (TC-31)
   }
 };
 
