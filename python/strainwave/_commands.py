@@ -852,8 +852,8 @@ class DriveCommands:
         Args:
             require: OUTPUT OP VALUE, where OP is one of >=, >, <=, < and VALUE has a unit; once or
                 more
-            draws: plain draws; by default 200000 for an output of the sum of the members and 2000
-                for any other
+            draws: plain draws; by default 200000 for an output of the sum of the members, 20000 for
+                a strength margin and 2000 for any other
             seed: seed of the draws
             threads: number of threads; 0 for all of the machine; the answer does not depend on it
             texts: texts that options name, by their names; an option may also be a pathlib.Path,

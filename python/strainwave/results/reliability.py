@@ -10,6 +10,7 @@ from typing import ClassVar, Literal, Optional
 from .. import parts as _to
 from ..answers import Result
 from ..parts import AnyArray, Converter, FloatArray, Part, Quantity
+from .sensitivity import Tables
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -149,6 +150,9 @@ class Requirements(Part):
     """by draws about the nearest failure; None if absent"""
     monte_carlo: RequirementsPart
     """by plain draws"""
+    tables: Optional[Tables]
+    """error of the tables that the draws read; absent: the engine computed all; None if
+    absent"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "output": ("output", _to.plain),
@@ -163,6 +167,7 @@ class Requirements(Part):
         "second_order": ("second_order", SecondOrder._of),
         "importance_sampling": ("importance_sampling", RequirementsPart._of),
         "monte_carlo": ("monte_carlo", RequirementsPart._of),
+        "tables": ("tables", Tables._of),
     }
 
 

@@ -161,6 +161,24 @@ class ScatterOutputs(Part):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class Tables(Part):
+    """Error of the tables that the draws read; absent: the engine computed all."""
+
+    cracks: int
+    """cracks whose compliance was read from tables"""
+    points: int
+    """random drives of the study at which tables and engine were compared"""
+    largest_error: Quantity
+    """largest difference between tables and engine at these drives, over the output"""
+
+    _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
+        "cracks": ("cracks", _to.plain),
+        "points": ("points", _to.plain),
+        "largest_error": ("largest_error", _to.quantity),
+    }
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Scatter(Part):
     """Combined uncertainty from the scatter of the inputs."""
 
@@ -178,6 +196,9 @@ class Scatter(Part):
     """draws beyond the validity of the model"""
     seed: int
     """seed of the draws"""
+    tables: Optional[Tables]
+    """error of the tables that the draws read; absent: the engine computed all; None if
+    absent"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "inputs": ("inputs", _to.many(ScatterInputs._of)),
@@ -187,6 +208,7 @@ class Scatter(Part):
         "refused": ("refused", _to.plain),
         "unusable": ("unusable", _to.plain),
         "seed": ("seed", _to.plain),
+        "tables": ("tables", Tables._of),
     }
 
 
@@ -272,6 +294,9 @@ class Sobol(Part):
     """base points without a usable drive"""
     seed: int
     """seed of the scramblings"""
+    tables: Optional[Tables]
+    """error of the tables that the drives read; absent: the engine computed all; None if
+    absent"""
 
     _fields: ClassVar[dict[str, tuple[str, Converter]]] = {
         "outputs": ("outputs", _to.many(SobolOutputs._of)),
@@ -280,6 +305,7 @@ class Sobol(Part):
         "evaluations": ("evaluations", _to.plain),
         "left_out": ("left_out", _to.plain),
         "seed": ("seed", _to.plain),
+        "tables": ("tables", Tables._of),
     }
 
 
