@@ -110,14 +110,19 @@ TEST(ContactProblem, IdentityAStateBetweenStepsKnowsItsRings) {
   // If the steps end too early, the closings due to the rings still agree with the forces.
   const GearSet gear = housed_drive(100);
   const CoupledDrive full = assembled(false);
-  CoupledDrive stopped(gear, coupled_geometry(gear, {}), {.max_iterations = 3});
-  ASSERT_FALSE(stopped.assemble_on(full.cam_amplitude()));
-  const Equilibrium state = stopped.solve(48.0, full.assembled());
-  ASSERT_FALSE(state.converged);
-  const Eigen::VectorXd elastic = full.rings().closings(state.force);
-  EXPECT_LT((state.elastic - elastic).cwiseAbs().maxCoeff(), 1e-12 * elastic.cwiseAbs().maxCoeff());
-  EXPECT_GT((full.assembled().elastic - elastic).cwiseAbs().maxCoeff(),
-            1e-3 * elastic.cwiseAbs().maxCoeff());
+  for (const int steps : {1, 3}) {
+    CoupledDrive stopped(gear, coupled_geometry(gear, {}), {.max_iterations = steps});
+    ASSERT_FALSE(stopped.assemble_on(full.cam_amplitude()));
+    // Flanks that touch at the start let the steps leave out contacts that are far.
+    const Equilibrium start = full.solve(14.0, full.assembled());
+    const Equilibrium state = stopped.solve(48.0, start);
+    ASSERT_FALSE(state.converged);
+    const Eigen::VectorXd elastic = full.rings().closings(state.force);
+    EXPECT_LT((state.elastic - elastic).cwiseAbs().maxCoeff(),
+              1e-12 * elastic.cwiseAbs().maxCoeff());
+    EXPECT_GT((start.elastic - elastic).cwiseAbs().maxCoeff(),
+              1e-3 * elastic.cwiseAbs().maxCoeff());
+  }
 }
 
 /// Expects that the flexibility of a drive is that of the modes of its rings.
@@ -203,9 +208,11 @@ TEST(ContactProblem, IdentityAJumpOfTheLoadIsManySteps) {
       // Back, in one jump too: contacts open.
       const Equilibrium back = drive.solve(0.05 * torque, state);
       const Equilibrium there = drive.solve(0.05 * torque, drive.assembled());
-      ASSERT_TRUE(back.converged && there.converged);
+      // From its own state, which one step with the contacts that are near confirms.
+      const Equilibrium again = drive.solve(torque, state);
+      ASSERT_TRUE(back.converged && there.converged && again.converged);
       EXPECT_NEAR(back.rotation / there.rotation, 1.0, 1e-10);
-      for (const Equilibrium& of : std::vector<Equilibrium>{jump, state, back, there}) {
+      for (const Equilibrium& of : std::vector<Equilibrium>{jump, state, back, there, again}) {
         // Closings and forces of all contacts, also of those that the steps left out.
         const Eigen::VectorXd elastic = drive.rings().closings(of.force);
         EXPECT_LT((of.elastic - elastic).cwiseAbs().maxCoeff(),

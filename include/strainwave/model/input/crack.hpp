@@ -382,9 +382,8 @@ struct AnnularCrack {
           &AnnularCrack::solution);
     field(Field{.name = "distance",
                 .unit = "m",
-                .doc =
-                    "from the shaft's end toward the flexspline to the crack, along z; if left out "
-                    "the crack is far from the others",
+                .doc = "from the shaft's end toward the flexspline to the crack, along z; if left out "
+                       "the crack is far from the others",
                 .range = kPositive,
                 .example = R"("12 mm")",
                 .in_template = InTemplate::commented},
