@@ -127,20 +127,17 @@ std::size_t end_of_block(int block) {
 /// long block of modes is represented by fewer ones at numbers between whole ones.
 class ShaftModes {
  public:
-  /// @param inner   inner radius [-]
-  /// @param counts  of modes of each crack; each the end of a block
-  ShaftModes(double inner, const std::vector<std::size_t>& counts) : inner_(inner) {
-    const std::size_t most = std::ranges::max(counts);
+  /// @param inner  inner radius [-]
+  /// @param most   number of modes, the end of a block; fewer modes are the first ones of these
+  ShaftModes(double inner, std::size_t most) : inner_(inner), most_(most) {
     std::size_t begin = 0;
     for (int block = 0; begin < most; ++block) {
       const std::size_t end = end_of_block(block);
       if (end <= begin) continue;
-      // The deepest crack that this block concerns has the fewest modes, and its phase moves most.
-      std::size_t fewest = most;
-      for (const std::size_t count : counts)
-        if (count >= end) fewest = std::min(fewest, count);
+      // The deepest crack that this block concerns has it as its last one, and its phase moves
+      // most.
       const double phase = std::numbers::sqrt2 * kLastPhase * static_cast<double>(end - begin) /
-                           static_cast<double>(fewest);
+                           static_cast<double>(end);
       constexpr double kMore = 14;
       const auto points = static_cast<std::size_t>(std::ceil(kMore + phase));
       if (points < end - begin) {
@@ -154,6 +151,7 @@ class ShaftModes {
     }
   }
 
+  [[nodiscard]] std::size_t most() const { return most_; }
   [[nodiscard]] const std::vector<Mode>& modes() const { return modes_; }
   /// How many of `modes` represent the first `count` modes, the end of a block.
   [[nodiscard]] std::size_t size(std::size_t count) const {
@@ -163,14 +161,14 @@ class ShaftModes {
   }
   /// Wave number between the last one of `count` modes and the next.
   [[nodiscard]] double end(std::size_t count) const {
-    return wave_number(static_cast<double>(count) + 0.5);
+    // The last mode of a block is about half a mode before its end.
+    return wave_number(static_cast<double>(count) + 0.5,
+                       modes_[size(count) - 1].wave_number + pi / (1 - inner_));
   }
 
  private:
-  /// Wave number of mode n, counted from 1, by Newton's method (CG-13).
-  [[nodiscard]] double wave_number(double n) const {
-    double k = modes_.empty() ? (n + 0.75) * pi / (1 - 0.5 * inner_)
-                              : modes_.back().wave_number + (n - last_) * pi / (1 - inner_);
+  /// Wave number of mode n, counted from 1, by Newton's method from a value k nearby (CG-13).
+  [[nodiscard]] double wave_number(double n, double k) const {
     constexpr int kSteps = 60;
     for (int i = 0; i < kSteps; ++i) {
       const BesselPair outside = second_order(k);
@@ -189,7 +187,9 @@ class ShaftModes {
     return k;
   }
   void add(double n, double weight) {
-    const double k = wave_number(n);
+    const double k = wave_number(
+        n, modes_.empty() ? (n + 0.75) * pi / (1 - 0.5 * inner_)
+                          : modes_.back().wave_number + (n - last_) * pi / (1 - inner_));
     const BesselPair outside = second_order(k);
     const double bore = inner_ > 0 ? 1 / second_order(k * inner_).square : 0.0;
     const double norm = 2 / (pi * pi * k * k) * (1 / outside.square - bore);  // (CG-13)
@@ -199,6 +199,7 @@ class ShaftModes {
   }
 
   double inner_;
+  std::size_t most_;
   double last_ = 0.0;  ///< number of the last one of `modes_`
   std::vector<Mode> modes_;
   std::vector<std::pair<std::size_t, std::size_t>> ends_;  ///< modes up to a block, and size there
@@ -349,42 +350,39 @@ AnnularGroup group_of(const std::vector<Jump>& jumps,
 
 /// The modes of a shaft, which this thread keeps for the last shafts: an assessment asks at some
 /// hundred sizes.
-std::shared_ptr<const ShaftModes> modes_of(double inner, const std::vector<std::size_t>& counts) {
+std::shared_ptr<const ShaftModes> modes_of(double inner, std::size_t most) {
   struct Known {
     double inner;
-    std::vector<std::size_t> counts;
     std::shared_ptr<const ShaftModes> modes;
   };
   constexpr std::size_t kKept = 16;
   thread_local std::deque<Known> last;
-  std::vector<std::size_t> sorted = counts;
-  std::ranges::sort(sorted);
   for (const Known& known : last)
-    if (known.inner == inner && known.counts == sorted) return known.modes;
-  last.push_front({inner, sorted, std::make_shared<const ShaftModes>(inner, sorted)});
+    if (known.inner == inner && known.modes->most() >= most) return known.modes;
+  last.push_front({inner, std::make_shared<const ShaftModes>(inner, most)});
   if (last.size() > kKept) last.pop_back();
   return last.front().modes;
 }
 
 /// The jump of a crack, which this thread keeps for the last depths, because only some cracks of a
 /// group change from one question to the next.
-Jump kept_jump(double place, double depth, const std::shared_ptr<const ShaftModes>& modes,
+Jump kept_jump(double inner, const PlacedAnnularCrack& crack, const ShaftModes& modes,
                std::size_t count) {
   struct Known {
+    double inner;
     double depth;
     std::size_t count;
-    std::shared_ptr<const ShaftModes> modes;
     Jump jump;
   };
   constexpr std::size_t kKept = 64;
   thread_local std::deque<Known> last;
   for (const Known& known : last)
-    if (known.depth == depth && known.count == count && known.modes == modes) {
+    if (known.inner == inner && known.depth == crack.depth && known.count == count) {
       Jump jump = known.jump;
-      jump.place = place;
+      jump.place = crack.place;
       return jump;
     }
-  last.push_front({depth, count, modes, jump_of(place, depth, *modes, count)});
+  last.push_front({inner, crack.depth, count, jump_of(crack.place, crack.depth, modes, count)});
   if (last.size() > kKept) last.pop_back();
   return last.front().jump;
 }
@@ -450,11 +448,13 @@ AnnularGroup annular_group(std::span<const PlacedAnnularCrack> cracks, const Sha
     while (end_of_block(block) < count) ++block;
     count = end_of_block(block);
   }
-  const std::shared_ptr<const ShaftModes> modes = modes_of(radii.inner / radii.outer, counts);
+  const double inner = radii.inner / radii.outer;
+  const std::shared_ptr<const ShaftModes> modes = modes_of(inner, std::ranges::max(counts));
   std::vector<Jump> jumps;
   for (std::size_t j = 0; j < cracks.size(); ++j)
-    jumps.push_back(
-        kept_jump(cracks[j].place / radii.outer, cracks[j].depth / radii.outer, modes, counts[j]));
+    jumps.push_back(kept_jump(
+        inner, {.place = cracks[j].place / radii.outer, .depth = cracks[j].depth / radii.outer},
+        *modes, counts[j]));
   std::vector<std::vector<Eigen::MatrixXd>> stress(jumps.size());
   for (std::size_t i = 0; i < jumps.size(); ++i)
     for (std::size_t j = 0; j < jumps.size(); ++j)

@@ -215,10 +215,12 @@ TEST(RowOfCracks, CrosscheckUncertaintyOfAFlatSheet) {
 // what the curvature changes in each judged row.  It is hardly larger than the worst one.
 TEST(RowOfCracks, CrosscheckUncertaintyOfUnlikeCracks) {
   const auto uncertainty = [](double shell_parameter) {
-    const StraightCrack crack{.half_length = 1e-3};
-    return WallGroup({.round = 1.0, .shell_parameter = shell_parameter / 1e-3},
-                     {{.place = crack}, {.index = 1, .place = crack}})
-        .uncertainty();
+    WallGroup::Wall wall;
+    wall.round = 1.0;
+    wall.shell_parameter = shell_parameter / 1e-3;
+    WallGroup::Member member;
+    member.place.half_length = 1e-3;
+    return WallGroup(wall, {member, member}).uncertainty();
   };
   double most = 0.0;
   int rows = 0;
