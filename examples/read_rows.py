@@ -14,10 +14,15 @@ import h5py
 import pandas
 
 
+def dataset(file, column):
+    """The numbers of a column.  In the name of a dataset, a slash would mean a group."""
+    return file["rows"][column.replace("%", "%25").replace("/", "%2F")]
+
+
 def units(path):
     """{column: SI unit of its numbers}."""
     with h5py.File(path) as file:
-        return {name: file["rows"][name].attrs["unit"] for name in file["columns"].asstr()[:]}
+        return {name: dataset(file, name).attrs["unit"] for name in file["columns"].asstr()[:]}
 
 
 def read_rows(path, first=0, last=None, columns=None):
@@ -30,7 +35,7 @@ def read_rows(path, first=0, last=None, columns=None):
             raise ValueError(f"{path} is not a file of rows of strainwave")
         part = slice(first, last)
         names = file["columns"].asstr()[:] if columns is None else columns
-        table = pandas.DataFrame({name: file["rows"][name][part] for name in names})
+        table = pandas.DataFrame({name: dataset(file, name)[part] for name in names})
         words = {code: word for word, code in h5py.check_enum_dtype(file["status"].dtype).items()}
         table["status"] = pandas.Series(file["status"][part]).map(words).astype("category")
         table["rule"] = pandas.Categorical.from_codes(file["rule"][part].astype("int64"),

@@ -119,7 +119,8 @@ std::string text_of_shard(const std::string& name, const OptionTexts& texts, con
     const std::size_t n = pieces(std::span(text).subspan(size));
     size += n;
     text.resize(size);
-    if (n == 0) return text;
+    // Another file may be larger than the memory; the reader of shards refuses its beginning.
+    if (n == 0 || (size >= kPiece && !begins_as_shard(text))) return text;
   }
 }
 

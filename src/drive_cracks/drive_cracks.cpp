@@ -304,9 +304,12 @@ class Maker {
     const std::string fault = annular_->fault();
     made.notes.push_back(
         {fault.empty()
-             ? std::string("K_III contains that the other annular cracks of the shaft shield this "
-                           "one in torsion; K_I of an axial force or a bending moment, and the "
-                           "collapse of the section, are those of the crack alone")
+             ? std::string(
+                   "K_III contains that the other annular cracks of the shaft shield this "
+                   "one in torsion, as long as the faces of the others slide freely; friction "
+                   "there raises K up to that of the crack alone, which the answer without "
+                   "distances contains; K_I of an axial force or a bending moment, and the "
+                   "collapse of the section, are those of the crack alone")
              : "K is that of the crack alone, which is an upper bound in torsion, because the "
                "other "
                "annular cracks of the shaft shield it; " +
@@ -315,6 +318,8 @@ class Maker {
     made.front = [alone = made.front, group = annular_, j = made.in_shaft_group](
                      const CrackSize& size, Faces faces) {
       std::vector<FrontIntensity> front = alone(size, faces);
+      // Pressed faces may hold each other by friction, and then the others do not shield.
+      if (faces == Faces::pressed) return front;
       const double ratio = group->intensity(j, size.size);
       for (FrontIntensity& at : front) at.load.III[kTorsion] *= ratio;  // (CG-12)
       return front;

@@ -72,13 +72,15 @@ double ShaftGroup::stretch() const {
   return most;  // (CG-12)
 }
 
+bool ShaftGroup::stretched() const { return stretch() > 1 + 1e-11; }
+
 AnnularGroup ShaftGroup::solved_with(const std::vector<std::size_t>& modes) const {
   // Rounding must not leave two cracks nearer than the limit.
   const double apart = stretch() * (1 + 1e-12);
-  std::vector<PlacedAnnularCrack> stretched = cracks;
-  if (apart > 1 + 1e-11)
-    for (PlacedAnnularCrack& crack : stretched) crack.place *= apart;
-  return annular_group(stretched, radii, modes);
+  std::vector<PlacedAnnularCrack> placed = cracks;
+  if (stretched())
+    for (PlacedAnnularCrack& crack : placed) crack.place *= apart;
+  return annular_group(placed, radii, modes);
 }
 
 AnnularGroup ShaftGroup::solved() const {
@@ -105,7 +107,8 @@ AnnularGroup ShaftGroup::solved() const {
 double ShaftGroup::intensity(std::size_t member, double depth) const {
   ShaftGroup at = *this;
   at.cracks[member].depth = depth;
-  return at.fault().empty() ? at.solved().cracks[member].factor : 1.0;  // (CG-12)
+  return at.fault().empty() && !at.stretched() ? at.solved().cracks[member].factor
+                                               : 1.0;  // (CG-12)
 }
 
 std::vector<double> shaft_ratios(const GearSet& gear, const Lift<double>&) {

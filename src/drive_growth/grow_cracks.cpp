@@ -53,9 +53,11 @@ using State = std::vector<double>;  // ln of the size of each tip, then repetiti
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
 
 /// The stiffness under the softer sense of torque [N*m/rad].
+double softer_stiffness(const SeriesCompliance<double>& of) {
+  return std::min(of.positive_stiffness(), of.negative_stiffness());
+}
 double softer_stiffness(const GearSet& gear) {
-  const SeriesCompliance<double> result = series_compliance<double>(gear);
-  return std::min(result.positive_stiffness(), result.negative_stiffness());
+  return softer_stiffness(series_compliance<double>(gear));
 }
 
 /// The steps of the duty and its peaks that the failure assessment looks at: those that no other
@@ -299,8 +301,8 @@ class Growing {
     std::size_t first = 0;   ///< among `cracks`
     std::size_t second = 0;  ///< likewise
     WallThroughCrack crack;  ///< in place of both
-    double before = 0.0;     ///< stiffness of the drive with both, under the softer sense [N*m/rad]
-    double after = 0.0;      ///< the same with the one
+    /// Change of the stiffness under the softer sense of torque [-]; absent: not known.
+    std::optional<double> change = {};
   };
   /// The merger at a state where a group ends; absent: no two cracks of one line meet there.
   [[nodiscard]] std::optional<Merger> merger(const State& state) const {
@@ -325,19 +327,20 @@ class Growing {
         merged.distance = one->centre.imag();
         merged.compliance_table.reset();
         merged.turn_table.reset();
-        Merger result{.first = crack_of(first.path),
-                      .second = crack_of(second.path),
-                      .crack = merged,
-                      .before = softer_stiffness(gear_at(state))};
+        Merger result{
+            .first = crack_of(first.path), .second = crack_of(second.path), .crack = merged};
         cracks.erase(cracks.begin() + static_cast<std::ptrdiff_t>(second.index));
         try {
           check(gear);
-          result.after = softer_stiffness(gear);
+          const auto before = series_compliance<double>(gear_at(state));
+          const auto after = series_compliance<double>(gear);
+          if (before.usable && after.usable)
+            result.change = softer_stiffness(after) / softer_stiffness(before) - 1;
         } catch (const InputError&) {  // the one crack is too long for the drive
           continue;
         }
         // The ligament gives energy when it breaks, so the drive becomes softer.
-        if (result.after < result.before) return result;
+        if (!result.change || *result.change < 0) return result;
       }
     }
     return std::nullopt;
@@ -1000,7 +1003,7 @@ class Path {
     const auto& cracks = growing_.cracks();
     report_.notes.push_back(merger_note(cracks[merger.first].crack().path,
                                         cracks[merger.second].crack().path, merger.crack,
-                                        merger.after / merger.before - 1));
+                                        merger.change));
     cite(report_, std::array<std::string_view, 1>{"CG-14"});
     report_.end = DriveEnd::range;
     report_.governing = cracks[merger.first].crack().path;

@@ -303,22 +303,26 @@ Note group_note(const WallGroup& at_begin, const WallGroup& at_end) {
 }
 
 Note merger_note(const std::string& first, const std::string& second,
-                 const WallThroughCrack& merged, double change) {
+                 const WallThroughCrack& merged, std::optional<double> change) {
   return {
       .code = "growth.merges",
       .text = fmt::format(
-          "{} and {} lie in one line, and the gap between them is down to {:g} of the longer "
+          "{} and {} lie in one line, and the gap between them is at most {:g} of the longer "
           "half length: they count as one crack from here on, from outer tip to outer tip, "
-          "which lets the ligament break at once; it has half_length = \"{:.6g} mm\", "
+          "which lets the ligament break at once; at stresses above 0.3 of the yield strength the "
+          "ligament yields before; the one crack has half_length = \"{:.6g} mm\", "
           "angle = \"{:.6g} deg\", distance = \"{:.6g} mm\" and position = \"{:.6g} deg\", "
-          "and changes the stiffness under the softer sense by {:.3g} %",
+          "{}",
           first, second, kLeastGroupGap, merged.half_length / units::mm, merged.angle / units::deg,
-          *merged.distance / units::mm, *merged.position / units::deg, 100 * change),
+          *merged.distance / units::mm, *merged.position / units::deg,
+          change ? fmt::format("and changes the stiffness under the softer sense by {:.3g} %",
+                               100 * *change)
+                 : std::string("whose stiffness is not known, because another crack is near")),
       .path = first,
       .equation = "CG-14",
       .severity = Severity::care,
       .next_step =
-          "Replace both by this crack and grow it; the life is the time up to here and "
+          "Replace both by this crack, assess it and grow it; the life is the time up to here and "
           "that of the one crack."};
 }
 
@@ -337,25 +341,27 @@ Note superposed_note(const std::string& member) {
 
 Note shielding_note(const ShaftGroup& at_begin, const ShaftGroup& at_end) {
   const auto words = [](const ShaftGroup& group) {
-    if (!group.fault().empty()) return std::string("1 (an upper bound)");
+    if (!group.fault().empty() || group.stretched()) return std::string("1");
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (const GroupedAnnularCrack& crack : group.solved().cracks) {
       least = std::min(least, crack.factor);
       most = std::max(most, crack.factor);
     }
-    return fmt::format("{:.3f} to {:.3f}{}", least, most,
-                       group.stretch() > 1 ? " (an upper bound)" : "");
+    return fmt::format("{:.3f} to {:.3f}", least, most);
   };
   return {.code = "growth.shielding",
           .text = fmt::format(
               "the {} annular cracks of the output shaft shield each other in torsion: K_III is {} "
               "times that of a crack alone at the beginning, and {} times at the end; K_I of axial "
-              "forces and bending moments is that of a crack alone",
+              "forces and bending moments is that of a crack alone; the deeper of two cracks soon "
+              "grows nearly as alone, so a neighbour that is a little shallower than given, or "
+              "whose faces stick by friction, may halve the life",
               at_end.cracks.size(), words(at_begin), words(at_end)),
           .path = "output_shaft.crack",
           .equation = "CG-12",
-          .severity = Severity::information};
+          .severity = Severity::care,
+          .next_step = "Leave out the distances for a lower bound of the life."};
 }
 
 Note no_curve_note(const std::string& why) {

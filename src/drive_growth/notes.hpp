@@ -65,7 +65,7 @@ void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize
 /// @param merged  the crack in place of both
 /// @param change  relative change of the stiffness by the merger [-]
 [[nodiscard]] Note merger_note(const std::string& first, const std::string& second,
-                               const WallThroughCrack& merged, double change);
+                               const WallThroughCrack& merged, std::optional<double> change);
 /// The cracks of a member grow without the influence of those that are in no group.
 [[nodiscard]] Note superposed_note(const std::string& member);
 /// How annular cracks of the output shaft shield each other (CG-12).

@@ -74,6 +74,20 @@ void prepare_library() {
   (void)done;
 }
 
+/// The name of a column's dataset.  A slash would mean a group, so it is written %2F, and a per
+/// cent sign %25.
+std::string dataset_name(std::string_view column) {
+  std::string name;
+  for (const char c : column)
+    if (c == '/')
+      name += "%2F";
+    else if (c == '%')
+      name += "%25";
+    else
+      name += c;
+  return name;
+}
+
 /// Rows in an HDF5 file: a dataset for each column, compressed by chunks.  The file contains no
 /// times, so the same rows give the same bytes.
 class Hdf5RowFile : public RowFile {
@@ -110,7 +124,7 @@ class Hdf5RowFile : public RowFile {
     const Identifier group =
         made(H5Gcreate2(file_.id(), "rows", H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose);
     for (const RowColumn& column : head.columns) {
-      numbers_.push_back({dataset(group, column.name, H5T_IEEE_F64LE), {}});
+      numbers_.push_back({dataset(group, dataset_name(column.name), H5T_IEEE_F64LE), {}});
       write_text(numbers_.back().dataset, "unit", column.unit);
       numbers_.back().values.reserve(kRowsOfChunk);
     }

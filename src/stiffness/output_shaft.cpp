@@ -319,7 +319,8 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
       if (added == &report.positive) together += added->at_output.value;
       if (added->axial_torsion) shield((*added->axial_torsion)[2]);
     }
-    const double factor = solved.cracks[j].factor;
+    const bool pressed = gear.load.axial_force < 0;  // friction may hold the faces
+    const double factor = group.stretched() || pressed ? 1.0 : solved.cracks[j].factor;
     least = std::min(least, factor);
     for (auto* const K : {&report.deepest, &report.largest}) {
       if (!*K) continue;
@@ -332,7 +333,7 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
           accuracy::combined(*report.intensity_uncertainty, solved.error / factor);
   }
   std::string bound;
-  if (const double apart = group.stretch(); apart > 1) {
+  if (const double apart = group.stretch(); group.stretched()) {
     // The deepest crack alone is the least that the group adds.
     double most = 0.0;
     for (const std::size_t index : group.index)
@@ -340,8 +341,8 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
     if (together > 0) widen(member, group, 1 - most / together);
     bound = fmt::format(
         "; two of them are nearer than {:g} of the deeper one, so all distances count as {:.3g} "
-        "times as long, which is an upper bound; replace two cracks that are so near by the "
-        "deeper one",
+        "times as long, which is an upper bound; K is that of each crack alone; replace two "
+        "cracks that are so near by the deeper one",
         kLeastAnnularDistance, apart);
   }
   member.notes.push_back({.code = "crack.shielding",

@@ -238,6 +238,7 @@ std::optional<TableEvidence> VariedSeries::table_evidence(std::size_t rows,
         evidence.largest_error =
             std::max(evidence.largest_error, std::abs(read[y] - exact[y]) / std::abs(exact[y]));
   }
+  if (evidence.points == 0) return std::nullopt;  // no drive had an output to compare
   return evidence;
 }
 

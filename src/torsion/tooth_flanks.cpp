@@ -394,7 +394,7 @@ double BasicToothGap<Real>::find_widest() const {
   std::array<double, kSamples + 1> heights;
   for (int i = 0; i <= kSamples; ++i) heights[static_cast<std::size_t>(i)] = height(i * step);
   // Flanks that are seated beside the lobe have a gap at the lobe, too.
-  const auto seats = std::min(kSamples, static_cast<int>(kSeat / step));
+  const auto seats = static_cast<int>(std::min<double>(kSamples, kSeat / step));
   const auto seat = std::min_element(heights.begin(), heights.begin() + seats + 1);
   const double seated = step * static_cast<double>(seat - heights.begin());
   const double best =

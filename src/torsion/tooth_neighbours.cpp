@@ -118,13 +118,14 @@ struct Complex {
   }
 };
 
-/// @param x  K B/2 of a complex wave number
+/// The transforms times exp(-Im x), because they grow like exp(Im x) and could overflow.
+/// @param x  K B/2 of a complex wave number, Im x >= 0
 template <class Real>
 RootLoads<Complex<Real>> root_loads(const Complex<Real>& x) {
   using std::cos, std::exp, std::sin;
-  const Real grows = exp(x.im);
-  const Real even = (grows + 1 / grows) / 2;
-  const Real odd = (grows - 1 / grows) / 2;
+  const Real fades = exp(-2 * x.im);
+  const Real even = (1 + fades) / 2;
+  const Real odd = (1 - fades) / 2;
   const Real c = cos(x.re);
   const Real s = sin(x.re);
   const Complex<Real> sine = {s * even, c * odd};
@@ -133,7 +134,7 @@ RootLoads<Complex<Real>> root_loads(const Complex<Real>& x) {
   const bool small = value_of(x.re * x.re + x.im * x.im) < kSmall * kSmall;
   const Complex<Real> over = x.inverse();
   return {.even = sine * over,
-          .linear = small ? of_small_linear_load(square)
+          .linear = small ? of_small_linear_load(square) * Real(exp(-x.im))
                           : (sine - x * cosine) * (over * over * over) * Real(3.0)};
 }
 
@@ -166,7 +167,8 @@ const std::vector<FadingWave>& fading_waves() {
   return waves;
 }
 
-/// The amplitudes of a fading wave under the loads over two roots, times -pi.
+/// The amplitudes of a fading wave under the loads over two roots, times -pi exp(-Im K B): what the
+/// wave has at the distance B, the width of a root.
 template <class Real>
 struct FadingMotion {
   std::complex<double> wave;
@@ -179,10 +181,13 @@ struct FadingMotion {
         root_loads(Complex<Real>{of.wave.real() * root / 2, of.wave.imag() * root / 2});
     const Complex<Real> u = loads.even - of.press * of.wave * (loads.linear * lever);
     const Complex<Real> v = of.press * loads.even;
+    // The width tells the rest by its derivatives.
+    using std::exp;
     const std::complex<double> over = -pi / of.wave;
-    along = over * (u * u);    // (TC-31)
-    outward = over * (v * v);  // (TC-31)
-    mixed = over * (u * v);    // (TC-31)
+    const Real rest = exp(of.wave.imag() * (root - value_of(root)));  // 1
+    along = over * (u * u) * rest;                                    // (TC-31)
+    outward = over * (v * v) * rest;                                  // (TC-31)
+    mixed = over * (u * v) * rest;                                    // (TC-31)
   }
 };
 
@@ -355,7 +360,7 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
     }
   }
   std::vector<FadingMotion<Real>> motions;
-  std::vector<std::complex<double>> at;    // exp(iKx) of each wave
+  std::vector<std::complex<double>> at;    // exp(iKx + Im K B) of each wave
   std::vector<std::complex<double>> step;  // of one pitch
   if (n < count)
     for (const FadingWave& wave : fading_waves()) {
@@ -363,7 +368,7 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
       motions.emplace_back(wave, root, lever);
       const std::complex<double> turns = std::complex<double>(0, 1) * wave.wave * value_of(pitch);
       step.push_back(std::exp(turns));
-      at.push_back(std::exp(turns * static_cast<double>(n)));
+      at.push_back(std::exp(turns * static_cast<double>(n) + wave.wave.imag() * value_of(root)));
     }
   for (; n < count; ++n) {
     Real tangential(0.0);

@@ -103,6 +103,22 @@ TEST_F(RowFiles, LimitOfTheRules) {
   EXPECT_NE(test::contents(in_folder("rows.h5")).find("another rule"), std::string::npos);
 }
 
+// A path may contain a slash, because a material may be called "AISI 4340/A"; in the name of a
+// dataset it would mean a group.
+TEST_F(RowFiles, BehaviourSlashInAName) {
+  if (!kWithHdf5) GTEST_SKIP() << "built without HDF5";
+  const auto file = row_file(path("rows.h5"));
+  file->begin({.of = "draws",
+               .rows = 1,
+               .columns = {{"material.4340/A.youngs_modulus", "Pa"}, {"material.4340", "Pa"}}});
+  file->add(std::array{2e11, 1e11}, RowStatus::usable, {});
+  file->finish();
+  file->replace();
+  const std::string made = test::contents(in_folder("rows.h5"));
+  EXPECT_NE(made.find("material.4340%2FA.youngs_modulus"), std::string::npos);
+  EXPECT_NE(made.find("material.4340/A.youngs_modulus"), std::string::npos);  // in `columns`
+}
+
 TEST_F(RowFiles, InputNames) {
   const auto refused = [&](const std::string& name) -> std::string {
     try {

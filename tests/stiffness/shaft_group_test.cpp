@@ -161,11 +161,28 @@ TEST(ShaftGroup, BehaviourVeryNearCracks) {
   const auto note = std::ranges::find(member.notes, "crack.shielding", &Note::code);
   ASSERT_NE(note, member.notes.end());
   EXPECT_EQ(note->severity, Severity::care);
-  EXPECT_NE(note->text.find("count as 2 times as long, which is an upper bound"), std::string::npos)
+  EXPECT_NE(note->text.find("count as 2 times as long, which is an upper bound; K is "
+                            "that of each crack alone"),
+            std::string::npos)
       << note->text;
+  // K of the deeper one would be too small where the distances are stretched.
+  const MemberCompliance alone = output_shaft_compliance(shaft_with({ring_at(3 * mm, {})}));
+  EXPECT_EQ(member.cracks[1].deepest->K_III.value, alone.cracks[0].deepest->K_III.value);
   const auto& first = member.cracks[0].positive.at_output;
   const auto& second = member.cracks[1].positive.at_output;
   EXPECT_GE(*second.relative_uncertainty, first.value / (first.value + second.value) - 1e-12);
+}
+
+// Kind: behaviour (CG-12).  An axial force that presses the faces may lock the neighbours by
+// friction, so K is that of each crack alone.
+TEST(ShaftGroup, BehaviourPressedFacesDoNotShield) {
+  const auto K_of = [](std::optional<double> distance, double force) {
+    GearSet gear = shaft_with({ring_at(2 * mm, 150 * mm), ring_at(3 * mm, distance)});
+    gear.load.axial_force = force;
+    return output_shaft_compliance(gear).cracks[0].deepest->K_III.value;
+  };
+  EXPECT_EQ(K_of(153 * mm, -1000), K_of({}, -1000));
+  EXPECT_LT(K_of(153 * mm, 0), 0.9 * K_of({}, 0));
 }
 
 // Kind: crosscheck (CG-12).  Derivatives of very near cracks, whose distances are stretched.

@@ -200,6 +200,18 @@ TEST(ToothNeighbours, LimitAThinRingHasNoNeighbours) {
   EXPECT_LT(std::abs(next(pi / 2)), 1e-3 * next(40));
 }
 
+TEST(ToothNeighbours, LimitOfAVeryThinRing) {
+  // (TC-31): a wall of a fifth to a third of a module.  The transforms of the loads grow like
+  // exp(Im K B/2) with the root's width B, here up to exp(600), and the waves fade as fast.
+  for (const double wall : {0.2, 0.22, 0.25, 0.3, 0.34}) {
+    const ToothNeighbours teeth(tooth_on<double>(wall), unit_steel(), 1.0, 100);
+    for (const int n : {1, 2}) {
+      const double moved = opening(teeth, {.tooth = n, .side = 1}, kDrive);
+      EXPECT_LT(std::abs(moved), 1e-3) << wall << ", " << n;  // false for NaN too
+    }
+  }
+}
+
 TEST(ToothNeighbours, IdentityTheEnergyOfTheTeethIsPositive) {
   // (TC-11) has one state for each torque only if the compliance of the pairs outweighs what the
   // neighbours lack on the diagonal: the least eigenvalue of (TC-31) stays above half of the

@@ -43,13 +43,24 @@ template <std::size_t N>
     const auto part = values.subspan(from, to - from);
     const auto nth = part.begin() + static_cast<std::ptrdiff_t>(below - from);
     std::nth_element(part.begin(), nth, part.end());
-    // The next value goes to its place too.  The part below is done before any other reorders it.
+    // The next value goes to its place too.
     if (nth + 1 != part.end()) std::iter_swap(nth + 1, std::min_element(nth + 1, part.end()));
-    result[of] = below + 1 == values.size()
-                     ? *nth
-                     : std::lerp(*nth, values[below + 1], place(of) - static_cast<double>(below));
-    self(self, first, of, from, below + 1);
-    self(self, of + 1, last, below, to);
+    const auto lies_here = [&](std::size_t i) {
+      return static_cast<std::size_t>(place(i)) == below;
+    };
+    const auto between = [&](std::size_t i) {
+      return below + 1 == values.size()
+                 ? *nth
+                 : std::lerp(*nth, values[below + 1], place(i) - static_cast<double>(below));
+    };
+    result[of] = between(of);
+    // Others may lie between the same two values, which the parts below do not keep in place.
+    std::size_t apart = of;
+    for (; apart > first && lies_here(apart - 1); --apart) result[apart - 1] = between(apart - 1);
+    std::size_t next = of + 1;
+    for (; next < last && lies_here(next); ++next) result[next] = between(next);
+    self(self, first, apart, from, below);
+    self(self, next, last, below + 1, to);
   };
   fill(fill, 0, N, 0, values.size());
   return result;

@@ -29,14 +29,17 @@ struct ShaftGroup {
   /// it is known.
   [[nodiscard]] std::string fault() const;
   /// Factor on all places that leaves each two cracks as far apart as annular_group asks; 1 if they
-  /// are.  Cracks farther apart shield each other less, so the answer is then an upper bound [-].
+  /// are [-].  Cracks farther apart shield each other less, so the rotation is then an upper bound.
+  /// K of a deep crack is not: beside a shallower one K falls and rises again with the distance.
   [[nodiscard]] double stretch() const;
+  /// Whether the places are stretched, so that K is that of each crack alone.
+  [[nodiscard]] bool stretched() const;
   /// The influence.  The group must have no fault.
   [[nodiscard]] AnnularGroup solved() const;
   /// The same with given numbers of modes, which make differences of groups smooth.
   [[nodiscard]] AnnularGroup solved_with(const std::vector<std::size_t>& modes) const;
   /// K_III of one crack at a depth [m] beside the others, over that of the crack alone; 1 if the
-  /// group has a fault [-].
+  /// group has a fault or is stretched [-].
   [[nodiscard]] double intensity(std::size_t member, double depth) const;
 };
 
