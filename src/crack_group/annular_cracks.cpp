@@ -23,8 +23,28 @@ using std::numbers::pi;
 /// Functions of the jump of a crack, and how many fewer estimate the error.
 constexpr Eigen::Index kFunctions = 10;
 constexpr Eigen::Index kFewerFunctions = 7;
-/// Product of wave number and depth at which the sum over the modes ends.
-constexpr double kLastPhase = 80;
+/// Products of wave number and depth from which on a mode counts less, and at which the sum over
+/// the modes ends.
+/// @{
+constexpr double kFirstFading = 64;
+constexpr double kLastPhase = 112;
+/// @}
+
+/// Weight of a mode by its wave number times the depth, from 1 down to 0 with two continuous
+/// derivatives, so that the sum changes smoothly with the depth (CG-12).
+double fading(double phase) {
+  const double s = std::clamp((phase - kFirstFading) / (kLastPhase - kFirstFading), 0.0, 1.0);
+  return 1 - s * s * s * (10 - 15 * s + 6 * s * s);
+}
+
+/// The integral of (1 - fading(x))/x^2 over all x (CG-12).
+double faded_part() {
+  static const double part =
+      boost::math::quadrature::gauss<double, 30>::integrate(
+          [](double x) { return (1 - fading(x)) / (x * x); }, kFirstFading, kLastPhase) +
+      1 / kLastPhase;
+  return part;
+}
 
 /// Bessel functions in the precision of their argument, which is all that they need here.
 using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
@@ -159,12 +179,6 @@ class ShaftModes {
       if (end >= count) return size;
     return modes_.size();
   }
-  /// Wave number between the last one of `count` modes and the next.
-  [[nodiscard]] double end(std::size_t count) const {
-    // The last mode of a block is about half a mode before its end.
-    return wave_number(static_cast<double>(count) + 0.5,
-                       modes_[size(count) - 1].wave_number + pi / (1 - inner_));
-  }
 
  private:
   /// Wave number of mode n, counted from 1, by Newton's method from a value k nearby (CG-13).
@@ -209,7 +223,6 @@ class ShaftModes {
 struct Jump {
   double place = 0.0;
   double depth = 0.0;
-  double end = 0.0;           ///< wave number at which its sum over the modes ends
   Eigen::MatrixXd modes;      ///< integral of r phi_n psi_m, a column for each mode
   Eigen::VectorXd of_torque;  ///< integral of r^2 psi_m
   Eigen::VectorXd at_tip;     ///< psi_m over c sqrt(xi/a) at the tip
@@ -251,7 +264,6 @@ Jump jump_of(double place, double depth, const ShaftModes& modes, std::size_t co
   Jump jump;
   jump.place = place;
   jump.depth = depth;
-  jump.end = modes.end(count);
   const double tip = 1 - depth;
   const std::size_t size = modes.size(count);
   jump.modes = Eigen::MatrixXd::Zero(kFunctions, static_cast<Eigen::Index>(size));
@@ -266,6 +278,8 @@ Jump jump_of(double place, double depth, const ShaftModes& modes, std::size_t co
   double reach = -1.0;  // phase up to which the points serve
   for (std::size_t n = 0; n < size; ++n) {
     const Mode& mode = modes.modes()[n];
+    const double weight_of_mode = fading(mode.wave_number * depth);
+    if (weight_of_mode == 0) break;  // and that of all that follow
     // The phase moves twice as fast at the surface.
     const double phase = 2 * mode.wave_number * depth;
     if (phase > reach) {
@@ -280,6 +294,7 @@ Jump jump_of(double place, double depth, const ShaftModes& modes, std::size_t co
     }
     for (const Point& point : points)
       jump.modes.col(static_cast<Eigen::Index>(n)) += mode.at(point.r) * point.weights;  // (CG-11)
+    jump.modes.col(static_cast<Eigen::Index>(n)) *= std::sqrt(weight_of_mode);           // (CG-12)
   }
   return jump;
 }
@@ -298,8 +313,8 @@ Eigen::MatrixXd stress_between(const Jump& one, const Jump& other, bool same,
   if (same) {
     // The modes that follow see the root at the tip alone; their sum is an integral.
     const double tip = 1 - one.depth;
-    stress += one.at_tip * one.at_tip.transpose() *
-              (tip * tip * tip / (8 * one.depth * one.end));  // (CG-12)
+    stress +=
+        one.at_tip * one.at_tip.transpose() * (tip * tip * tip * faded_part() / 8);  // (CG-12)
   }
   return stress;
 }
