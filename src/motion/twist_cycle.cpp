@@ -184,8 +184,11 @@ ElasticCurve::At ElasticCurve::at(double twist) const {
 
 ElasticCurve::Sides ElasticCurve::tangents_under(double torque) const {
   if (torque != 0) {
-    const double tangent = at(twist_under(torque)).tangent;
-    return {.below = tangent, .above = tangent};
+    // A load often is a torque at which the lines of a maker meet, such as T2.  Rounding must not
+    // choose one of them.
+    constexpr double kBeside = 1e-9;
+    return {.below = at(twist_under(torque * (1 - kBeside))).tangent,
+            .above = at(twist_under(torque * (1 + kBeside))).tangent};
   }
   if (!nodes_.empty()) {
     const Node& zero = *std::ranges::lower_bound(nodes_, 0.0, {}, &Node::torque);

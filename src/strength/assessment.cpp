@@ -246,7 +246,9 @@ class InDiagram {
   /// crack.
   [[nodiscard]] std::optional<double> reserve() const {
     if (!(L_r(1.0) > 0)) return std::nullopt;
-    const auto [least, most] = crack_.known_loads();
+    const std::array<double, 2> known = crack_.known_loads();
+    const double least = known[0];
+    const double most = known[1];
     const double collapse = L_r_max_ / L_r(1.0);
     // At `least` K begins to be known; it is 0 unless a table begins later.
     if (beyond(least) >= 0) return std::min(least, collapse);

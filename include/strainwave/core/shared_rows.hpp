@@ -78,7 +78,8 @@ class SharedRows {
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
   /// Calls a function with each row that is read, in their order.  The function may change the row.
-  /// @param n  number of rows of the whole study
+  /// @param n    number of rows of the whole study
+  /// @param use  the function, of a row
   /// @throws BrokenRecord  if the bytes are not those of n rows
   template <class Row, class Use>
   void read(std::size_t n, const Use& use) const {

@@ -40,8 +40,11 @@ class ResponseTable {
   [[nodiscard]] std::vector<std::vector<CrackResponse>> at(
       const std::array<double, 2>& half_lengths);
 
+  /// The cracks of which the table was made.
   [[nodiscard]] const std::vector<FacedCrack>& cracks() const { return cracks_; }
+  /// The stresses of the sheet [Pa].
   [[nodiscard]] const std::vector<SheetStress>& stresses() const { return stresses_; }
+  /// Length after which the cracks repeat [m].
   [[nodiscard]] double period() const { return period_; }
   /// Systems that were solved so far.
   [[nodiscard]] std::size_t solved() const { return solved_; }

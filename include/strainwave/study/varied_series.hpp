@@ -69,6 +69,7 @@ class VariedSeries {
   /// Compares the tables with the engine at random rows; absent if no output read a table.  Asks
   /// for the same rows on every machine.
   /// @param rows  as in `prepare`
+  /// @param fill  as in `prepare`
   [[nodiscard]] std::optional<TableEvidence> table_evidence(std::size_t rows,
                                                             const Fill& fill) const;
   /// Largest number of rows at which tables and engine are compared: 10 ms.
@@ -79,6 +80,7 @@ class VariedSeries {
    public:
     /// Takes the tables that the series has by now.  The series must outlive the evaluator.
     explicit Evaluator(const VariedSeries& of) : Evaluator(of, true) {}
+    /// @param of         as above
     /// @param by_tables  false: the engine alone answers
     Evaluator(const VariedSeries& of, bool by_tables);
     ~Evaluator();

@@ -94,7 +94,7 @@ class SecondOrder(Part):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RequirementsPart(Part):
-    """By draws about the nearest failure."""
+    """By draws about the nearest failure, or about each cause of failures."""
 
     draws: int
     """evaluated drives"""
@@ -147,7 +147,7 @@ class Requirements(Part):
     second_order: Optional[SecondOrder]
     """with the curvature of the limit; None if absent"""
     importance_sampling: Optional[RequirementsPart]
-    """by draws about the nearest failure; None if absent"""
+    """by draws about the nearest failure, or about each cause of failures; None if absent"""
     monte_carlo: RequirementsPart
     """by plain draws"""
     tables: Optional[Tables]
