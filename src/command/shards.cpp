@@ -80,7 +80,8 @@ using NamedShard = std::pair<std::string, Shard>;
 
 /// Checks that the shares are all parts of one division, each once.
 void require_complete(const std::vector<std::pair<std::string, Shard>>& shards) {
-  const auto& [first_name, first] = shards.front();
+  const std::string& first_name = shards.front().first;
+  const Shard& first = shards.front().second;
   std::vector<const std::string*> file(static_cast<std::size_t>(first.share.parts), nullptr);
   for (const auto& [name, shard] : shards) {
     if (shard.share.parts != first.share.parts)
@@ -295,7 +296,8 @@ Answer merged_by(std::span<const Command> table, const std::vector<NamedShard>& 
                  const std::function<Shard(std::size_t)>& load, const Progress& progress,
                  const Host& host) {
   if (shards.empty()) throw OptionError("shards", "must be given; name the files of all shards");
-  const auto& [first_name, first] = shards.front();
+  const std::string& first_name = shards.front().first;
+  const Shard& first = shards.front().second;
   const SharedStudy& study = first.study;
   const Command& command = command_named(table, study.command);
   const SharedStudy here = shared_study(command, nullptr, {}, OptionValues(command.options), {});

@@ -150,8 +150,7 @@ BatchResult batch(const GearSet& gear, const BatchTask& task, const Progress& pr
     const std::size_t n_paths = task.paths.size();
     std::ranges::copy(task.values.subspan(row * n_paths, n_paths), values.begin());
   };
-  if (task.method == Method::corrected && VariedSeries::covers(task.outputs) &&
-      VariedSeries::can_vary(task.paths)) {
+  if (task.method == Method::corrected && VariedSeries::covers(task.outputs)) {
     series.emplace(gear, std::vector(task.paths.begin(), task.paths.end()),
                    std::vector(task.outputs.begin(), task.outputs.end()));
     series->prepare(n_rows, fill);

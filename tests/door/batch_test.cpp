@@ -272,20 +272,6 @@ TEST(Batch, IdentityMarginsByTablesForAnyNumberOfThreads) {
 }
 
 // Kind: behaviour (ST-22).  A batch whose rows the engine computed states no error of tables.
-// Kind: behaviour.  A path that the plan cannot vary takes the engine, whatever the output.
-TEST(Batch, BehaviourPathsThatThePlanCannotVary) {
-  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article_scatter.toml");
-  const std::vector<std::string> paths = {"scatter[0].relative_standard_deviation"};
-  const std::vector<double> values = {0.01, 0.02};
-  const BatchResult result =
-      batch(gear, {.paths = paths,
-                   .values = values,
-                   .outputs = std::vector<std::string>{"cracked.positive.stiffness"}});
-  EXPECT_EQ(result.codes, std::vector(2, RowCode::ok));
-  EXPECT_GT(result.numbers[0], 0.0);
-  EXPECT_EQ(result.numbers[0], result.numbers[1]);
-}
-
 TEST(Batch, BehaviourNoErrorOfTablesWithoutTables) {
   const std::vector<std::string> paths = {"output_shaft.crack[0].depth"};
   const std::vector<double> values = {1e-3, 2e-3};
