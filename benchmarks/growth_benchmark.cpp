@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
+#include "cracked_wall.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/growth/constant_amplitude.hpp"
-#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/life/load_history.hpp"
 #include "strainwave/materials/library_law.hpp"
 #include "strainwave/materials/material_library.hpp"
@@ -44,50 +44,13 @@ void growth_nasgro(benchmark::State& state) {
   }
 }
 
-/// A flexspline with a semi-elliptical crack in its wall, under torque and wave.
 GearSet wall() {
-  return read_gear_set(R"(
-format = "strainwave-drive/1"
-[material.steel]
+  return cracked_wall(R"([material.steel]
 youngs_modulus = "210 GPa"
 poissons_ratio = 0.3
 yield_strength = "1172 MPa"
-[drive]
-ratio = 100
-pitch_diameter = "160 mm"
-radial_displacement = "0.8 mm"
-[load]
-torque = "2000 N*m"
-[flexspline]
-material = "steel"
-shape = "cylinder"
-wall_thickness = "2.24 mm"
-length = "160 mm"
-[[flexspline.crack]]
-kind = "surface"
-depth = "0.4 mm"
-half_length = "0.7 mm"
-angle = "45 deg"
-[duty]
-[[duty.block]]
-duration = "60 s"
-output_speed = "20 rpm"
-torque = "9000 N*m"
-[[duty.block]]
-duration = "30 s"
-output_speed = "-20 rpm"
-torque = "-3000 N*m"
-[[duty.block]]
-duration = "30 s"
-output_speed = "10 rpm"
-torque = "4000 N*m"
-[[duty.peak]]
-torque = "16000 N*m"
-output_speed = "10 rpm"
-duration = "0.1 s"
-interval = "3600 s"
 )",
-                       "wall.toml");
+                      "steel", "0.4 mm", "0.7 mm");
 }
 
 Interaction willenborg() { return {.rule = InteractionRule::willenborg, .zone_factor = 2.0}; }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "cracked_wall.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/growth/constant_amplitude.hpp"
@@ -36,44 +37,7 @@ void lives_of_the_shaft(benchmark::State& state) {
 /// A life of a surface crack in a wall: depth and length, NASGRO, three blocks and a momentary
 /// peak.
 void life_of_a_wall(benchmark::State& state) {
-  const GearSet gear = read_gear_set(R"(
-format = "strainwave-drive/1"
-[drive]
-ratio = 100
-pitch_diameter = "160 mm"
-radial_displacement = "0.8 mm"
-[load]
-torque = "2000 N*m"
-[flexspline]
-material = "15-5PH H900"
-shape = "cylinder"
-wall_thickness = "2.24 mm"
-length = "160 mm"
-[[flexspline.crack]]
-kind = "surface"
-depth = "0.8 mm"
-half_length = "1.2 mm"
-angle = "45 deg"
-[duty]
-[[duty.block]]
-duration = "60 s"
-output_speed = "20 rpm"
-torque = "9000 N*m"
-[[duty.block]]
-duration = "30 s"
-output_speed = "-20 rpm"
-torque = "-3000 N*m"
-[[duty.block]]
-duration = "30 s"
-output_speed = "10 rpm"
-torque = "4000 N*m"
-[[duty.peak]]
-torque = "16000 N*m"
-output_speed = "10 rpm"
-duration = "0.1 s"
-interval = "3600 s"
-)",
-                                     "wall.toml");
+  const GearSet gear = cracked_wall("", "15-5PH H900", "0.8 mm", "1.2 mm");
   double time = 0.0;
   for (auto _ : state) time = life_trace(gear).time;
   state.counters["hours"] = time / 3600;

@@ -33,8 +33,9 @@ constexpr double kLastPhase = 112;
 /// Weight of a mode by its wave number times the depth, from 1 down to 0 with two continuous
 /// derivatives, so that the sum changes smoothly with the depth (CG-12).
 double fading(double phase) {
-  const double s = std::clamp((phase - kFirstFading) / (kLastPhase - kFirstFading), 0.0, 1.0);
-  return 1 - s * s * s * (10 - 15 * s + 6 * s * s);
+  // Written from the end, where rounding of 1 minus the share would give less than 0.
+  const double s = std::clamp((kLastPhase - phase) / (kLastPhase - kFirstFading), 0.0, 1.0);
+  return s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
 /// The integral of (1 - fading(x))/x^2 over all x (CG-12).

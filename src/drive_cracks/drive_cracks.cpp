@@ -291,6 +291,26 @@ class Maker {
     };
   }
 
+  /// What the strength of an annular crack takes from the others.
+  [[nodiscard]] static std::string shielding_words(const ShaftGroup& group) {
+    const std::string alone =
+        "K is that of the crack alone, which is an upper bound in torsion, because the other "
+        "annular "
+        "cracks of the shaft shield it; ";
+    if (const std::string fault = group.fault(); !fault.empty()) return alone + fault;
+    if (group.stretched())
+      return alone + fmt::format(
+                         "two of them are nearer than {:g} of the deeper one, where their "
+                         "influence on K is not known",
+                         kLeastAnnularDistance);
+    return "K_III contains that the other annular cracks of the shaft shield this one in torsion, "
+           "as "
+           "long as the faces of the others slide freely; friction there raises K up to that of "
+           "the "
+           "crack alone, which the answer without distances contains; K_I of an axial force or a "
+           "bending moment, and the collapse of the section, are those of the crack alone";
+  }
+
   /// Gives an annular crack the others that shield it in torsion (CG-12).
   void join_shaft_group(DriveCrack& made, const AnnularCrack& crack) const {
     if (!annular_) return;
@@ -301,20 +321,7 @@ class Maker {
       }
     if (!made.shaft_group) return;
     use(made, {"CG-12"});
-    const std::string fault = annular_->fault();
-    made.notes.push_back(
-        {fault.empty()
-             ? std::string(
-                   "K_III contains that the other annular cracks of the shaft shield this "
-                   "one in torsion, as long as the faces of the others slide freely; friction "
-                   "there raises K up to that of the crack alone, which the answer without "
-                   "distances contains; K_I of an axial force or a bending moment, and the "
-                   "collapse of the section, are those of the crack alone")
-             : "K is that of the crack alone, which is an upper bound in torsion, because the "
-               "other "
-               "annular cracks of the shaft shield it; " +
-                   fault,
-         "CG-12"});
+    made.notes.push_back({shielding_words(*annular_), "CG-12"});
     made.front = [alone = made.front, group = annular_, j = made.in_shaft_group](
                      const CrackSize& size, Faces faces) {
       std::vector<FrontIntensity> front = alone(size, faces);

@@ -319,8 +319,9 @@ bool take_neighbours(const GearSet& gear, MemberCompliance& member) {
       if (added == &report.positive) together += added->at_output.value;
       if (added->axial_torsion) shield((*added->axial_torsion)[2]);
     }
-    const bool pressed = gear.load.axial_force < 0;  // friction may hold the faces
-    const double factor = group.stretched() || pressed ? 1.0 : solved.cracks[j].factor;
+    // Pressed faces may hold each other by friction, and then the others do not shield.
+    const bool pressed = gear.load.axial_force < 0;
+    const double factor = pressed ? 1.0 : group.intensity(j, group.cracks[j].depth);
     least = std::min(least, factor);
     for (auto* const K : {&report.deepest, &report.largest}) {
       if (!*K) continue;

@@ -120,15 +120,15 @@ SampledProbability importance_sampling(const std::function<LimitState()>& make,
 SampledProbability mixture_sampling(const std::function<LimitState()>& make,
                                     const std::vector<std::vector<double>>& centres,
                                     const SamplingOptions& options, const Progress& progress) {
-  const std::vector<double> origin(centres.front().size(), 0.0);
+  const std::size_t inputs = centres.front().size();
   // Draw n scatters about the origin or about a centre, in turns.
-  const auto about = [&](std::size_t n) {
-    const std::size_t turn = n % (centres.size() + 1);
-    return DrawsAbout(turn == 0 ? origin : centres[turn - 1], options.seed);
-  };
-  const std::vector<Draw> draws = draws_at(make, origin.size(), about, options, progress);
+  const std::vector<double> origin(inputs, 0.0);
+  std::vector<DrawsAbout> parts = {DrawsAbout(origin, options.seed)};
+  for (const std::vector<double>& centre : centres) parts.emplace_back(centre, options.seed);
+  const auto about = [&](std::size_t n) -> const DrawsAbout& { return parts[n % parts.size()]; };
+  const std::vector<Draw> draws = draws_at(make, inputs, about, options, progress);
   SampledProbability result{.draws = draws.size()};
-  std::vector<double> u(origin.size());
+  std::vector<double> u(inputs);
   double sum = 0.0;
   double squares = 0.0;
   double left_out = 0.0;

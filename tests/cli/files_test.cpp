@@ -177,7 +177,9 @@ TEST_F(Files, IdentityFormsOfTheSameText) {
 TEST_F(Files, IdentityTheLocaleChangesNothing) {
   // If the system cannot make the locale, only its name is set.
   (void)execute("localedef -i de_DE -f UTF-8 " + at("de_DE.UTF-8"));
-  const std::string comma = "LOCPATH=" + word(folder_.string()) + " LC_ALL=de_DE.UTF-8 ";
+  // With LOCPATH the C library loses a few bytes when a library of HDF5 asks for the locale "C".
+  const std::string comma = "LOCPATH=" + word(folder_.string()) +
+                            " LC_ALL=de_DE.UTF-8 ASAN_OPTIONS=\"$ASAN_OPTIONS:detect_leaks=0\" ";
   const std::string size25 = word(kTables + "/catalogue_size25.toml");
   for (const std::string& arguments :
        {"stiffness " + word(kDrive), "stiffness --format json " + word(kDrive),

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -90,33 +91,31 @@ TEST(AnnularCracks, BehaviourNoStepWhereTheNumberOfModesChanges) {
 }
 
 // Kind: reference (CG-13).  The sums over a few modes are those over all of them, each found by
-// halving: solid, hollow and with a small bore.  Tolerance: 1e-8, what ten functions change by
-// rounding, and Hankel's series.
+// itself: solid, hollow and with a small bore.  Source: tools/reference/annular_modes.py.
+// Tolerance: 1e-8, what ten functions change by rounding, and Hankel's series.
 TEST(AnnularCracks, ReferenceAllModesOneByOne) {
-  struct Case {
-    double inner;
-    Cracks cracks;
-    std::array<double, 2> rotation;
-    std::array<double, 2> factor;
-  };
-  for (const Case& one : {Case{0,
-                               {{0, 0.011}, {0.004, 0.013}},
-                               {0.0002665892598, 0.0005150173671},
-                               {0.6279198168, 0.8903271889}},
-                          Case{0.6,
-                               {{0, 0.012}, {0.02, 0.1}},
-                               {0.0001620970757, 0.05545727942},
-                               {0.2135670144, 0.9997873324}},
-                          Case{0.02,
-                               {{0, 0.02}, {0.1, 0.3}},
-                               {0.0005891964879, 0.4851039534},
-                               {0.3679602323, 0.9998821599}}}) {
-    const AnnularGroup group = annular_group(one.cracks, {1, one.inner});
-    for (const std::size_t j : {0U, 1U}) {
-      test::expect_relative(group.cracks[j].rotation, one.rotation[j], 1e-8);
-      test::expect_relative(group.cracks[j].factor, one.factor[j], 1e-8);
-    }
+  for (const test::CsvRow& row : test::read_reference_csv("annular_modes")) {
+    const Cracks cracks{{row("place_0"), row("depth_0")}, {row("place_1"), row("depth_1")}};
+    const auto which = static_cast<std::size_t>(row.quantity.back() - '0');
+    const GroupedAnnularCrack crack = annular_group(cracks, {1, row("inner")}).cracks[which];
+    test::expect_relative(row.quantity.starts_with("rotation") ? crack.rotation : crack.factor,
+                          row.value, 1e-8);
   }
+}
+
+// Kind: limit (CG-12).  The last mode of a crack fades to 0 and never below it, where rounding
+// would make its root not a number.  The depths put mode n just before the end, k a = 112.
+TEST(AnnularCracks, LimitOfTheLastMode) {
+  for (const int n : {60, 61, 90, 200})
+    for (const double before : {0.0, 1e-9, 1e-7, 3e-7, 1e-6, 2e-6, 3e-6, 1e-5}) {
+      const double k = boost::math::cyl_bessel_j_zero(2.0, n);
+      const double depth = 112 * (1 - before) / k;
+      const AnnularGroup group = annular_group(Cracks{{0, depth}, {depth, depth / 2}}, {1, 0});
+      EXPECT_GT(group.cracks[0].factor, 0.5) << n << ", " << before;  // false for NaN too
+      EXPECT_LT(group.cracks[0].factor, 1.0) << n << ", " << before;
+    }
+  // A depth at which the answer was not a number.
+  EXPECT_GT(annular_group(Cracks{{0, 0.55061482988319}}, {1, 0}).cracks[0].rotation, 0);
 }
 
 // Kind: limit (CG-11).  Shallow cracks of a large shaft are cracks out of the plane of a sheet,

@@ -227,6 +227,25 @@ TEST_F(OtherShards, InputDamagedFilesAreRefused) {
   EXPECT_EQ(refusal(shard_text(none)), damaged);
 }
 
+// Kind: input.  A file that is no shard may be larger than the memory, so its beginning decides.
+TEST_F(OtherShards, InputAnotherLargeFileIsNotReadToItsEnd) {
+  int pieces = 0;
+  Host host;
+  host.open = [&](const std::string&) -> TextPieces {
+    return [&](std::span<char> to) {
+      ++pieces;
+      std::ranges::fill(to, 'x');
+      return to.size();
+    };
+  };
+  const Command merge = merge_command(commands);
+  OptionValues values(merge.options);
+  values.set("shards", "rows.h5");
+  EXPECT_EQ(test::broken_rule([&] { (void)run(merge, nullptr, values, {}, {}, host); }),
+            "rows.h5: is not a shard; its first line must be strainwave-shard/1");
+  EXPECT_LE(pieces, 2);
+}
+
 // Kind: identity.  A file keeps every byte of the texts, those that are no UTF-8 too.
 TEST_F(OtherShards, IdentityOfAFile) {
   Shard shard = three()[1].second;

@@ -134,6 +134,53 @@ TEST(UnlikeGrowth, BehaviourTheEndWhereCracksMeet) {
     EXPECT_NE(note->text.find(part), std::string::npos) << note->text << " lacks " << part;
 }
 
+// Kind: behaviour (CG-14).  Cracks of one line at 45 degrees: the one crack has its middle between
+// the outer tips, and its angle is counted from the generator.
+TEST(UnlikeGrowth, BehaviourCracksOfOneInclinedLineMeet) {
+  for (const double angle : {45 * units::deg, -30 * units::deg}) {
+    const double apart = 6 * mm;
+    GearSet pair = pair_in_line(2 * mm, 1.5 * mm, apart);
+    const double from =
+        3.1;  // rad; the place of the other crack is beyond half a turn or before it
+    const auto place = [&](WallThroughCrack& crack, double along) {
+      crack.angle = angle;
+      crack.distance = 80 * mm + along * std::cos(angle);
+      crack.position = from - along * std::sin(angle) / kWall;
+    };
+    place(std::get<WallThroughCrack>(pair.flexspline->crack[0]), 0.0);
+    place(std::get<WallThroughCrack>(pair.flexspline->crack[1]), apart);
+    const GrowthReport report = grow_cracks(pair);
+    const auto note = std::ranges::find(report.notes, "growth.merges", &Note::code);
+    ASSERT_NE(note, report.notes.end()) << report.sentence;
+    WallThroughCrack one;
+    const double first = report.cracks.at(0).series.back().size;
+    const double second = report.cracks.at(1).series.back().size;
+    place(one, (apart + second - first) / 2);
+    for (const std::string& part :
+         {fmt::format("half_length = \"{:.6g} mm\"", (apart + first + second) / 2 / mm),
+          fmt::format("angle = \"{:.6g} deg\"", angle / units::deg),
+          fmt::format("distance = \"{:.6g} mm\"", *one.distance / mm),
+          fmt::format("position = \"{:.6g} deg\"", *one.position / units::deg)})
+      EXPECT_NE(note->text.find(part), std::string::npos) << note->text << " lacks " << part;
+  }
+}
+
+// Kind: behaviour (CG-14).  A third crack that is nearer to the one crack than a fifth of its half
+// length: the drive with the one crack has no usable stiffness, and the note states none.
+TEST(UnlikeGrowth, BehaviourAMergerBesideAThirdCrack) {
+  GearSet three = pair_in_line(2 * mm, 1.5 * mm, 6 * mm);
+  WallThroughCrack third = std::get<WallThroughCrack>(three.flexspline->crack[0]);
+  third.half_length = 1 * mm;
+  third.position = -5.3 * mm / kWall;  // a gap that shrinks with the other one
+  three.flexspline->crack.emplace_back(third);
+  const GrowthReport report = grow_cracks(three);
+  const auto note = std::ranges::find(report.notes, "growth.merges", &Note::code);
+  ASSERT_NE(note, report.notes.end()) << report.sentence;
+  EXPECT_NE(note->text.find("whose stiffness is not known, because another crack is near"),
+            std::string::npos)
+      << note->text;
+}
+
 // Kind: behaviour (CG-9).  Cracks that come near each other in two lines do not become a straight
 // crack, so the growth ends, and a note names both.
 TEST(UnlikeGrowth, BehaviourTheEndWhereCracksOfTwoLinesMeet) {
@@ -241,6 +288,23 @@ TEST(UnlikeGrowth, ReferenceTwoEqualAnnularCracks) {
   EXPECT_GT(with.stiffness.back().change, without.stiffness.back().change);
   ASSERT_EQ(test::count_notes(with.notes, "growth.shielding"), 1);
   EXPECT_EQ(test::count_notes(without.notes, "growth.shielding"), 0);
+}
+
+// Kind: behaviour (CG-12).  Equal cracks shield each other only while they stay equal: a neighbour
+// that is 0.1 mm shallower takes half of the life, and the life of a crack alone is the lower
+// bound. The numbers are those that the chapter states.
+TEST(UnlikeGrowth, BehaviourEqualAnnularCracksAreTheBestCase) {
+  GrowthOptions options = test::until_size("output_shaft.crack[0]", 12 * mm);
+  options.tolerance = 1e-4;
+  const auto life = [&](double neighbour, std::optional<double> apart) {
+    GearSet gear = annular_pair(6 * mm, apart);
+    std::get<AnnularCrack>(gear.output_shaft->crack[1]).depth = neighbour;
+    return grow_cracks(gear, options).time;
+  };
+  const double alone = life(6 * mm, std::nullopt);
+  EXPECT_NEAR(life(6 * mm, 0.6 * mm) / alone, 2.3, 0.1);
+  EXPECT_NEAR(life(5.9 * mm, 0.6 * mm) / alone, 1.2, 0.05);
+  EXPECT_EQ(life(6 * mm, 0.25 * mm), alone);  // nearer than 0.05 of the deeper one
 }
 
 // Kind: behaviour (CG-12).  Of two unequal annular cracks the deeper one grows nearly as alone,

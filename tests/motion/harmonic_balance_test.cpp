@@ -105,6 +105,22 @@ TEST(HarmonicBalance, ReferenceSmallVibrationsOfABilinearSpring) {
     }
 }
 
+TEST(HarmonicBalance, ReferenceSmallVibrationsWhereTwoLinesMeet) {
+  // (MO-16): about a load of T1 or T2 the spring has another stiffness on each side, whatever
+  // rounding says.  The tolerance is that of rounding.
+  const CatalogueSpring spring{{3.1e4, 5e4, 5.7e4}, {14, 48}};
+  const Joint joint = joint_with(spring);
+  for (const std::size_t line : {0U, 1U})
+    for (const double sense : {1.0, -1.0}) {
+      const BalanceSettings about{.input = VibratingInput::locked,
+                                  .load_torque = sense * spring.torque[line],
+                                  .harmonics = 9};
+      const double below = std::sqrt(spring.stiffness[line]);
+      const double above = std::sqrt(spring.stiffness[line + 1]);
+      test::expect_relative(small_frequency(joint, about), 1 / (pi / below + pi / above), 1e-14);
+    }
+}
+
 TEST(HarmonicBalance, ConvergenceOfABilinearSpringOverTheHarmonics) {
   // (MO-15): the error of the frequency falls at least with the fourth power of the harmonics.
   Joint joint = joint_with(LinearSpring{5e4});

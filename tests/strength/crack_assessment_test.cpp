@@ -1122,8 +1122,47 @@ TEST(CrackStrength, IdentityBreakingCracks) {
   }
 }
 
-// Kind: identity (FA-13), (CG-9).  The same for a group of through cracks, whose fronts depend on
-// the faces of the others under each load.
+// Kind: crosscheck (FA-4).  The reserve leaves out loads at which a bound of K_r is inside the
+// line. Here no load is left out: a scan by the verdict under scaled loads.  No crack breaks below
+// its least reserve, and each breaks just above it.  Tolerance: 1e-6, that of the root.
+TEST(CrackStrength, CrosscheckReserveByAScanOfTheLoads) {
+  int scanned = 0;
+  int broken_at_once = 0;
+  int with_assembly = 0;
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 30U : 300U); ++seed) {
+    const GearSet gear = test::random_drive(seed);
+    try {
+      check(gear);
+    } catch (const InputError&) {
+      continue;
+    }
+    const auto under = [&](double share) {
+      GearSet scaled = gear;
+      scaled.load.torque *= share;
+      scaled.load.axial_force *= share;
+      return crack_reserves(scaled);
+    };
+    const std::vector<CrackStrength> all = crack_reserves(gear);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::optional<double> reserve = all[i].least_reserve();
+      // The force of a ball is not in proportion to the torque.
+      if (!reserve || !(*reserve > 1e-3) || all[i].path.starts_with("wave_generator")) continue;
+      ++scanned;
+      broken_at_once += *reserve < 1 ? 1 : 0;
+      for (const StrengthState& state : all[i].states) with_assembly += state.with_assembly ? 1 : 0;
+      for (int k = 1; k <= 16; ++k)
+        EXPECT_FALSE(under(*reserve * (1 - 1e-6) * k / 16)[i].breaks())
+            << "seed " << seed << ", " << all[i].path << ", " << k << "/16";
+      EXPECT_TRUE(under(*reserve * (1 + 1e-6))[i].breaks()) << "seed " << seed << all[i].path;
+    }
+  }
+  EXPECT_GT(scanned, test::kSanitized ? 10 : 100);
+  EXPECT_GT(broken_at_once, test::kSanitized ? 1 : 10);
+  EXPECT_GT(with_assembly, test::kSanitized ? 1 : 10);
+}
+
+// Kind: identity (FA-13), (CG-9).  IdentityBreakingCracks for a group of through cracks, whose
+// fronts depend on the faces of the others under each load.
 TEST(CrackStrength, IdentityBreakingCracksOfAGroup) {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/crack_pair.toml");
   Material& steel = gear.material.at("steel");

@@ -103,6 +103,15 @@ TEST(GroupedCracks, IdentityAnnularCracks) {
     });
   };
   EXPECT_TRUE(says(at_one_place[1], "which is an upper bound in torsion"));
+  // Very near each other, and where an axial force presses the faces, K is that of a crack alone.
+  const auto very_near = crack_strength(shaft(0.09 * mm, 0));
+  const auto pressed = crack_strength(shaft(1 * mm, -1e5));
+  const auto pressed_alone = crack_strength(shaft({}, -1e5));
+  for (const std::size_t j : {0U, 1U}) {
+    EXPECT_EQ(very_near[j].states.at(0).K_load, alone[j].states.at(0).K_load);
+    EXPECT_TRUE(says(very_near[j], "two of them are nearer than 0.05 of the deeper one"));
+    EXPECT_EQ(pressed[j].states.at(0).K_load, pressed_alone[j].states.at(0).K_load);
+  }
   EXPECT_TRUE(says(together[1], "K_III contains that the other annular cracks"));
   EXPECT_FALSE(says(alone[1], "annular cracks of the shaft"));
 }

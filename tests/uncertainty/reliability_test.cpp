@@ -44,6 +44,9 @@ TEST(Reliability, ReferenceAPlaneLimit) {
     const auto about = importance_sampling(make, point.place, {.draws = 20000});
     EXPECT_NEAR(about.probability, point.probability(), 4 * about.standard_error);
     const auto plain = plain_sampling(make, 2, {.draws = 20000});
+    // (UQ-6): of the binomial distribution.
+    EXPECT_NEAR(plain.standard_error,
+                std::sqrt(plain.probability * (1 - plain.probability) / 20000), 1e-15);
     EXPECT_NEAR(plain.probability, point.probability(), 4 * plain.standard_error + 1e-4);
   }
 }
@@ -67,6 +70,7 @@ TEST(Reliability, IdentityBothSidesOfALimit) {
   const auto mirror = importance_sampling([&] { return other; }, two.place, {.draws = 20000});
   EXPECT_NEAR(mirror.probability, 1 - about.probability, 1e-12);
   EXPECT_NEAR(mirror.low, 1 - about.high, 1e-12);
+  EXPECT_NEAR(mirror.high, 1 - about.low, 1e-12);
   for (const double distance : {-3.0, -5.0}) {
     const LimitState limit = plane(distance);
     const auto sampled = importance_sampling(

@@ -10,7 +10,7 @@ import sys
 GENERATORS = ("annular_shaft", "article_example", "body_cracks", "collinear_cracks", "edge_crack",
               "failure_assessment", "hertz_contact", "inclined_edge_crack", "library_curves", "newman_raju",
               "surface_crack", "through_crack", "tube_and_diaphragm")
-IN_DOUBLE = ("annular_cracks", "circumferential_crack", "coupled_drive", "crack_growth", "crack_rows", "cracked_block", "cracked_ring",
+IN_DOUBLE = ("annular_cracks", "annular_modes", "circumferential_crack", "coupled_drive", "crack_growth", "crack_rows", "cracked_block", "cracked_ring",
              "cracked_strip", "detection_fit", "drive_life", "flexspline_shell", "friction_loop", "gradient", "growth_scatter", "laminate", "laminate_wall", "scattered_paths", "shell_crack",
              "tooth_gap",
              "weight_function")

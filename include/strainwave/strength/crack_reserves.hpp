@@ -26,6 +26,7 @@ namespace strainwave {
 /// Whether a material of the drive states a property by which its cracks can be assessed;
 /// otherwise a result has no strength.
 [[nodiscard]] bool strength_is_known(const GearSet& gear);
+
 struct FrontsAtSize;
 
 /// The verdicts of crack_reserves alone, for a drive under several loads: K along each front is
