@@ -23,10 +23,13 @@ namespace {
 
 using Values = std::array<double, kScatterOutputs>;
 
+/// Has no initial value, so that the threads that fill the draws touch their memory first.
 struct Draw {
-  Values value{};
-  Fate fate = Fate::evaluated;
+  Values value;
+  Fate fate;
 };
+
+using KeptDraws = std::vector<Draw, LeftUninitialised<Draw>>;
 
 template <class Archive>
 void archive(Archive& to, Draw& draw) {
@@ -93,6 +96,7 @@ class Draws {
             evaluate = std::make_unique<DrawnOutputs::Evaluator>(outputs_)](std::size_t of,
                                                                             Draw& draw) mutable {
       fill(first + of, u);
+      draw = {};  // a refused drive has no values
       draw.fate = (*evaluate)(u, draw.value);
     };
   }
@@ -114,9 +118,9 @@ class Draws {
     counter_normals(options_.seed, draw, u);
   }
   /// All draws, stored by their index.
-  [[nodiscard]] std::vector<Draw> all(const Progress& progress) const {
-    return shared_rows<Draw>(size(), parallel(), progress, options_.shared,
-                             [&] { return evaluator(0); });
+  [[nodiscard]] KeptDraws all(const Progress& progress) const {
+    return shared_rows<Draw, KeptDraws>(size(), parallel(), progress, options_.shared,
+                                        [&] { return evaluator(0); });
   }
   /// Calls a function with each draw, in their order, and keeps a part of them at a time.
   template <class F>
@@ -130,7 +134,7 @@ class Draws {
       });
       return progress.at(1.0);
     }
-    std::vector<Draw> draws(std::min(size(), kDrawsAtATime));
+    KeptDraws draws(std::min(size(), kDrawsAtATime));
     for (std::size_t first = 0; first < size(); first += draws.size()) {
       const std::size_t n = std::min(draws.size(), size() - first);
       const auto share = [&](std::size_t at) {
@@ -209,7 +213,7 @@ void need_results(const Scatter& scatter) {
 void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std::size_t>& columns,
                     const ScatterOptions& options, DrawnRows* rows, const Progress& progress) {
   const double drawn = rows != nullptr ? 0.5 : 0.95;
-  const std::vector<Draw> all = draws.all(progress.part(0.0, drawn));
+  const KeptDraws all = draws.all(progress.part(0.0, drawn));
   for (const Draw& draw : all) count(scatter, draw);
   need_results(scatter);
   if (rows != nullptr) {

@@ -91,6 +91,16 @@ std::vector<Case> cases() {
                    crack.half_length = dice.uniform(2.5, 3.5) * mm;
                    crack.angle = dice.uniform(0.75, 0.85);
                  }});
+  // A crack and its mirror image share a table, which contains the ends of the angle too.
+  all.push_back(
+      {"through: any angle", with_wall_crack(through), [](GearSet& g, test::Dice& dice) {
+         std::get<WallThroughCrack>(g.flexspline->crack[0]).angle = dice.uniform(-1.57, 1.57);
+       }});
+  all.push_back({"through: row and its mirror image", with_wall_crack(row),
+                 [](GearSet& g, test::Dice& dice) {
+                   std::get<WallThroughCrack>(g.flexspline->crack[0]).angle =
+                       dice.uniform(-0.2, 0.2);
+                 }});
   WallThroughCrack in_line = row;
   in_line.angle = pi / 2;
   all.push_back(

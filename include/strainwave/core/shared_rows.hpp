@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -111,10 +112,32 @@ class SharedRows {
   std::function<std::string(int part)> load_ = {};  ///< null: rows are computed
 };
 
+/// Leaves new elements as they are if their type has no initial value, so that the thread that
+/// fills an element is the first to touch its memory.  Zeros for a million rows take as long as a
+/// tenth of the study.
+template <class T>
+struct LeftUninitialised : std::allocator<T> {
+  /// As std::allocator.
+  template <class U>
+  struct rebind {
+    using other = LeftUninitialised<U>;  ///< for elements of another type
+  };
+  /// Makes an element.
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0)
+      ::new (static_cast<void*>(at)) U;
+    else
+      ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
 /// The rows of a study, by a loop that processes may share.
 ///
 /// The row of an index must depend on the index only.  `Row` is a number, or has an `archive`
 /// function (core/records.hpp).
+/// @tparam Rows     std::vector<Row>; with the allocator LeftUninitialised the evaluator must fill
+///                  every byte of a row that has no initial value
 /// @param n         number of rows of the whole study
 /// @param parallel  block size and threads, as for_each_index; no effect where rows are read
 /// @param progress  reports the rows that this process computes; no report where rows are read
@@ -123,18 +146,17 @@ class SharedRows {
 /// @throws ShareDone  after the rows of a share were computed and kept
 /// @throws BrokenRecord  if the bytes that are read are not those of n rows
 /// @throws  as for_each_index
-template <class Row, class Make>
-[[nodiscard]] std::vector<Row> shared_rows(std::size_t n, const Parallel& parallel,
-                                           const Progress& progress, SharedRows* shared,
-                                           const Make& make) {
+template <class Row, class Rows = std::vector<Row>, class Make>
+[[nodiscard]] Rows shared_rows(std::size_t n, const Parallel& parallel, const Progress& progress,
+                               SharedRows* shared, const Make& make) {
   if (shared != nullptr && shared->reads()) {
-    std::vector<Row> rows;
+    Rows rows;
     rows.reserve(shared->rows() == n ? n : 0);
     shared->read<Row>(n, [&](Row& row) { rows.push_back(std::move(row)); });
     return rows;
   }
   const RowRange mine = shared != nullptr ? rows_of(shared->share(), n) : RowRange{0, n};
-  std::vector<Row> rows(mine.last - mine.first);
+  Rows rows(mine.last - mine.first);
   for_each_index(rows.size(), parallel, progress, [&] {
     return [&, evaluate = make()](std::size_t i) mutable { evaluate(mine.first + i, rows[i]); };
   });

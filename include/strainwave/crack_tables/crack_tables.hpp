@@ -72,7 +72,7 @@ class SimilarCracks {
       std::size_t next = 0;
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (next < of_->varies_.size() && of_->varies_[next] == i)
-          place[next++] = x[i];
+          place[next++] = table_coordinate<Solution>(i, x[i]);
         else if (x[i] != of_->constant_[i])
           return std::nullopt;
       }
@@ -113,7 +113,8 @@ class SimilarCracks {
  private:
   bool fill(const ChebyshevCells::Place& place, ChebyshevCells::Values& values, Faces faces) const {
     Arguments x = constant_;
-    for (std::size_t i = 0; i < varies_.size(); ++i) x[varies_[i]] = place[i];
+    for (std::size_t i = 0; i < varies_.size(); ++i)
+      x[varies_[i]] = argument_at<Solution>(varies_[i], place[i]);
     for (std::size_t i = 0; i < kParts; ++i) {
       const CrackPart part = Similar::kParts[i];
       // A node of a box may be a crack that touches its neighbours.

@@ -19,7 +19,7 @@
 /// `Similarity<Solution>` has
 ///
 ///     kArguments         number of dimensionless arguments x
-///     kWidths            widths of the boxes in which f is one polynomial, by argument
+///     kWidths            widths of the boxes in which f is one polynomial, by coordinate
 ///     kParts             what each part f_i contains
 ///     kFacesChangeShape  whether f depends on the state of the faces
 ///     arguments(p)       x of a crack, from the numbers of its solution
@@ -30,6 +30,8 @@
 ///                        compliance f_i is; its switches are those of p
 ///     size_of(p)         the power of lengths in w_i
 ///     known(p)           whether the solution exists for these numbers; without it, it always does
+///     coordinate(i, x)   what a table of an isotropic wall uses for argument i, because f is
+///     argument(i, y)     smoother in it, and the way back; without them, the argument itself
 
 namespace strainwave {
 
@@ -44,7 +46,8 @@ namespace similarity {
 
 inline constexpr double kByLogarithm = 0.5;  ///< width of a box in the logarithm of a ratio
 inline constexpr double kByPoissonsRatio = 0.1;
-inline constexpr double kByAngle = 0.2;  ///< [rad]
+inline constexpr double kByHalfLogarithm = kByLogarithm / 2;
+inline constexpr double kBySquare = 1.0 / 3;  ///< in the square of a cosine
 
 template <class Real>
 [[nodiscard]] Real fifth_power(const Real& x) {
@@ -60,16 +63,27 @@ struct Similarity<sif::BasicThroughCrackInTube<Real>> {
   using In = sif::BasicThroughCrackInTube<Other>;
   using Parameters = In<Real>;
   static constexpr std::size_t kArguments = 4;
+  static constexpr std::size_t kAngle = 2;  ///< index of beta
   static constexpr std::array kParts = {CrackPart::opening_and_sliding};
   static constexpr bool kFacesChangeShape = true;
   static constexpr std::array<double, kArguments> kWidths = {
-      similarity::kByLogarithm, similarity::kByLogarithm, similarity::kByAngle,
+      similarity::kByHalfLogarithm, similarity::kByLogarithm, similarity::kBySquare,
       similarity::kByPoissonsRatio};
 
   static std::array<Real, kArguments> arguments(const Parameters& p) {
     using std::log;
     return {log(p.half_length / p.wall_thickness), log(p.wall_thickness / p.mean_radius), p.angle,
             p.poissons_ratio};
+  }
+  /// K of an isotropic wall at -beta is K at beta with the other sign of K_II, so f is even in beta
+  /// and in beta - pi/2.  It is close to a polynomial of cos^2(beta): with pressed faces a short
+  /// crack has f ~ cos^2(2 beta).
+  static double coordinate(std::size_t i, double x) {
+    const double cosine = std::cos(x);
+    return i == kAngle ? cosine * cosine : x;
+  }
+  static double argument(std::size_t i, double y) {
+    return i == kAngle ? std::acos(std::sqrt(y)) : y;
   }
   static bool known(const Parameters& p) {
     return p.count == 1 ||
@@ -340,6 +354,24 @@ struct Similarity<sif::BasicShaftSurfaceHollow<Real>> {
     return root * root * root;
   }
 };
+
+/// What a table uses for an argument; see `Similarity`.
+template <class Solution>
+[[nodiscard]] double table_coordinate(std::size_t argument, double x) {
+  if constexpr (requires { Similarity<Solution>::coordinate(argument, x); })
+    return Similarity<Solution>::coordinate(argument, x);
+  else
+    return x;
+}
+
+/// The argument at a coordinate of a table.
+template <class Solution>
+[[nodiscard]] double argument_at(std::size_t argument, double coordinate) {
+  if constexpr (requires { Similarity<Solution>::argument(argument, coordinate); })
+    return Similarity<Solution>::argument(argument, coordinate);
+  else
+    return coordinate;
+}
 
 /// One object of any solution of the series model in one scalar, or none.
 template <class Real, template <class> class Of>
