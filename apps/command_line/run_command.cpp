@@ -378,11 +378,15 @@ class StudyRows : public RowSink {
   }
   void begin(const RowHead& head) override {
     begun_ = true;
+    left_ = head.rows;
     written([&] { file_->begin(head); });
   }
   void add(std::span<const double> numbers, RowStatus status, std::string_view rule) override {
     written([&] { file_->add(numbers, status, rule); });
+    --left_;
   }
+  /// Whether the study has handed over all of its rows.
+  [[nodiscard]] bool complete() const { return begun_ && left_ == 0; }
   /// @throws UsageError  if the study has no rows
   void finish() {
     if (!begun_) throw UsageError("--rows: this study has no rows; leave out --rows");
@@ -404,6 +408,7 @@ class StudyRows : public RowSink {
 
   std::unique_ptr<RowFile> file_;
   bool begun_ = false;
+  std::size_t left_ = 0;
 };
 
 /// Whether the file has this share of the study already.
@@ -537,7 +542,7 @@ ExitCode run_command(Given given) {
   std::optional<Answer> answer;
   std::vector<OutputFile> files;
   std::vector<std::pair<std::string, std::string>> texts;  // path, document
-  const auto compute = [&] {
+  const auto compute_answer = [&] {
     answer.emplace(run(command, read->drive, options, read->attached, progress,
                        {.ranks = ranks,
                         .journal = journal ? &*journal : nullptr,
@@ -548,6 +553,21 @@ ExitCode run_command(Given given) {
                         .columns = read->columns,
                         .beside = attachments_beside,
                         .open = opened}));
+  };
+  const auto compute = [&] {
+    try {
+      compute_answer();
+    } catch (const Error&) {
+      // A study without an answer, such as one whose draws are all refused, has rows that say why.
+      if (!rows || !rows->complete()) throw;
+      rows->finish();
+      rows->replace();
+      line.clear();
+      warn(given.program,
+           fmt::format("{} has the rows of the study, with the rule that each refused row breaks",
+                       shown(read->rows)));
+      throw;
+    }
     if (chosen.folder) files = answer->files(main);
     for (const OutputFile& file : files)
       known->require_not_read("--output", (std::filesystem::path(main_path) / file.name).string());

@@ -138,6 +138,15 @@ typedef struct sw_batch_task {
   int threads;            /**< 1 to 256; 0: as many as the machine has */
 } sw_batch_task;
 
+/** How far the numbers of a batch that reads the compliances of cracks from tables are from single
+ *  evaluations (ST-22).  All is 0 if there is nothing to compare: no row read a table, or none of
+ *  the compared rows has numbers. */
+typedef struct sw_table_evidence {
+  int cracks;           /**< cracks that have tables */
+  int points;           /**< random rows at which tables and engine were compared; at most 1000 */
+  double largest_error; /**< largest difference of an output at these rows, over its value [-] */
+} sw_table_evidence;
+
 /** Version of the library, "0.1.0"; never freed. */
 SW_API const char* sw_version(void);
 
@@ -200,6 +209,18 @@ SW_API sw_error* sw_answer_write(const sw_answer* answer, sw_text name, const sw
 SW_API sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task,
                           const sw_progress* progress, double* numbers, int* codes,
                           sw_text* faults);
+
+/** Does what sw_batch does, and states how far tables of cracks are from single evaluations.
+ *  @param drive     as of sw_batch
+ *  @param task      as of sw_batch
+ *  @param progress  as of sw_batch
+ *  @param numbers   as of sw_batch
+ *  @param codes     as of sw_batch
+ *  @param faults    as of sw_batch
+ *  @param tables    the largest error of the tables that the rows read; may be NULL */
+SW_API sw_error* sw_batch_with_evidence(const sw_drive* drive, const sw_batch_task* task,
+                                        const sw_progress* progress, double* numbers, int* codes,
+                                        sw_text* faults, sw_table_evidence* tables);
 
 /** Reason of the failure that an error reports. */
 SW_API sw_code sw_error_code(const sw_error* error);

@@ -19,7 +19,7 @@ from . import _commands, _library
 from ._commands import *  # noqa: F403
 from ._evidence import Accuracy, Note, Verdict
 from .answers import Result, Svg
-from .batch import ROW_CODES, BatchResult
+from .batch import ROW_CODES, BatchResult, TableEvidence
 from .drive import Crack, Cracks, Drive, new, parse, read
 from .errors import Error, InputError, InternalError, NotUsable, OptionError, SolverError
 from .parts import Part, Quantity
@@ -30,7 +30,7 @@ __version__ = _library.version()
 __all__ = [
     "Accuracy", "BatchResult", "Crack", "Cracks", "Drive", "Error", "InputError", "InternalError",
     "NotUsable", "Note", "OptionError", "Part", "Quantity", "ROW_CODES", "Result", "SolverError",
-    "Svg",
+    "Svg", "TableEvidence",
     "Verdict", "__version__", "materials", "new", "parse", "read", "sif",
 ]
 __all__ += [name for name in _commands.__all__ if name != "DriveCommands"]

@@ -79,6 +79,10 @@ class BatchTask(ctypes.Structure):
                 ("method", Text), ("threads", c_int)]
 
 
+class TableEvidence(ctypes.Structure):
+    _fields_ = [("cracks", c_int), ("points", c_int), ("largest_error", c_double)]
+
+
 # Result and arguments of each function; a function that can fail returns an error.
 _FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "sw_version": (c_char_p, []),
@@ -90,8 +94,9 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
                           POINTER(ProgressCall), POINTER(c_void_p)]),
     "sw_answer_usable": (c_int, [c_void_p]),
     "sw_answer_document": (c_void_p, [c_void_p, Text, POINTER(Text)]),
-    "sw_batch": (c_void_p, [c_void_p, POINTER(BatchTask), POINTER(ProgressCall), c_void_p, c_void_p,
-                            POINTER(Text)]),
+    "sw_batch_with_evidence": (c_void_p, [c_void_p, POINTER(BatchTask), POINTER(ProgressCall),
+                                          c_void_p, c_void_p, POINTER(Text),
+                                          POINTER(TableEvidence)]),
     "sw_error_code": (c_int, [c_void_p]),
     "sw_error_text": (Text, [c_void_p, c_int]),
     "sw_error_line": (c_size_t, [c_void_p]),
@@ -418,7 +423,7 @@ def document(answer: Handle, name: str) -> str:
 
 def batch(drive: Handle, paths: Sequence[str], values: int, n_rows: int, outputs: Sequence[str],
           method: str, threads: int, numbers: int, codes: int,
-          progress: Optional[Progress]) -> list[str]:
+          progress: Optional[Progress]) -> tuple[list[str], TableEvidence]:
     """Evaluates a drive for each row of values.
 
     Args:
@@ -427,7 +432,8 @@ def batch(drive: Handle, paths: Sequence[str], values: int, n_rows: int, outputs
         codes: address of C ints, shape (n_rows)
 
     Returns:
-        the message of the first row with each code, or an empty text
+        the message of the first row with each code, or an empty text; and the error of the tables
+        that the rows read, with `points` 0 if there is none
     """
     kept_paths, kept_outputs = [text(path) for path in paths], [text(name) for name in outputs]
     kept_method = text(method)
@@ -435,12 +441,14 @@ def batch(drive: Handle, paths: Sequence[str], values: int, n_rows: int, outputs
                      (Text * len(kept_outputs))(*kept_outputs), len(kept_outputs), kept_method,
                      threads)
     faults = (Text * ROW_CODES)()
+    tables = TableEvidence()
     try:
-        _Call(lambda told: _library.sw_batch(drive.pointer, ctypes.byref(task), told, numbers, codes,
-                                             faults), progress).run()
+        _Call(lambda told: _library.sw_batch_with_evidence(
+            drive.pointer, ctypes.byref(task), told, numbers, codes, faults, ctypes.byref(tables)),
+            progress).run()
     finally:
         said = [_taken(fault) for fault in faults]
-    return said
+    return said, tables
 
 
 PathLike = Union[str, os.PathLike[str]]

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import html
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,18 @@ if TYPE_CHECKING:
 
 #: Outcomes of a row, in the order of their numbers.
 ROW_CODES = ("ok", "refused", "no-answer", "not-usable", "output-absent")
+
+
+@dataclass(frozen=True)
+class TableEvidence:
+    """How far the numbers of a batch that read tables of cracks are from single evaluations."""
+
+    cracks: int
+    """cracks whose compliance was read from tables"""
+    points: int
+    """random rows at which tables and engine were compared"""
+    largest_error: float
+    """largest difference between tables and engine at these rows, over the output [-]"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +62,9 @@ class BatchResult:
     """the message of the first row with each outcome but "ok" """
     inputs: dict[str, FloatArray]
     """the values of the fields as they were broadcast [SI unit of the field]"""
+    tables: Optional[TableEvidence] = None
+    """error of the tables that the rows read; None if the engine computed all rows, or if none of the
+    compared rows has numbers"""
 
     @property
     def ok(self) -> NDArray[np.bool_]:
@@ -77,21 +92,24 @@ class BatchResult:
 
     def to_frame(self) -> "pandas.DataFrame":
         """One row for each evaluation: the fields, the outputs, and the outcome; `attrs["units"]`
-        names the units, and `attrs["faults"]` has the faults."""
+        names the units, `attrs["faults"]` has the faults, and `attrs["tables"]` the error of
+        tables of cracks."""
         columns: dict[str, Any] = {path: values.ravel() for path, values in self.inputs.items()}
         columns.update({name: self[name].ravel() for name in self.outputs})
         columns["outcome"] = self.outcomes.ravel()
         frame = pandas_module().DataFrame(columns)
         frame.attrs["units"] = self.units
         frame.attrs["faults"] = dict(self.faults)
+        frame.attrs["tables"] = asdict(self.tables) if self.tables else None
         return frame
 
     def to_dict(self) -> dict[str, Any]:
-        """Fields, outputs, outcomes, units and faults in dicts and lists, which JSON can write; None
-        where a row has no number."""
+        """Fields, outputs, outcomes, units, faults and the error of tables in dicts and lists, which
+        JSON can write; None where a row has no number."""
         return {"inputs": {path: _listed(values) for path, values in self.inputs.items()},
                 "outputs": {name: _listed(self[name]) for name in self.outputs},
-                "outcomes": self.outcomes.tolist(), "units": self.units, "faults": dict(self.faults)}
+                "outcomes": self.outcomes.tolist(), "units": self.units, "faults": dict(self.faults),
+                "tables": asdict(self.tables) if self.tables else None}
 
     def _counts(self) -> dict[str, int]:
         """Number of rows of each outcome that occurs."""
@@ -107,9 +125,12 @@ class BatchResult:
                        f"<td>{html.escape(self.faults.get(name, ''))}</td></tr>"
                        for name, count in self._counts().items())
         asked = ", ".join(f"{name} [{self.units[name]}]" for name in self.outputs)
+        error = ("<p>tables of cracks differ from the engine by "
+                 f"{self.tables.largest_error:.1g} of an output at most, at {self.tables.points} random "
+                 "rows</p>" if self.tables else "")
         return (f"<p><strong>{self.codes.size} rows</strong> of {html.escape(asked)}</p>"
                 "<table><tr><th>outcome</th><th>rows</th><th>first fault</th></tr>"
-                f"{rows}</table>")
+                f"{rows}</table>{error}")
 
 
 def _listed(numbers: FloatArray) -> Any:
@@ -162,14 +183,16 @@ def batch(drive: "Drive", values: Mapping[str, Any], outputs: Sequence[str], *,
     numbers = _out(out, (len(outputs),) + shape)
     found = np.empty((n_rows, len(outputs)))
     codes = np.empty(n_rows, dtype=np.intc)
-    faults = _library.batch(drive._handle, paths, table.ctypes.data, n_rows, outputs, method,
-                            _whole("threads", threads), found.ctypes.data, codes.ctypes.data,
-                            shown_progress(progress))
+    faults, tables = _library.batch(drive._handle, paths, table.ctypes.data, n_rows, outputs, method,
+                                    _whole("threads", threads), found.ctypes.data,
+                                    codes.ctypes.data, shown_progress(progress))
     found[codes != 0] = np.nan
     numbers[...] = found.T.reshape(numbers.shape)
     return BatchResult(outputs, numbers, codes.astype(np.int32).reshape(shape),
                        {ROW_CODES[code]: fault for code, fault in enumerate(faults) if fault},
-                       {path: np.array(row) for path, row in zip(paths, rows)})
+                       {path: np.array(row) for path, row in zip(paths, rows)},
+                       TableEvidence(tables.cracks, tables.points, tables.largest_error)
+                       if tables.points else None)
 
 
 def _names(outputs: Any) -> tuple[str, ...]:

@@ -35,6 +35,28 @@ class Batch(unittest.TestCase):
             rows = size25().batch({"output_shaft.crack[0].depth": depths}, OUTPUTS, threads=threads)
             np.testing.assert_array_equal(rows.numbers, first.numbers)
 
+    def test_crosscheck_error_of_the_tables(self):
+        # Source: single evaluations by the engine (ST-22).  A long batch reads tables of the cracks.
+        depths = np.linspace(0.5e-3, 3.5e-3, 20_000)
+        output = "cracked.positive.stiffness"
+        shaft = sw.read(EXAMPLES / "article.toml")
+        rows = shaft.batch({"output_shaft.crack[0].depth": depths}, [output])
+        self.assertGreaterEqual(rows.tables.cracks, 1)
+        self.assertEqual(rows.tables.points, 1000)
+        self.assertTrue(0 < rows.tables.largest_error < 1e-10, rows.tables)
+        for place in range(0, len(depths), 1999):
+            single = shaft.batch({"output_shaft.crack[0].depth": depths[place]}, [output])
+            self.assertIsNone(single.tables)
+            self.assertAlmostEqual(rows[output][place] / float(single[output]), 1, delta=1e-10)
+        said = {"cracks": rows.tables.cracks, "points": 1000,
+                "largest_error": rows.tables.largest_error}
+        self.assertEqual(json.loads(json.dumps(rows.to_dict()))["tables"], said)
+        self.assertIsNone(single.to_dict()["tables"])
+        if missing("pandas") is None:
+            self.assertEqual(rows.to_frame().attrs["tables"], said)
+        self.assertIn("differ from the engine by", rows._repr_html_())
+        self.assertNotIn("differ from the engine by", single._repr_html_())
+
     def test_behaviour_values_are_broadcast(self):
         rows = size25().batch({"output_shaft.crack[0].depth": np.linspace(1e-3, 2e-3, 3),
                                "load.torque": np.array([[10.0], [20.0]])}, OUTPUTS)

@@ -288,6 +288,12 @@ sw_error* sw_answer_write(const sw_answer* answer, sw_text name, const sw_sink* 
 
 sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task, const sw_progress* progress,
                    double* numbers, int* codes, sw_text* faults) {
+  return sw_batch_with_evidence(drive, task, progress, numbers, codes, faults, nullptr);
+}
+
+sw_error* sw_batch_with_evidence(const sw_drive* drive, const sw_batch_task* task,
+                                 const sw_progress* progress, double* numbers, int* codes,
+                                 sw_text* faults, sw_table_evidence* tables) {
   return guarded([&] {
     const auto method = enum_value<Method>(view(task->method));
     if (!method)
@@ -311,6 +317,12 @@ sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task, const sw_pr
     std::ranges::copy(result.numbers, numbers);
     std::ranges::transform(result.codes, codes,
                            [](RowCode code) { return static_cast<int>(code); });
+    if (tables != nullptr) {
+      const TableEvidence stated = result.tables.value_or(TableEvidence());
+      *tables = {.cracks = stated.cracks,
+                 .points = stated.points,
+                 .largest_error = stated.largest_error};
+    }
   });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -263,20 +264,74 @@ void set_band(ValidationRow& row, const Drawn& drawn, const BandFit& fit,
   row.outside = outside_of(row.catalogue, row.ratios, rows);
 }
 
+/// Names of the predictions, which differ also if two rows are of the same drive.
+std::vector<std::string> names_of(std::span<const ValidationRow> each_ratio) {
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (std::size_t at = 0; at < each_ratio.size(); ++at) {
+    const StiffnessRow& row = each_ratio[at].catalogue;
+    std::string name =
+        fmt::format("{} {:g} ratio {:g} {} {}", row.series, row.size,
+                    each_ratio[at].ratios.front(), enum_name(row.length), enum_name(row.form));
+    if (!known.insert(name).second) name += fmt::format(" each_ratio[{}]", at);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+/// Hands the draws over as rows: the proportions, and the predictions at each ratio.
+/// @param predicted  of each draw; empty: the drive has no equilibrium
+/// @param predict    makes the predictions of a draw
+void write_draws(const Validation& v, const std::vector<ProportionValues>& drawn,
+                 const std::vector<Predictions>& predicted,
+                 const std::function<void(std::size_t draw)>& predict, RowSink& to) {
+  RowHead head{.of = "draws of the proportions",
+               .rows = drawn.size(),
+               .columns = {},
+               .seed = v.options.seed};
+  for (const Proportion& p : proportions())
+    head.columns.push_back({std::string(p.name), std::string(p.unit)});
+  for (const std::string& name : names_of(v.each_ratio))
+    for (const std::string_view line : {"K1", "K2", "K3"})
+      head.columns.push_back({fmt::format("{} of {}", line, name), "N*m/rad"});
+  to.begin(head);
+  std::vector<double> numbers;
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    numbers.clear();
+    for (const Proportion& p : proportions()) numbers.push_back(drawn[n].*p.value);
+    for (const std::vector<ThreeK>& row : predicted[n])
+      for (const ThreeK& K : row) numbers.insert(numbers.end(), K.begin(), K.end());
+    std::string rule;
+    try {
+      if (predicted[n].empty()) predict(n);
+    } catch (const SolverError& fault) {
+      rule = rule_of(fault);
+    }
+    numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
+    to.add(numbers, predicted[n].empty() ? RowStatus::unusable : RowStatus::usable, rule);
+  }
+}
+
 void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress& progress,
-               SharedRows* shared) {
+               SharedRows* shared, RowSink* to) {
   std::mt19937_64 generator(v.options.seed);
   std::vector<ProportionValues> proportions;
   for (int n = 0; n < v.options.draws; ++n) proportions.push_back(draw_proportions(generator));
   // Predictions of each draw; empty if a drive has no equilibrium.
+  const auto predict = [&](std::size_t n) {
+    return Drives{v.options.blank, proportions[n]}.predict(rows, v.options.coupled);
+  };
   const auto predicted = shared_rows<Predictions>(proportions.size(), {}, progress, shared, [&] {
     return [&](std::size_t n, Predictions& of_draw) {
       try {
-        of_draw = Drives{v.options.blank, proportions[n]}.predict(rows, v.options.coupled);
+        of_draw = predict(n);
       } catch (const SolverError&) {
       }
     };
   });
+  if (to != nullptr)
+    write_draws(
+        v, proportions, predicted, [&](std::size_t n) { (void)predict(n); }, *to);
   std::vector<Drawn> mean(v.rows.size());
   std::vector<Drawn> each(v.each_ratio.size());
   for (const Predictions& of_draw : predicted) {
@@ -421,7 +476,7 @@ bool is_regular(const StiffnessRow& row) {
 }
 
 Validation validate(const ValidationOptions& options, const Progress& progress,
-                    SharedRows* shared) {
+                    SharedRows* shared, RowSink* to) {
   Validation v{.options = options,
                .rows = {},
                .errors = {},
@@ -485,7 +540,7 @@ Validation validate(const ValidationOptions& options, const Progress& progress,
       predict_per_row(v, drives, rows, fits);
       break;
   }
-  if (options.draws > 0) add_bands(v, rows, progress.part(0.5, 1.0), shared);
+  if (options.draws > 0) add_bands(v, rows, progress.part(0.5, 1.0), shared, to);
   progress.at(1.0);
 
   v.errors = summaries(v.rows, [](const ValidationRow& row) {

@@ -125,6 +125,14 @@ std::string text_of_shard(const std::string& name, const OptionTexts& texts, con
   }
 }
 
+/// Refuses to write rows of a study that has none, before its shards are read and merged.
+void require_rows(std::span<const Command> table, const SharedStudy& study, const Host& host) {
+  if (host.rows != nullptr && command_named(table, study.command).rows.empty())
+    throw OptionError("rows", fmt::format("cannot be written, because the study of {} has none; "
+                                          "merge its shards without --rows",
+                                          study.command));
+}
+
 /// The answer of the study whose shares `load` reads again.
 /// @param shards  without their rows
 /// @param load    returns a shard with its rows, by its place in `shards`
@@ -286,6 +294,7 @@ std::string difference(const SharedStudy& one, const SharedStudy& other) {
 Answer merged(std::span<const Command> table,
               const std::vector<std::pair<std::string, Shard>>& shards, const Progress& progress,
               const Host& host) {
+  if (!shards.empty()) require_rows(table, shards.front().second.study, host);
   return merged_by(
       table, shards, [&](std::size_t at) { return shards[at].second; }, progress, host);
 }
@@ -387,6 +396,7 @@ Command merge_command(std::span<const Command> (*table)()) {
       if (std::ranges::any_of(shards, [&](const auto& one) { return one.first == name; }))
         throw InputError(name, "is given twice; give each shard once");
       shards.emplace_back(name, load(name)).second.bytes = std::string();
+      if (shards.size() == 1) require_rows(table(), shards.front().second.study, host);
     }
     return merged_by(
         table(), shards, [&](std::size_t at) { return load(shards[at].first); }, progress, host);

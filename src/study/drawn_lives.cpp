@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -137,22 +138,59 @@ std::vector<DrawnLife> DrawnLives::draws(const std::vector<std::string>& cracks,
       });
 }
 
+void DrawnLives::write_lives(const std::vector<DrawnLife>& lives,
+                             const std::vector<std::string>& cracks, RowSink& to) const {
+  RowHead head{.of = "draws", .rows = lives.size(), .columns = {}, .seed = options_.seed};
+  for (const InputScatter& scatter : gear_.scatter)
+    head.columns.push_back({scatter.path, std::string(number_at(gear_, scatter.path).field.unit)});
+  for (const GrowthLevel& level : levels_) head.columns.push_back({level.path, "1"});
+  head.columns.push_back({"life", "s"});
+  for (const char* const flag : {"arrested", "unfinished", "out_of_range", "weight"})
+    head.columns.push_back({flag, "1"});
+  for (const std::string& crack : cracks) head.columns.push_back({crack + ".size_at_end", "m"});
+  to.begin(head);
+  DrawnDrive drive(gear_, gear_.scatter);
+  for (std::size_t n = 0; n < lives.size(); ++n) {
+    const DrawnLife& life = lives[n];
+    std::vector<double> numbers = values_at(normals_of(n));
+    if (!life.refused) {
+      const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
+      numbers.insert(numbers.end(), {life.part.failure, flag(life.arrested), flag(life.unfinished),
+                                     flag(life.out_of_range), life.part.weight});
+      for (const std::vector<double>& sizes : life.part.sizes) numbers.push_back(sizes.back());
+    }
+    numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
+    to.add(numbers, life.refused ? RowStatus::refused : RowStatus::usable,
+           life.refused ? reason_of(drive, n, cracks) : std::string());
+  }
+}
+
+std::string DrawnLives::reason_of(DrawnDrive& drive, std::size_t draw,
+                                  const std::vector<std::string>& cracks) const {
+  try {
+    const LifeTrace trace = trace_at(drive, normals_of(draw), draw);
+    return trace.cracks != cracks ? "other cracks grow than in the drive of the file"
+                                  : "the growth of no crack can be computed";
+  } catch (const Error& fault) {
+    return rule_of(fault);
+  }
+}
+
+std::vector<double> DrawnLives::values_at(std::span<const double> u) const {
+  std::vector<double> values(u.begin(), u.end());
+  normals_.correlate(values);
+  for (std::size_t i = 0; i < laws_.size(); ++i) values[i] = laws_[i].at(values[i]);
+  for (std::size_t i = 0; i < levels_.size(); ++i)
+    values[laws_.size() + i] *= number_at(gear_, levels_[i].path).value;
+  return values;
+}
+
 DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::span<const double> u,
                               std::optional<std::size_t> draw,
                               const std::vector<std::string>& cracks) const {
-  std::vector<double> z(u.begin(), u.end());
-  normals_.correlate(z);
-  DrawnGrowth growth{.seed = options_.seed, .draw = draw.value_or(0), .of_crack = draw.has_value()};
-  for (std::size_t i = 0; i < levels_.size(); ++i) {
-    DrawnSpecimen& specimen = growth.specimen[levels_[i].material];
-    (levels_[i].exponent ? specimen.exponent : specimen.level) = z[laws_.size() + i];
-  }
-  for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
   DrawnLife result;
   try {
-    check(drive.gear());
-    const LifeTrace trace =
-        life_trace(drive.gear(), options_.growth, growth_scatters_ ? &growth : nullptr);
+    const LifeTrace trace = trace_at(drive, u, draw);
     result.part = part_of(trace);
     result.arrested = trace.end == DriveEnd::arrested;
     result.out_of_range = trace.end == DriveEnd::range;
@@ -162,6 +200,20 @@ DrawnLife DrawnLives::life_at(DrawnDrive& drive, std::span<const double> u,
     result.refused = true;
   }
   return result;
+}
+
+LifeTrace DrawnLives::trace_at(DrawnDrive& drive, std::span<const double> u,
+                               std::optional<std::size_t> draw) const {
+  std::vector<double> z(u.begin(), u.end());
+  normals_.correlate(z);
+  DrawnGrowth growth{.seed = options_.seed, .draw = draw.value_or(0), .of_crack = draw.has_value()};
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    DrawnSpecimen& specimen = growth.specimen[levels_[i].material];
+    (levels_[i].exponent ? specimen.exponent : specimen.level) = z[laws_.size() + i];
+  }
+  for (std::size_t i = 0; i < laws_.size(); ++i) drive.number(i) = laws_[i].at(z[i]);
+  check(drive.gear());
+  return life_trace(drive.gear(), options_.growth, growth_scatters_ ? &growth : nullptr);
 }
 
 }  // namespace strainwave

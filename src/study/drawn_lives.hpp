@@ -11,6 +11,7 @@
 #include "scatter_law.hpp"
 #include "strainwave/core/correlated_normals.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/drive_growth/life_trace.hpp"
 #include "strainwave/inspection/inspected_risk.hpp"
 #include "strainwave/study/inspection_report.hpp"
@@ -61,10 +62,26 @@ class DrawnLives {
   ///                refused.
   [[nodiscard]] std::vector<DrawnLife> draws(const std::vector<std::string>& cracks,
                                              const Progress& progress) const;
+  /// Hands the draws over as rows: the inputs, the life, and the sizes of the cracks at its end.
+  /// @param lives   of `draws`
+  /// @param cracks  as of `draws`
+  void write_lives(const std::vector<DrawnLife>& lives, const std::vector<std::string>& cracks,
+                   RowSink& to) const;
 
  private:
+  /// Values of the inputs at independent standard normal variables u; of a level of growth, its
+  /// deviation.
+  [[nodiscard]] std::vector<double> values_at(std::span<const double> u) const;
   /// @param draw  number of the draw, of which the paths of the cracks are a function; absent: the
   ///              rates do not vary along the paths
+  /// @throws Error  if the drive breaks a rule, or has no answer
+  [[nodiscard]] LifeTrace trace_at(DrawnDrive& drive, std::span<const double> u,
+                                   std::optional<std::size_t> draw) const;
+  /// Why a draw is refused.
+  [[nodiscard]] std::string reason_of(DrawnDrive& drive, std::size_t draw,
+                                      const std::vector<std::string>& cracks) const;
+  /// @param draw    as of `trace_at`
+  /// @param cracks  as of `draws`
   [[nodiscard]] DrawnLife life_at(DrawnDrive& drive, std::span<const double> u,
                                   std::optional<std::size_t> draw,
                                   const std::vector<std::string>& cracks) const;

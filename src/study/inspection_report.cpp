@@ -357,6 +357,7 @@ InspectionReport inspection_report(const GearSet& gear, const InspectionOptions&
   }
   std::vector<DrawnLife> draws =
       study.draws(nominal.cracks, options.importance_sampling ? progress.part(0.6, 1.0) : progress);
+  if (options.rows != nullptr) study.write_lives(draws, nominal.cracks, *options.rows);
   std::vector<DrawnPart> parts;
   std::vector<DrawnPart> plain_draws;  // beside those about the failures
   for (std::size_t i = 0; i < draws.size(); ++i) {

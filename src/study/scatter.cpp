@@ -215,7 +215,6 @@ void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std:
   const double drawn = rows != nullptr ? 0.5 : 0.95;
   const KeptDraws all = draws.all(progress.part(0.0, drawn));
   for (const Draw& draw : all) count(scatter, draw);
-  need_results(scatter);
   if (rows != nullptr) {
     const Progress written = progress.part(drawn, 0.95);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -224,6 +223,7 @@ void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std:
       rows->add(all[i]);
     }
   }
+  need_results(scatter);
   for_each_index(columns.size(), {.threads = options.threads}, progress.part(0.95, 1.0), [&] {
     return [&](std::size_t y) {
       std::vector<double> values;

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <span>
 
 #include "drawn_outputs.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/uncertainty/sobol_indices.hpp"
 
 namespace strainwave {
@@ -34,6 +37,57 @@ std::vector<std::string> usual_outputs(const GearSet& gear) {
     if (output.of(series, gear.load) != 0) names.emplace_back(output.name);
   return names;
 }
+
+/// Hands the points of the design over as rows, in their order.
+class DesignRows {
+ public:
+  DesignRows(const GearSet& gear, const DrawnOutputs& outputs,
+             const std::vector<std::string>& names, const SobolSettings& settings,
+             std::size_t points)
+      : outputs_(outputs),
+        to_(*settings.rows),
+        evaluate_(outputs),
+        reasons_(outputs),
+        numbers_(kOfDesign + outputs.inputs() + names.size()) {
+    RowHead head{.of = "points of the design",
+                 .rows = points,
+                 .columns = {{"base_point", "1"}, {"set", "1"}},
+                 .seed = settings.seed};
+    for (std::size_t i = 0; i < outputs.inputs(); ++i)
+      head.columns.push_back({gear.scatter[i].path, std::string(outputs.unit_of_input(i))});
+    for (std::size_t y = 0; y < names.size(); ++y)
+      head.columns.push_back({names[y], std::string(outputs.at_file()[y].unit)});
+    to_.begin(head);
+  }
+
+  /// @param outputs  empty: the base point has a drive without outputs, which may be this one
+  void add(std::size_t base, std::size_t set, std::span<const double> u,
+           std::span<const double> outputs) {
+    numbers_[0] = static_cast<double>(base);
+    numbers_[1] = static_cast<double>(set);
+    const std::span<double> inputs = std::span(numbers_).subspan(kOfDesign, u.size());
+    outputs_.to_values(u, inputs);
+    const std::span<double> to = std::span(numbers_).subspan(kOfDesign + u.size());
+    Fate fate = Fate::evaluated;
+    if (outputs.empty())
+      fate = evaluate_(u, to);
+    else
+      std::ranges::copy(outputs, to.begin());
+    if (fate == Fate::evaluated) return to_.add(numbers_, RowStatus::usable, {});
+    std::ranges::fill(to, std::numeric_limits<double>::quiet_NaN());
+    to_.add(numbers_, fate == Fate::refused ? RowStatus::refused : RowStatus::unusable,
+            reasons_.of(inputs));
+  }
+
+ private:
+  static constexpr std::size_t kOfDesign = 2;  // columns that tell the place in the design
+
+  const DrawnOutputs& outputs_;
+  RowSink& to_;
+  DrawnOutputs::Evaluator evaluate_;
+  DrawnOutputs::Reasons reasons_;
+  std::vector<double> numbers_;
+};
 
 }  // namespace
 
@@ -61,6 +115,15 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
     counter_normals(settings.seed, row, u);
   };
   outputs.prepare(rows, fill);
+  DesignPoints each;
+  std::shared_ptr<DesignRows> design;
+  if (settings.rows != nullptr)
+    each = [&](std::size_t base, std::size_t set, std::span<const double> u,
+               std::span<const double> values) {
+      // They begin when all points are there: the part of a study that is shared has no rows.
+      if (!design) design = std::make_shared<DesignRows>(gear, outputs, names, settings, rows);
+      design->add(base, set, u, values);
+    };
   const SobolStudy study = sobol_indices(
       [&]() -> NormalFunction {
         return [evaluate = std::make_shared<DrawnOutputs::Evaluator>(outputs)](
@@ -73,7 +136,8 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
        .replicates = kSobolReplicates,
        .seed = settings.seed,
        .threads = settings.threads,
-       .shared = settings.shared},
+       .shared = settings.shared,
+       .each = each},
       progress);
   Sobol result{.points = settings.points,
                .replicates = kSobolReplicates,

@@ -108,6 +108,24 @@ double short_value(const Variation& variation, int i) {
   return parse_number(fmt::format("{:.15g}", exact)).value_or(exact);
 }
 
+/// Hands the points over as rows.
+void write_points(const SweepResult& result, RowSink& to) {
+  RowHead head{.of = "points", .rows = result.rows.size(), .columns = {}};
+  for (const auto* const group : {&result.inputs, &result.outputs})
+    for (const SweepColumn& column : *group) head.columns.push_back({column.name, column.unit});
+  to.begin(head);
+  for (const SweepRow& row : result.rows) {
+    std::vector<double> numbers = row.inputs;
+    for (const auto& output : row.outputs)
+      numbers.push_back(output ? output->value : std::numeric_limits<double>::quiet_NaN());
+    numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
+    const RowStatus status = row.usable()          ? RowStatus::usable
+                             : row.outputs.empty() ? RowStatus::refused
+                                                   : RowStatus::unusable;
+    to.add(numbers, status, row.reason);
+  }
+}
+
 }  // namespace
 
 void check_variations(std::span<const Variation> variations) {
@@ -126,7 +144,7 @@ void check_variations(std::span<const Variation> variations) {
 }
 
 SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,
-                  const Progress& progress, SharedRows* shared) {
+                  const Progress& progress, SharedRows* shared, RowSink* rows) {
   check_variations(variations);
   SweepResult result;
   result.method = method;
@@ -167,8 +185,7 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
       }
     };
   });
-  if (std::ranges::all_of(points, &SweptPoint::refused)) (void)evaluated(0);  // throws its fault
-
+  const bool all_refused = std::ranges::all_of(points, &SweptPoint::refused);
   Columns columns(result.outputs);
   for (std::size_t n = 0; n < n_rows; ++n) {
     SweptPoint& point = points[n];
@@ -185,6 +202,8 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
   }
   for (SweepRow& row : result.rows)
     if (!row.outputs.empty()) row.outputs.resize(result.outputs.size());
+  if (rows != nullptr) write_points(result, *rows);
+  if (all_refused) (void)evaluated(0);  // throws its fault
   return result;
 }
 
@@ -206,23 +225,6 @@ std::vector<SweepValues> SweepResult::columns() const {
     columns.push_back(std::move(column));
   }
   return columns;
-}
-
-void write_rows(const SweepResult& result, RowSink& to) {
-  RowHead head{.of = "points", .rows = result.rows.size(), .columns = {}};
-  for (const auto* const group : {&result.inputs, &result.outputs})
-    for (const SweepColumn& column : *group) head.columns.push_back({column.name, column.unit});
-  to.begin(head);
-  for (const SweepRow& row : result.rows) {
-    std::vector<double> numbers = row.inputs;
-    for (const auto& output : row.outputs)
-      numbers.push_back(output ? output->value : std::numeric_limits<double>::quiet_NaN());
-    numbers.resize(head.columns.size(), std::numeric_limits<double>::quiet_NaN());
-    const RowStatus status = row.usable()          ? RowStatus::usable
-                             : row.outputs.empty() ? RowStatus::refused
-                                                   : RowStatus::unusable;
-    to.add(numbers, status, row.reason);
-  }
 }
 
 ResultEvidence evidence_of(const SweepResult& result) {

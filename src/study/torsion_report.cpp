@@ -203,19 +203,6 @@ struct Limits {
   double upper = 0.0;
 };
 
-/// The ranges of numbers that enter the curve: not those of the sections that say how a drive
-/// moves.
-std::vector<InputRange> ranges_of_curve(const GearSet& gear) {
-  constexpr std::array<std::string_view, 3> kMotion = {"drivetrain.", "kinematic_error[",
-                                                       "manoeuvre["};
-  std::vector<InputRange> ranges;
-  for (const InputRange& range : gear.range)
-    if (std::ranges::none_of(
-            kMotion, [&](std::string_view section) { return range.path.starts_with(section); }))
-      ranges.push_back(range);
-  return ranges;
-}
-
 std::vector<Limits> limits_of(const GearSet& gear, const std::vector<InputRange>& ranges) {
   std::vector<Limits> limits;
   for (const InputRange& range : ranges) {
@@ -230,7 +217,36 @@ Band band(std::vector<double> values) {
   return {quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
 }
 
+/// Hands the positions of the wave generator over as rows.
+void write_positions(const CurveComparison& comparison, RowSink& to) {
+  RowHead head{.of = "positions of the wave generator",
+               .rows = comparison.angles.size(),
+               .columns = {{"angle", "rad"}}};
+  for (const std::string_view sense : {"positive", "negative"})
+    for (const std::string_view line : {"K1", "K2", "K3"})
+      head.columns.push_back({fmt::format("{}.{}", sense, line), "1"});
+  to.begin(head);
+  for (std::size_t n = 0; n < comparison.angles.size(); ++n) {
+    const LineChanges& positive = comparison.positive.at_angle[n];
+    const LineChanges& negative = comparison.negative.at_angle[n];
+    to.add(std::array{comparison.angles[n], positive.K1, positive.K2, positive.K3, negative.K1,
+                      negative.K2, negative.K3},
+           RowStatus::usable, {});
+  }
+}
+
 }  // namespace
+
+std::vector<InputRange> ranges_of_curve(const GearSet& gear) {
+  constexpr std::array<std::string_view, 3> kMotion = {"drivetrain.", "kinematic_error[",
+                                                       "manoeuvre["};
+  std::vector<InputRange> ranges;
+  for (const InputRange& range : gear.range)
+    if (std::ranges::none_of(
+            kMotion, [&](std::string_view section) { return range.path.starts_with(section); }))
+      ranges.push_back(range);
+  return ranges;
+}
 
 LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
                      const Progress& progress) {
@@ -320,6 +336,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   SharedRows* const of_positions =
       options.compare && !options.tolerances ? options.shared : nullptr;
   SharedRows* const of_bands = !options.compare && !options.tolerances ? options.shared : nullptr;
+  RowSink* const rows_of_bands = !options.compare && !options.tolerances ? options.rows : nullptr;
   const Progress of_file = options.tolerances ? progress.part(0.0, 0.4) : progress;
   TorsionReport report;
   const CoupledOptions coupled{.cage_phase = options.cage_phase};
@@ -363,11 +380,13 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
     report.bands = line_bands(drive,
                               {.draws = options.draws,
                                .shared = of_bands,
-                               .rows = options.tolerances ? nullptr : options.rows},
+                               .rows = rows_of_bands},
                               of_file.part(curve_ends, draws_end));
   if (options.compare) {
     report.comparison =
         compare_curves(drive, options.angles, of_file.part(draws_end, 1.0), of_positions);
+    if (options.rows != nullptr && !options.tolerances)
+      write_positions(*report.comparison, *options.rows);
     const AssembledDrive sound = drive.without_cracks();
     report.sound = usable_curve(sound, torques, +1);
     report.sound_negative = usable_curve(sound, torques, -1);

@@ -27,6 +27,10 @@ void archive(Archive& to, BasePoint& point) {
   to(point.values, point.whole);
 }
 
+constexpr std::size_t kA = 0;
+constexpr std::size_t kB = 1;
+constexpr std::size_t kMixed = 2;  ///< A with group i of B is row kMixed + i
+
 /// The outputs at all base points.
 class Rows {
  public:
@@ -36,6 +40,11 @@ class Rows {
   [[nodiscard]] double of(std::size_t point, std::size_t which, std::size_t output) const {
     return points_[point].values[which * outputs_ + output];
   }
+  /// All outputs at a point; empty if the base point is not whole.
+  [[nodiscard]] std::span<const double> of(std::size_t point, std::size_t which) const {
+    if (!whole(point)) return {};
+    return std::span(points_[point].values).subspan(which * outputs_, outputs_);
+  }
   [[nodiscard]] bool whole(std::size_t point) const { return points_[point].whole; }
 
  private:
@@ -43,9 +52,40 @@ class Rows {
   std::vector<BasePoint> points_;
 };
 
-constexpr std::size_t kA = 0;
-constexpr std::size_t kB = 1;
-constexpr std::size_t kMixed = 2;  ///< A with group i of B is row kMixed + i
+/// The points of the design.
+class Design {
+ public:
+  Design(const InputGroups& groups, std::size_t inputs, const SobolOptions& options)
+      : groups_(groups),
+        size_(static_cast<std::size_t>(options.points / options.replicates)),
+        seed_(options.seed),
+        sobol_(2 * inputs, size_) {}
+
+  /// Number of points for each base point.
+  [[nodiscard]] std::size_t sets() const { return kMixed + groups_.size(); }
+  /// Fills the points A and B of a base point.
+  void fill(std::size_t base, std::span<double> a, std::span<double> b) const {
+    const std::uint64_t scrambling = splitmix64(seed_, base / size_);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      // Neighbouring dimensions fill their plane best, and the shares rest on the planes of (a, b).
+      a[i] = normal_quantile(sobol_.at(base % size_, 2 * i, scrambling));
+      b[i] = normal_quantile(sobol_.at(base % size_, 2 * i + 1, scrambling));
+    }
+  }
+  /// Makes `point` the point of a set.
+  void choose(std::size_t set, const std::vector<double>& a, const std::vector<double>& b,
+              std::vector<double>& point) const {
+    point = set == kB ? b : a;
+    if (set < kMixed) return;
+    for (const std::size_t i : groups_[set - kMixed]) point[i] = b[i];
+  }
+
+ private:
+  const InputGroups& groups_;
+  std::size_t size_;  ///< of a replicate
+  std::uint64_t seed_;
+  SobolPoints sobol_;
+};
 
 Estimate estimate_of(std::span<const double> replicates) {
   const auto n = static_cast<double>(replicates.size());
@@ -150,33 +190,39 @@ SobolStudy sobol_indices(const std::function<NormalFunction()>& make, const Inpu
   const auto points = static_cast<std::size_t>(options.points);
   const auto replicates = static_cast<std::size_t>(options.replicates);
   const std::size_t size = points / replicates;
-  const SobolPoints sobol(2 * inputs, size);
+  const Design design(groups, inputs, options);
   const Parallel parallel{.block = 16, .threads = options.threads};
   const auto make_point = [&] {
     return [&, function = make(), a = std::vector<double>(inputs), b = std::vector<double>(inputs),
-            mixed = std::vector<double>()](std::size_t n, BasePoint& point) mutable {
-      const std::uint64_t scrambling = splitmix64(options.seed, n / size);
-      for (std::size_t i = 0; i < inputs; ++i) {
-        // Neighbouring dimensions fill their plane best, and the shares rest on the planes of (a,
-        // b).
-        a[i] = normal_quantile(sobol.at(n % size, 2 * i, scrambling));
-        b[i] = normal_quantile(sobol.at(n % size, 2 * i + 1, scrambling));
-      }
-      point.values.resize((groups.size() + 2) * outputs);
-      const auto row = [&](std::size_t which) {
-        return std::span(point.values).subspan(which * outputs, outputs);
-      };
-      point.whole = function(a, row(kA)) && function(b, row(kB));
-      for (std::size_t g = 0; point.whole && g < groups.size(); ++g) {
-        mixed = a;
-        for (const std::size_t i : groups[g]) mixed[i] = b[i];
-        point.whole = function(mixed, row(kMixed + g));
+            at = std::vector<double>()](std::size_t n, BasePoint& point) mutable {
+      design.fill(n, a, b);
+      point.values.resize(design.sets() * outputs);
+      point.whole = true;
+      for (std::size_t set = 0; point.whole && set < design.sets(); ++set) {
+        design.choose(set, a, b, at);
+        point.whole = function(at, std::span(point.values).subspan(set * outputs, outputs));
       }
     };
   };
-  const Rows rows(shared_rows<BasePoint>(points, parallel, progress, options.shared, make_point),
+  const double computed = options.each ? 0.9 : 1.0;
+  const Rows rows(shared_rows<BasePoint>(points, parallel, progress.part(0.0, computed),
+                                         options.shared, make_point),
                   outputs);
-  SobolStudy study{.output = {}, .evaluations = points * (groups.size() + 2)};
+  if (options.each) {
+    std::vector<double> a(inputs);
+    std::vector<double> b(inputs);
+    std::vector<double> at;
+    const Progress handed = progress.part(computed, 1.0);
+    for (std::size_t n = 0; n < points; ++n) {
+      if (n % size == 0) handed.at(static_cast<double>(n) / static_cast<double>(points));
+      design.fill(n, a, b);
+      for (std::size_t set = 0; set < design.sets(); ++set) {
+        design.choose(set, a, b, at);
+        options.each(n, set, at, rows.of(n, set));
+      }
+    }
+  }
+  SobolStudy study{.output = {}, .evaluations = points * design.sets()};
   for (std::size_t n = 0; n < points; ++n) study.left_out += rows.whole(n) ? 0 : 1;
   for (std::size_t y = 0; y < outputs; ++y)
     study.output.push_back(output_of(rows, points, replicates, groups.size(), y));

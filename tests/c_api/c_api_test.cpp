@@ -388,6 +388,58 @@ TEST(CApiThreads, IdentityBatchOfEightThreads) {
   }
 }
 
+// Kind: cross-check (ST-22).  Source: single evaluations by the engine.  A long batch reads tables
+// of the cracks and states their error, which bounds that of rows which it did not compare to
+// within the contract of 1e-10; the numbers are those of `sw_batch`, for any number of threads.
+TEST(CApi, CrosscheckErrorOfTheTablesOfABatch) {
+  const DriveHandle drive = read(file_text("article.toml"));
+  const sw_text path = text("output_shaft.crack[0].depth");
+  const sw_text output = text("cracked.positive.stiffness");
+  const std::size_t rows = test::kSanitized ? 1500 : 20'000;
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows; ++row)
+    values.push_back(0.5e-3 + 3e-3 * static_cast<double>(row) / static_cast<double>(rows));
+  sw_batch_task task = {.paths = &path,
+                        .n_paths = 1,
+                        .values = values.data(),
+                        .n_rows = rows,
+                        .outputs = &output,
+                        .n_outputs = 1,
+                        .method = text("corrected"),
+                        .threads = 1};
+  std::vector<double> numbers(rows);
+  std::vector<double> plain(rows);
+  std::vector<int> codes(rows);
+  sw_table_evidence one{};
+  sw_table_evidence two{};
+  ASSERT_TRUE(succeeded(sw_batch_with_evidence(drive.get(), &task, nullptr, numbers.data(),
+                                               codes.data(), nullptr, &one)));
+  task.threads = 2;
+  ASSERT_TRUE(succeeded(sw_batch_with_evidence(drive.get(), &task, nullptr, plain.data(),
+                                               codes.data(), nullptr, &two)));
+  EXPECT_EQ(plain, numbers);
+  EXPECT_EQ(one.largest_error, two.largest_error);
+  ASSERT_TRUE(
+      succeeded(sw_batch(drive.get(), &task, nullptr, plain.data(), codes.data(), nullptr)));
+  EXPECT_EQ(plain, numbers);
+  if (test::kSanitized) return;
+  EXPECT_GE(one.cracks, 1);
+  EXPECT_EQ(one.points, 1000);
+  EXPECT_GT(one.largest_error, 0.0);
+  EXPECT_LT(one.largest_error, 1e-10);
+  task.n_rows = 1;  // a single evaluation takes the engine
+  for (std::size_t row = 0; row < rows; row += 997) {
+    task.values = &values[row];
+    double exact = 0.0;
+    sw_table_evidence none{.cracks = 9, .points = 9, .largest_error = 9};
+    ASSERT_TRUE(succeeded(sw_batch_with_evidence(drive.get(), &task, nullptr, &exact, codes.data(),
+                                                 nullptr, &none)));
+    test::expect_relative(numbers[row], exact, 1e-10);
+    EXPECT_EQ(none.cracks + none.points, 0);
+    EXPECT_EQ(none.largest_error, 0.0);
+  }
+}
+
 TEST(CApi, BehaviourStopsAtTheCallThatAsks) {
   struct Calls {
     int n = 0;

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/catalogue/validation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/layouts/validation.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
+#include "support/kept_rows.hpp"
 
 namespace strainwave {
 namespace {
@@ -232,6 +235,40 @@ TEST(ValidationBands, IdentityReproducibleAndOrdered) {
   ValidationOptions other = options;
   other.seed = 12;
   EXPECT_NE(validation_csv(one), validation_csv(validate(other)));
+}
+
+// Kind: cross-check.  The rows are the draws: a drive made from the proportions of a row, and solved
+// at its own size, has the K1, K2 and K3 of the row.  Tolerance: that of Newton's method.  Rows of
+// one drive have different names.
+TEST(ValidationBands, CrosscheckRowsAreDrawnDrives) {
+  StiffnessRow own = stiffness_rows().front();
+  own.origin = RowOrigin::file;
+  const ValidationOptions options{.draws = 3, .seed = 5, .sizes = {17}, .data = {own, own}};
+  test::KeptRows rows;
+  const Validation v = validate(options, {}, nullptr, &rows);
+  ASSERT_EQ(rows.numbers.size(), 3U);
+  EXPECT_EQ(rows.head.seed, 5U);
+  EXPECT_EQ(rows.head.columns.size(), proportions().size() + 3 * v.each_ratio.size());
+  std::set<std::string> names;
+  for (const RowColumn& column : rows.head.columns) names.insert(column.name);
+  EXPECT_EQ(names.size(), rows.head.columns.size());
+  EXPECT_EQ(rows.head.columns[rows.column("rim_stress")].unit, "Pa");
+  EXPECT_EQ(rows.head.columns[rows.column("flank_angle")].unit, "rad");
+  EXPECT_EQ(rows.head.columns[rows.column("coning")].unit, "1");
+  const ValidationRow& of = row_of(v, 17, 50);
+  const std::string name = fmt::format("{} 17 ratio 50 short cup", of.catalogue.series);
+  for (std::size_t n = 0; n < 3; ++n) {
+    ProportionValues values;
+    for (const Proportion& p : proportions()) {
+      values.*p.value = rows.at(n, p.name);
+      EXPECT_GE(values.*p.value, p.lower) << p.name;
+      EXPECT_LE(values.*p.value, p.upper) << p.name;
+    }
+    const MakersLines lines = makers_lines(typical_drive_of_size(17, 50, {}, values));
+    test::expect_relative(rows.at(n, "K1 of " + name), lines.K1, 1e-6);
+    test::expect_relative(rows.at(n, "K2 of " + name), lines.K2, 1e-6);
+    test::expect_relative(rows.at(n, "K3 of " + name), lines.K3, 1e-6);
+  }
 }
 
 // The ends of a 90 % band of less than 20 drives are those of one drive, so a note asks for care.

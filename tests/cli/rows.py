@@ -28,7 +28,7 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
 sys.path.insert(0, str(EXAMPLES))
-from read_rows import read_rows, units  # noqa: E402
+from read_rows import dataset, read_rows, units  # noqa: E402
 
 ARTICLE = EXAMPLES / "article.toml"
 PROGRAM = sys.argv.pop() if len(sys.argv) > 1 else "strainwave"
@@ -66,7 +66,7 @@ class Rows(unittest.TestCase):
         with h5py.File(rows_h5) as file:
             names = list(file["columns"].asstr()[:])
             self.assertEqual(head[-2:], ["status", "rule"])
-            self.assertEqual([f"{name} [{file['rows'][name].attrs['unit']}]" for name in names], head[:-2])
+            self.assertEqual([f"{name} [{dataset(file, name).attrs['unit']}]" for name in names], head[:-2])
             self.assertEqual(file.attrs["row_count"], len(lines))
             words = {code: word for word, code in h5py.check_enum_dtype(file["status"].dtype).items()}
             self.assertEqual([words[code] for code in file["status"][:]], [line[-2] for line in lines])
@@ -74,9 +74,9 @@ class Rows(unittest.TestCase):
             self.assertEqual([rules[i] for i in file["rule"][:]], [line[-1] for line in lines])
             for i, name in enumerate(names):
                 said = numpy.array([float(line[i]) if line[i] else math.nan for line in lines])
-                numpy.testing.assert_array_equal(file["rows"][name][:], said)
-                dataset = file["rows"][name]
-                self.assertEqual((dataset.compression, dataset.shuffle), ("gzip", True))
+                column = dataset(file, name)
+                numpy.testing.assert_array_equal(column[:], said)
+                self.assertEqual((column.compression, column.shuffle), ("gzip", True))
         return lines
 
     def test_reference_sweep_is_the_csv_of_the_command(self):
@@ -147,8 +147,72 @@ class Rows(unittest.TestCase):
         self.assertEqual(len(table), 6)
         self.assertAlmostEqual(table["K1"].median() / bands["K1"]["median"]["value"], 1, delta=1e-12)
 
+    def test_reference_rows_of_the_other_studies(self):
+        sobol = ("sensitivity", self.drive(), "--sobol", "--points", 160)
+        inspect = ("inspect", EXAMPLES / "inspected_shaft.toml", "--draws", 30)
+        for study, rows_are, count, columns in (
+                (sobol, "points of the design", 160 * 10, ["base_point", "set", "intact.stiffness"]),
+                (("torsion", EXAMPLES / "cracked_size25.toml", "--compare", "--angles", 3, "--draws", 0),
+                 "positions of the wave generator", 3, ["angle", "positive.K1", "negative.K3"]),
+                (("validate", "--draws", 2), "draws of the proportions", 2, ["rim_thickness", "flank_angle"]),
+                (inspect, "draws", 30, ["life", "arrested", "weight", "output_shaft.crack[0].size_at_end"])):
+            self.run_it(*study, "--quiet", "--rows", self.path("rows.h5"))
+            answer = json.loads(self.run_it(*study, "--quiet", "--format", "json", "--rows",
+                                            self.path("rows.csv")).stdout)["result"]
+            self.check_against_csv(self.path("rows.csv"), self.path("rows.h5"))
+            table = read_rows(self.path("rows.h5"))
+            self.assertEqual((table.attrs["rows_are"], len(table)), (rows_are, count))
+            for column in columns:
+                self.assertIn(column, table)
+            if study is inspect:
+                lives = sorted(table["life"])
+                self.assertEqual(answer["percentiles"]["share"]["values"][2], 0.5)
+                self.assertEqual(answer["percentiles"]["life"]["values"][2], lives[14])
+            if study is sobol:
+                whole = table.groupby("base_point")["status"].agg(lambda states: (states == "usable").all())
+                self.assertEqual(answer["sobol"]["left_out"], (~whole).sum())
+                self.assertGreater(answer["sobol"]["left_out"], 10)
+
+    def test_behaviour_all_rows_refused(self):
+        # The study has no answer, but its rows say why; they replace what was there.
+        text = (EXAMPLES / "article_scatter.toml").read_text()
+        drive = self.folder / "drive.toml"
+        drive.write_text(text[:text.index("[[scatter]]")] + """[[scatter]]
+path = "flexspline.wall_thickness"
+distribution = "table"
+quantile = [{ probability = 0, ratio = 100 }, { probability = 1, ratio = 200 }]
+""")
+        scatter = ("sensitivity", drive, "--scatter", "--samples", 50, "--quiet")
+        sweep = ("sweep", ARTICLE, "--vary", "output_shaft.crack[0].depth=100 mm..200 mm:50", "--quiet")
+        for study, code, words in ((scatter, 4, "of 50 draws, 50 break a rule of the input"),
+                                   (sweep, 3, "output_shaft.crack[0].depth")):
+            for name in ("rows.h5", "rows.csv"):
+                pathlib.Path(self.path(name)).write_bytes(b"as before")
+                run = self.run_it(*study, "--rows", self.path(name), code=code)
+                self.assertIn(words, run.stderr)
+                self.assertIn(f"{name} has the rows of the study, with the rule that each refused row breaks",
+                              run.stderr)
+                self.assertEqual(run.stdout, "")
+            self.check_against_csv(self.path("rows.csv"), self.path("rows.h5"))
+            table = read_rows(self.path("rows.h5"))
+            self.assertEqual(list(table["status"]), ["refused"] * 50)
+            self.assertFalse((table["rule"] == "").any())
+            self.assertFalse(table.iloc[:, 0].isna().any())
+        shards = [self.path(f"{k}.shard") for k in (1, 2)]
+        for k, shard in enumerate(shards, 1):
+            self.run_it(*scatter, "--shard", f"{k}/2", "-o", shard)
+        self.run_it(*scatter, "--rows", self.path("whole.h5"), code=4)
+        self.run_it("merge", *shards, "--rows", self.path("merged.h5"), code=4)
+        self.assertEqual(pathlib.Path(self.path("merged.h5")).read_bytes(),
+                         pathlib.Path(self.path("whole.h5")).read_bytes())
+
     def test_identity_shards_give_the_bytes_of_one_run(self):
+        compare = ("torsion", EXAMPLES / "cracked_size25.toml", "--compare", "--angles", 3, "--draws", 0)
         for name, study in (("sweep", ("sweep", ARTICLE, "--vary", "load.torque=1 N*m..50 N*m:20")),
+                            ("sobol", ("sensitivity", self.drive(), "--sobol", "--points", 320)),
+                            ("compare", compare),
+                            ("validate", ("validate", "--draws", 3)),
+                            ("inspect", ("inspect", EXAMPLES / "inspected_shaft.toml", "--draws", 30)),
                             ("scatter", ("sensitivity", self.drive(), "--scatter", "--samples", 40000))):
             whole, merged = self.path(f"{name}.h5"), self.path(f"{name}_merged.h5")
             self.run_it(*study, "--quiet", "--rows", whole, environment={"MALLOC_PERTURB_": "85"})
@@ -157,7 +221,7 @@ class Rows(unittest.TestCase):
                 self.run_it(*study, "--quiet", "--shard", f"{k}/3", "-o", shard)
             self.run_it("merge", *shards[::-1], "--rows", merged, environment={"MALLOC_PERTURB_": "170"})
             self.assertEqual(pathlib.Path(merged).read_bytes(), pathlib.Path(whole).read_bytes(), name)
-            if name == "scatter":
+            if name in ("scatter", "sobol", "inspect"):
                 self.run_it(*study, "--quiet", "--threads", 1, "--rows", self.path("one.h5"))
                 self.assertEqual(pathlib.Path(self.path("one.h5")).read_bytes(),
                                  pathlib.Path(whole).read_bytes())
@@ -205,7 +269,8 @@ class Rows(unittest.TestCase):
         for arguments, code, words in (
                 ((*scatter, "--scatter", "--rows", self.path("rows.txt")), 2,
                  "must end in .h5 or .csv, which chooses HDF5 or CSV; name another file"),
-                ((*scatter, "--rows", self.path("rows.h5")), 2, "--rows: needs --scatter; give it too"),
+                ((*scatter, "--rows", self.path("rows.h5")), 2, "--rows: needs --scatter or --sobol; give one of them"),
+                (("validate", "--rows", self.path("rows.h5")), 2, "--rows: needs draws; give their number with --draws"),
                 ((*scatter, "--scatter", "--rows", "-"), 2, "both go to standard output"),
                 ((*scatter, "--scatter", "--rows", "-", "-o", self.path("x")), 7, "must be a regular file"),
                 ((*scatter, "--scatter", "--rows", "/dev/full"), 7, "must be a regular file"),
@@ -214,7 +279,7 @@ class Rows(unittest.TestCase):
                 ((*scatter, "--scatter", "--shard", "1/2", "-o", self.path("a"), "--rows", self.path("rows.h5")), 2,
                  "leave out --rows, and give it to strainwave merge"),
                 (("torsion", EXAMPLES / "cracked_size25.toml", "--draws", 0, "--rows", self.path("rows.h5")), 2,
-                 "--rows: needs draws"),
+                 "--rows: needs draws or positions; give --tolerances or --compare, or [[range]]"),
                 (("stiffness", ARTICLE, "--rows", self.path("rows.h5")), 2, "this option belongs to")):
             run = self.run_it(*arguments, code=code)
             self.assertIn(words, run.stderr)

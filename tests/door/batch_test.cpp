@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/door/batch.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -18,6 +22,7 @@
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
+#include "strainwave/study/varied_series.hpp"
 #include "support/expect.hpp"
 #include "support/random_drive.hpp"
 #include "support/sanitized.hpp"
@@ -231,6 +236,107 @@ TEST(Batch, CrosscheckStrengthMargins) {
   EXPECT_EQ(kinds.size(), 6U);
   for (const RowCode code : {RowCode::ok, RowCode::refused, RowCode::not_usable})
     EXPECT_GT(codes[code], 5) << enum_name(code);
+}
+
+/// Numbers of a random drive that vary: loads, the material, and the sizes of all cracks.
+std::vector<std::string> varied_numbers(const GearSet& gear) {
+  std::vector<std::string> paths = {"load.torque", "material.steel.youngs_modulus"};
+  if (gear.load.axial_force != 0) paths.emplace_back("load.axial_force");
+  const Material& steel = gear.material.at("steel");
+  if (steel.fracture_toughness) paths.emplace_back("material.steel.fracture_toughness");
+  if (steel.yield_strength) paths.emplace_back("material.steel.yield_strength");
+  for_each_crack(gear, [&](const std::string& path, const auto&) {
+    for (const char* const size : {"depth", "half_length", "aspect_ratio", "angle"}) {
+      const std::string of_crack = path + '.' + size;
+      try {
+        (void)number_at(gear, of_crack);
+        paths.push_back(of_crack);
+      } catch (const InputError&) {  // this kind has no such number
+      }
+    }
+  });
+  return paths;
+}
+
+/// Outputs of the sum that a drive has, and its strength margins.
+std::vector<std::string> planned_outputs(const GearSet& gear) {
+  std::vector<std::string> names;
+  for_each_quantity(evaluate(gear, Method::corrected, {.coupled_drive = false}),
+                    [&](const std::string& name, const Quantity&) {
+                      if (VariedSeries::covers(std::span(&name, 1))) names.push_back(name);
+                    });
+  return names;
+}
+
+// Kind: cross-check (ST-21), (ST-22), (FA-4).  Source: `evaluate`.  Random rows of random drives
+// with all kinds of cracks of the sum: every output that the plan covers, to the contract of a
+// batch, 1e-10, and the same rows without an answer, for the same rule.  STRAINWAVE_LONG asks for a
+// million rows, of which most read tables.
+TEST(Batch, CrosscheckRandomRows) {
+  const bool whole = std::getenv("STRAINWAVE_LONG") != nullptr && !test::kSanitized;
+  const std::uint64_t drives = whole ? 200 : test::kSanitized ? 10 : 60;
+  const std::size_t rows = whole ? 5000 : 5;
+  std::set<std::string> kinds;
+  std::map<RowCode, int> codes;
+  int by_tables = 0;  // drives
+  double largest = 0.0;
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 1; seed <= drives; ++seed) {
+    const GearSet gear = test::random_drive(1000 + seed);
+    const std::vector<std::string> outputs = planned_outputs(gear);
+    const std::vector<std::string> paths = varied_numbers(gear);
+    for_each_crack(gear, [&](const std::string& path, const auto& crack) {
+      kinds.insert(path.substr(0, path.find('.')) +
+                   std::string(std::decay_t<decltype(crack)>::kKind));
+    });
+    test::Dice dice(seed);
+    std::vector<double> values;
+    for (std::size_t row = 0; row < rows; ++row)
+      for (const std::string& path : paths) {
+        const double factor =
+            dice.chance(0.03) ? dice.uniform(-0.5, 3) : dice.log_uniform(0.75, 1.3);
+        values.push_back(factor * (path == "load.torque" && dice.chance(0.3) ? -1 : 1) *
+                         number_at(gear, path).value);
+      }
+    const BatchResult result =
+        batch(gear, {.paths = paths, .values = values, .outputs = outputs, .threads = 2});
+    if (result.tables) ++by_tables;
+    std::set<RowCode> told;  // codes whose first row has been seen
+    for (std::size_t row = 0; row < rows; ++row) {
+      const SingleRow expected = single_row(
+          gear, paths, std::span(values).subspan(row * paths.size(), paths.size()), outputs);
+      ++codes[expected.code];
+      ASSERT_EQ(result.codes[row], expected.code)
+          << seed << ", " << row << ": " << expected.message;
+      for (std::size_t y = 0; y < outputs.size(); ++y) {
+        const double number = result.numbers[row * outputs.size() + y];
+        const double exact = expected.numbers[y];
+        ++compared;
+        if (number == exact) continue;
+        const double difference = std::abs(number - exact) / std::abs(exact);
+        largest = std::max(largest, difference);
+        ASSERT_LE(difference, 1e-10) << seed << ", " << row << ": " << outputs[y];
+      }
+      if (expected.code == RowCode::ok || !told.insert(expected.code).second) continue;
+      const auto fault = std::ranges::find(result.faults, expected.code, &BatchFault::code);
+      ASSERT_NE(fault, result.faults.end());
+      ASSERT_EQ(fault->row, row) << seed;
+      ASSERT_EQ(fault->message, expected.message) << seed;
+    }
+  }
+  RecordProperty("compared", std::to_string(compared));
+  RecordProperty("drives_by_tables", by_tables);
+  RecordProperty("largest_difference", fmt::format("{}", largest));
+  for (const auto& [code, count] : codes)
+    RecordProperty(fmt::format("rows_{}", enum_name(code)), count);
+  if (test::kSanitized) return;
+  EXPECT_EQ(kinds.size(), 6U);
+  for (const RowCode code : {RowCode::ok, RowCode::refused, RowCode::not_usable})
+    EXPECT_GT(codes[code], 5) << enum_name(code);
+  if (whole) {
+    EXPECT_GT(by_tables, 50);
+    EXPECT_GT(largest, 0.0);
+  }
 }
 
 // Kind: identity.  Margins have the same bits for any number of threads, with tables for the sum

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "door/answers.hpp"
 #include "strainwave/core/error.hpp"
 #include "support/expect.hpp"
+#include "support/kept_rows.hpp"
 
 namespace strainwave {
 namespace {
@@ -60,22 +62,67 @@ std::vector<Study> studies() {
 }
 
 // Kind: identity.  The merged answer has the bytes of one run, in every document, for any division
-// and order of the shards, which pass through their files.
+// and order of the shards, which pass through their files.  Both have the same rows, bit for bit,
+// and without rows the answer is the same.
 TEST(Shards, IdentityWithOneRun) {
   for (const Study& study : studies()) {
-    const Answer whole = run(study.row(), study.drive(), study.values());
+    test::KeptRows of_whole;
+    const Answer whole =
+        run(study.row(), study.drive(), study.values(), {}, {}, {.rows = &of_whole});
     const int parts = study.command == "validate" ? 2 : 3;
     Shards shards;
     for (int part = parts; part >= 1; --part) {
       const std::string name = fmt::format("{}.shard", part);
       shards.emplace_back(name, parse_shard(shard_text(study.shard({part, parts})), name));
     }
-    const Answer answer = merged(commands(), shards);
+    test::KeptRows of_merged;
+    const Answer answer = merged(commands(), shards, {}, {.rows = &of_merged});
     EXPECT_EQ(answer.json(), whole.json()) << study.command;
+    EXPECT_GT(of_whole.head.rows, 0U) << study.command;
+    EXPECT_EQ(of_whole.numbers.size(), of_whole.head.rows) << study.command;
+    EXPECT_TRUE(test::same_rows(of_merged, of_whole)) << study.command;
     for (const Document& document : study.row().documents)
       EXPECT_EQ(answer.document(document.name), whole.document(document.name))
           << study.command << ' ' << document.name;
+    if (study.command != "validate") {
+      EXPECT_EQ(run(study.row(), study.drive(), study.values()).json(), whole.json());
+    }
   }
+}
+
+/// The commands, and none of them has rows.
+std::span<const Command> commands_without_rows() {
+  static const std::vector<Command> table = [] {
+    std::vector<Command> without(commands().begin(), commands().end());
+    for (Command& command : without) command.rows = {};
+    return without;
+  }();
+  return table;
+}
+
+// Kind: input.  Rows of a study that has none are refused before the shards are merged, and before
+// the second one is read.
+TEST(Shards, InputRowsOfAStudyWithoutRows) {
+  const Study study = studies().front();
+  const Shards shards = {{"1.shard", study.shard({1, 2})}, {"2.shard", study.shard({2, 2})}};
+  constexpr const char* kRefusal =
+      "rows: cannot be written, because the study of sweep has none; merge its shards without "
+      "--rows";
+  test::KeptRows rows;
+  const Host host{.rows = &rows};
+  EXPECT_EQ(test::broken_rule([&] {
+              (void)merged(commands_without_rows(), shards, {}, host);
+            }),
+            kRefusal);
+  const Command merge = merge_command(commands_without_rows);
+  OptionValues values(merge.options);
+  values.set("shards", "1.shard");
+  values.set("shards", "not_there.shard");
+  const OptionTexts texts = {{"1.shard", shard_text(shards[0].second)}};
+  EXPECT_EQ(test::broken_rule([&] { (void)run(merge, nullptr, values, texts, {}, host); }),
+            kRefusal);
+  EXPECT_EQ(rows.origins, 0);
+  EXPECT_NO_THROW((void)merged(commands_without_rows(), shards));
 }
 
 // Kind: behaviour.  Every command that says that it shares its study is in the list above.

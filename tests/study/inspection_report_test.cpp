@@ -19,6 +19,7 @@
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/uncertainty/normal.hpp"
 #include "support/expect.hpp"
+#include "support/kept_rows.hpp"
 #include "support/program.hpp"
 #include "support/sanitized.hpp"
 
@@ -665,6 +666,67 @@ TEST(InspectionReport, BehaviourADrawWithoutACrackOfTheFile) {
   const InspectionReport report = inspection_report(gear, options);
   EXPECT_GT(report.outcomes.refused, 15);
   EXPECT_LT(report.outcomes.refused, 45);
+}
+
+// Kind: cross-check (IR-3), (IR-7).  A drive with the inputs of a row has the life and the sizes of
+// the row; the lives give the percentiles, and the outcomes their counts.  Tolerance: none, because
+// a life is a function of the inputs.
+TEST(InspectionReport, CrosscheckRowsAreLives) {
+  const GearSet gear = scattering_shaft();
+  const int draws = test::kSanitized ? 20 : 60;
+  InspectionOptions options = options_of(draws);
+  test::KeptRows rows;
+  options.rows = &rows;
+  const InspectionReport report = inspection_report(gear, options);
+  ASSERT_EQ(rows.numbers.size(), static_cast<std::size_t>(draws));
+  EXPECT_EQ(rows.head.seed, options.seed);
+  std::vector<double> lives;
+  for (std::size_t n = 0; n < rows.numbers.size(); ++n) {
+    if (rows.status[n] != RowStatus::usable) continue;
+    lives.push_back(rows.at(n, "life"));
+    EXPECT_EQ(rows.at(n, "weight"), 1.0);
+    if (n % 7 != 0) continue;
+    GearSet one = gear;
+    for (const InputScatter& input : gear.scatter)
+      set_number(one, input.path, rows.at(n, input.path));
+    const LifeTrace trace = life_trace(one, options.growth);
+    ASSERT_TRUE(trace.life);
+    EXPECT_EQ(rows.at(n, "life"), *trace.life);
+    for (std::size_t k = 0; k < trace.cracks.size(); ++k)
+      EXPECT_EQ(rows.at(n, trace.cracks[k] + ".size_at_end"), trace.sizes[k].back());
+  }
+  EXPECT_EQ(draws - static_cast<int>(lives.size()), report.outcomes.refused);
+  std::ranges::sort(lives);
+  EXPECT_EQ(*report.percentiles[2].life,
+            lives[static_cast<std::size_t>(std::ceil(0.5 * static_cast<double>(lives.size()))) - 1]);
+  double arrested = 0.0;
+  for (std::size_t n = 0; n < rows.numbers.size(); ++n)
+    if (rows.status[n] == RowStatus::usable) arrested += rows.at(n, "arrested");
+  EXPECT_EQ(arrested, report.outcomes.arrested);
+}
+
+// Kind: behaviour.  A refused draw has its inputs and the reason; a study with too few lives hands
+// its rows over before it is refused.  Draws about failures have their weights.
+TEST(InspectionReport, BehaviourRowsOfRefusedDraws) {
+  GearSet gear = scattering_shaft();
+  InputScatter scatter = scatter_of("output_shaft.crack[0].depth", 0.1);
+  scatter.relative_standard_deviation.reset();
+  scatter.distribution = ScatterDistribution::table;
+  scatter.quantile = {{0.0, 1e3}, {1.0, 1.1e3}};  // deeper than the wall
+  gear.scatter = {scatter};
+  test::KeptRows rows;
+  InspectionOptions options = options_of(25, 100 * kHour);
+  options.rows = &rows;
+  EXPECT_NE(test::broken_rule([&] { (void)inspection_report(gear, options); })
+                .find("lets 25 of 25 drawn drives break a rule"),
+            std::string::npos);
+  ASSERT_EQ(rows.numbers.size(), 25U);
+  for (std::size_t n = 0; n < 25; ++n) {
+    EXPECT_EQ(rows.status[n], RowStatus::refused);
+    EXPECT_TRUE(rows.rules[n].starts_with("output_shaft.crack[0]")) << rows.rules[n];
+    EXPECT_GT(rows.numbers[n][0], 0.1);
+    EXPECT_TRUE(std::isnan(rows.at(n, "life")));
+  }
 }
 
 InspectionOptions importance_of(int draws, double until) {

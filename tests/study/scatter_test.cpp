@@ -4,13 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -20,6 +15,7 @@
 #include "strainwave/present/json.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
+#include "support/kept_rows.hpp"
 #include "support/sanitized.hpp"
 
 namespace strainwave {
@@ -227,24 +223,6 @@ TEST(Scatter, IdentityDrawsThatAreNotKept) {
   }
 }
 
-/// The rows that a study hands over.
-class KeptRows : public RowSink {
- public:
-  void come_from(std::vector<std::pair<std::string, std::string>>) override {}
-  void begin(const RowHead& of) override { head = of; }
-  void add(std::span<const double> numbers, RowStatus status, std::string_view rule) override {
-    for (const double number : numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
-    bits.push_back(static_cast<std::uint64_t>(status));
-    rules.emplace_back(rule);
-    outputs.push_back(numbers.back());
-  }
-
-  RowHead head;
-  std::vector<std::uint64_t> bits;
-  std::vector<std::string> rules;
-  std::vector<double> outputs;  ///< the last one of each row
-};
-
 // Kind: identity (SN-8).  A study has the same rows and the same numbers, bit for bit, if its draws
 // are kept, drawn again, or read from shares of which one is held at a time.
 TEST(Scatter, IdentityRows) {
@@ -253,19 +231,18 @@ TEST(Scatter, IdentityRows) {
     if (of.path == "flexspline.wall_thickness") of.relative_standard_deviation = 0.9;
   const Sensitivity sensitivity = sensitivity_of(gear);
   const int samples = test::kSanitized ? 60 : 300;
-  const auto with = [&](int kept, SharedRows* shared, KeptRows& rows) {
+  const auto with = [&](int kept, SharedRows* shared, test::KeptRows& rows) {
     return scatter_of(gear, sensitivity,
                       {.samples = samples, .shared = shared, .kept = kept, .rows = &rows});
   };
-  KeptRows kept;
-  KeptRows passes;
+  test::KeptRows kept;
+  test::KeptRows passes;
   const Scatter of_kept = with(samples, nullptr, kept);
   const Scatter of_passes = with(samples - 1, nullptr, passes);
   ASSERT_EQ(kept.head.rows, static_cast<std::size_t>(samples));
   EXPECT_EQ(kept.head.columns.size(), gear.scatter.size() + of_kept.outputs.size());
   EXPECT_EQ(kept.head.columns.back().unit, of_kept.outputs.back().unit);
-  EXPECT_EQ(kept.bits, passes.bits);
-  EXPECT_EQ(kept.rules, passes.rules);
+  EXPECT_TRUE(test::same_rows(passes, kept));
   constexpr int kParts = 3;
   SharedRows shares(static_cast<std::size_t>(samples), kParts, [&](int part) {
     SharedRows share(Share{.part = part, .parts = kParts});
@@ -274,10 +251,9 @@ TEST(Scatter, IdentityRows) {
                  ShareDone);
     return share.bytes();
   });
-  KeptRows shared;
+  test::KeptRows shared;
   const Scatter of_shared = with(samples - 1, &shares, shared);
-  EXPECT_EQ(shared.bits, kept.bits);
-  EXPECT_EQ(shared.rules, kept.rules);
+  EXPECT_TRUE(test::same_rows(shared, kept));
   for (std::size_t y = 0; y < of_passes.outputs.size(); ++y) {
     EXPECT_EQ(of_shared.outputs[y].mean, of_passes.outputs[y].mean);
     EXPECT_EQ(of_shared.outputs[y].median, of_passes.outputs[y].median);
@@ -287,16 +263,40 @@ TEST(Scatter, IdentityRows) {
   int refused = 0;
   for (std::size_t i = 0; i < kept.rules.size(); ++i) {
     if (kept.rules[i].empty()) {
-      sum += kept.outputs[i];
+      sum += kept.numbers[i].back();
     } else {
       ++refused;
-      EXPECT_TRUE(std::isnan(kept.outputs[i]));
+      EXPECT_TRUE(std::isnan(kept.numbers[i].back()));
       EXPECT_TRUE(kept.rules[i].starts_with("flexspline.")) << kept.rules[i];
     }
   }
   EXPECT_GT(refused, 0);
   EXPECT_EQ(refused, of_kept.refused + of_kept.unusable);
   test::expect_relative(sum / of_kept.evaluated, of_kept.outputs.back().mean, 1e-12);
+}
+
+// Kind: behaviour.  A study whose draws are all refused has no answer, and its rows say why: those
+// of draws that are kept, and those of draws that are made again.
+TEST(Scatter, BehaviourRowsOfAStudyWithoutAnAnswer) {
+  GearSet gear = example();
+  InputScatter wall{.path = "flexspline.wall_thickness", .source = {}};
+  wall.distribution = ScatterDistribution::table;
+  wall.quantile = {{0.0, 100.0}, {1.0, 200.0}};  // thicker than the drive
+  gear.scatter = {wall};
+  const Sensitivity sensitivity = sensitivity_of(gear);
+  for (const int kept : {1000, 10}) {
+    test::KeptRows rows;
+    EXPECT_THROW(
+        (void)scatter_of(gear, sensitivity, {.samples = 40, .kept = kept, .rows = &rows}),
+        SolverError);
+    EXPECT_EQ(rows.numbers.size(), 40U);
+    for (std::size_t n = 0; n < rows.numbers.size(); ++n) {
+      EXPECT_EQ(rows.status[n], RowStatus::refused);
+      EXPECT_TRUE(rows.rules[n].starts_with("flexspline.")) << rows.rules[n];
+      EXPECT_GT(rows.numbers[n][0], 0.0);
+      EXPECT_TRUE(std::isnan(rows.numbers[n][1]));
+    }
+  }
 }
 
 TEST(Scatter, InputOptions) {

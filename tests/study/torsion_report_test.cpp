@@ -17,6 +17,7 @@
 #include "strainwave/present/json.hpp"
 #include "strainwave/present/table.hpp"
 #include "support/expect.hpp"
+#include "support/kept_rows.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
@@ -222,6 +223,38 @@ TEST(TorsionBands, BehaviourSharesGrowToOneAndAStopEndsIt) {
                                 Progress([&](double) { return ++told < 2; })),
                Stopped);
   EXPECT_EQ(told, 2);
+}
+
+// Kind: identity (TC-26).  The rows of a comparison are its positions, not the draws of ranges.
+TEST(TorsionReport, IdentityRowsOfAComparison) {
+  GearSet gear = drive();
+  RimAxialCrack rim;
+  rim.depth = 0.1e-3;
+  gear.flexspline->crack.emplace_back(rim);
+  gear.range = {range("circular_spline.support", "0.3", "0.7")};
+  test::KeptRows rows;
+  const TorsionReport report =
+      torsion_report(gear, {.compare = true, .angles = 4, .draws = 2, .rows = &rows});
+  ASSERT_TRUE(report.comparison && report.bands);
+  EXPECT_EQ(rows.head.of, "positions of the wave generator");
+  EXPECT_FALSE(rows.head.seed);
+  EXPECT_EQ(rows.columns(), (std::vector<std::pair<std::string, std::string>>{
+                                {"angle", "rad"},
+                                {"positive.K1", "1"},
+                                {"positive.K2", "1"},
+                                {"positive.K3", "1"},
+                                {"negative.K1", "1"},
+                                {"negative.K2", "1"},
+                                {"negative.K3", "1"}}));
+  ASSERT_EQ(rows.numbers.size(), 4U);
+  for (std::size_t n = 0; n < 4; ++n) {
+    const LineChanges& positive = report.comparison->positive.at_angle[n];
+    const LineChanges& negative = report.comparison->negative.at_angle[n];
+    EXPECT_EQ(rows.numbers[n],
+              (std::vector{report.comparison->angles[n], positive.K1, positive.K2, positive.K3,
+                           negative.K1, negative.K2, negative.K3}));
+    EXPECT_EQ(rows.status[n], RowStatus::usable);
+  }
 }
 
 TEST(TorsionText, BehaviourTablesAndUnits) {

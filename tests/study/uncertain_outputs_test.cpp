@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@
 #include "strainwave/uncertainty/normal.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
+#include "support/kept_rows.hpp"
 #include "support/random_drive.hpp"
 #include "support/sanitized.hpp"
 
@@ -439,6 +441,136 @@ TEST(Sobol, BehaviourDrivesThatBreakARuleAreLeftOut) {
   EXPECT_GT(sobol.left_out, 100);
   EXPECT_EQ(test::count_notes(sobol.notes, "sobol.left_out"), 1);
   EXPECT_EQ(test::count_notes(sobol.notes, "sobol.independent"), 1);
+}
+
+/// The shares of one output from the rows of a study, by (UQ-2) and (UQ-3) written anew.
+struct SharesOfRows {
+  std::vector<double> first;  ///< of each group
+  std::vector<double> total;
+  int left_out = 0;
+};
+
+SharesOfRows shares_of_rows(const test::KeptRows& rows, std::size_t groups,
+                            std::string_view output) {
+  const std::size_t sets = groups + 2;
+  const std::size_t points = rows.numbers.size() / sets;
+  const std::size_t size = points / kSobolReplicates;
+  SharesOfRows shares{.first = std::vector<double>(groups), .total = std::vector<double>(groups)};
+  for (std::size_t r = 0; r < kSobolReplicates; ++r) {
+    std::vector<std::vector<double>> y(sets);  // of the base points that count
+    for (std::size_t n = r * size; n < (r + 1) * size; ++n) {
+      const auto begin = rows.status.begin() + static_cast<std::ptrdiff_t>(n * sets);
+      if (std::any_of(begin, begin + static_cast<std::ptrdiff_t>(sets),
+                      [](RowStatus status) { return status != RowStatus::usable; })) {
+        ++shares.left_out;
+        continue;
+      }
+      for (std::size_t s = 0; s < sets; ++s) y[s].push_back(rows.at(n * sets + s, output));
+    }
+    const auto count = static_cast<double>(y[0].size());
+    double mean = 0.0;
+    for (std::size_t n = 0; n < y[0].size(); ++n) mean += (y[0][n] + y[1][n]) / (2 * count);
+    double variance = 0.0;
+    for (std::size_t n = 0; n < y[0].size(); ++n)
+      variance += (std::pow(y[0][n] - mean, 2) + std::pow(y[1][n] - mean, 2)) / (2 * count);
+    for (std::size_t g = 0; g < groups; ++g)
+      for (std::size_t n = 0; n < y[0].size(); ++n) {
+        const double scale = count * variance * kSobolReplicates;
+        shares.first[g] += (y[1][n] - mean) * (y[2 + g][n] - y[0][n]) / scale;
+        shares.total[g] += std::pow(y[0][n] - y[2 + g][n], 2) / (2 * scale);
+      }
+  }
+  return shares;
+}
+
+// Kind: cross-check (UQ-2), (UQ-3).  The rows of a study are its points: they give its shares,
+// computed anew, with and without correlated inputs, and a row has the outputs of `evaluate` at its
+// inputs.  Points that differ in one group differ in its inputs alone.  A refused row names its
+// rule; the other rows of its base point have outputs, but the study leaves them out.
+// Tolerance: 1e-9 of the sums; 1e-10 of the tables.
+TEST(Sobol, CrosscheckRowsGiveTheShares) {
+  for (const bool correlated : {false, true}) {
+    GearSet gear = uncertain_example();
+    gear.scatter.resize(4);
+    gear.scatter.push_back(uncertain_example().scatter.back());
+    ASSERT_EQ(gear.scatter.back().path, "output_shaft.crack[0].depth");
+    std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 8e-3;  // of a wall of 12.5 mm
+    if (correlated)
+      gear.correlation = {{.path = gear.scatter[0].path,
+                           .with = gear.scatter[1].path,
+                           .rank_correlation = 0.6,
+                           .source = {}}};
+    const std::size_t groups = correlated ? 4 : 5;
+    const std::string output = "cracked.positive.stiffness";
+    test::KeptRows rows;
+    const SobolSettings settings{.points = test::kSanitized ? 160 : 1600,
+                                 .seed = 3,
+                                 .threads = 1,
+                                 .outputs = {"intact.stiffness", output},
+                                 .rows = &rows};
+    const Sobol sobol = sobol_of(gear, settings);
+    ASSERT_EQ(rows.head.rows, static_cast<std::size_t>(sobol.evaluations));
+    ASSERT_EQ(rows.numbers.size(), rows.head.rows);
+    EXPECT_EQ(rows.head.seed, 3U);
+    const SharesOfRows shares = shares_of_rows(rows, groups, output);
+    EXPECT_EQ(shares.left_out, sobol.left_out);
+    EXPECT_GT(sobol.left_out, 3);
+    std::vector<double> totals = shares.total;
+    std::ranges::sort(totals, std::ranges::greater{});
+    std::vector<double> stated;
+    double first = 0.0;
+    for (const SobolInput& input : sobol.outputs[1].inputs) stated.push_back(input.total.value);
+    for (const double share : shares.first) first += share;
+    ASSERT_EQ(stated.size(), groups);
+    for (std::size_t g = 0; g < groups; ++g) EXPECT_NEAR(stated[g], totals[g], 1e-9);
+    EXPECT_NEAR(sobol.outputs[1].first_sum.value, first, 1e-9);
+
+    int refused = 0;
+    int beside = 0;  // usable rows of base points that are left out
+    for (std::size_t n = 0; n < rows.numbers.size(); ++n) {
+      ASSERT_EQ(rows.at(n, "base_point"), static_cast<double>(n / (groups + 2)));
+      ASSERT_EQ(rows.at(n, "set"), static_cast<double>(n % (groups + 2)));
+      const std::size_t base = n / (groups + 2) * (groups + 2);
+      if (rows.status[n] == RowStatus::refused) {
+        ++refused;
+        EXPECT_EQ(rows.rules[n].substr(0, 27), "output_shaft.crack[0].depth");
+        EXPECT_TRUE(std::isnan(rows.at(n, output)));
+        EXPECT_GT(rows.at(n, "output_shaft.crack[0].depth"), 12e-3);
+        continue;
+      }
+      const bool whole =
+          std::count(rows.status.begin() + static_cast<std::ptrdiff_t>(base),
+                     rows.status.begin() + static_cast<std::ptrdiff_t>(base + groups + 2),
+                     RowStatus::usable) == static_cast<std::ptrdiff_t>(groups + 2);
+      if (rows.status[n] == RowStatus::usable && !whole) ++beside;
+      if (n % 97 != 0 && whole) continue;
+      GearSet one = gear;
+      for (const InputScatter& input : gear.scatter)
+        set_number(one, input.path, rows.at(n, input.path));
+      const StiffnessResult result =
+          evaluate(one, Method::corrected, {.coupled_drive = false, .life = false});
+      EXPECT_EQ(rows.status[n] == RowStatus::usable, result.usable());
+      if (result.usable())
+        test::expect_relative(rows.at(n, output), output_named(result, output)->value, 1e-10);
+    }
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(beside, 0);
+    // A mixed point has the inputs of A, apart from those of its group.
+    const std::vector<double>& a = rows.numbers[0];
+    const std::vector<double>& b = rows.numbers[1];
+    const std::vector<double>& mixed = rows.numbers[2];
+    for (std::size_t i = 0; i < gear.scatter.size(); ++i) {
+      const bool of_group = i == 0 || (correlated && i == 1);
+      EXPECT_EQ(mixed[2 + i], of_group ? b[2 + i] : a[2 + i]) << i;
+    }
+
+    test::KeptRows of_threads;
+    SobolSettings other = settings;
+    other.threads = 3;
+    other.rows = &of_threads;
+    (void)sobol_of(gear, other);
+    EXPECT_TRUE(test::same_rows(of_threads, rows));
+  }
 }
 
 TEST(Sobol, InputRefusals) {

@@ -92,6 +92,7 @@ struct Proportion {
   std::string_view source;                   ///< what the limits rest on, in words
   /// path of the number in a file; empty if several numbers depend on the proportion
   std::string_view path;
+  std::string_view unit = "1";  ///< SI unit of the value
 };
 
 /// All proportions, in the order of ProportionValues.

@@ -14,6 +14,7 @@
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -312,6 +313,8 @@ struct Validation {
 /// @param options   `draws` 0 or 2 to 100000, at most three factors; {}: no fit and no bands
 /// @param progress  receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared    null, or the part of the draws that this process computes or reads
+/// @param to        null, or takes each draw: its proportions, and K1 to K3 of each row at each of
+///                  its ratios; untouched without draws
 /// @throws InputError    if an option is out of range or does not suit the mode, or if a size is
 ///                       unknown
 /// @throws SolverError   if a drive has no equilibrium
@@ -319,6 +322,7 @@ struct Validation {
 /// @throws ShareDone     after the draws of a share were computed and kept
 /// @throws BrokenRecord  if draws that are read are not those of this study
 [[nodiscard]] Validation validate(const ValidationOptions& options = {},
-                                  const Progress& progress = {}, SharedRows* shared = nullptr);
+                                  const Progress& progress = {}, SharedRows* shared = nullptr,
+                                  RowSink* to = nullptr);
 
 }  // namespace strainwave

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/inspection/detection_fit.hpp"
@@ -44,6 +45,7 @@ struct InspectionOptions {
   std::uint64_t seed = 1;  ///< the same seed gives the same draws
   int threads = 0;         ///< 0: as many as the machine runs; the result does not depend on it
   SharedRows* shared = nullptr;  ///< null, or the part of the draws computed or read here
+  RowSink* rows = nullptr;       ///< null, or takes each draw
 };
 
 /// How the drawn drives end.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
+#include "strainwave/core/row_sink.hpp"
 #include "strainwave/core/shared_rows.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
@@ -30,6 +31,7 @@ struct SobolSettings {
   int threads = 0;                        ///< 0: as many as the machine runs
   std::vector<std::string> outputs = {};  ///< empty: stiffness and loss of the sum of the members
   SharedRows* shared = nullptr;           ///< null, or the part of the points computed or read here
+  RowSink* rows = nullptr;                ///< null, or takes each point of the design
 };
 
 /// A share with its 95 % interval.

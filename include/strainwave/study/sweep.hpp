@@ -113,9 +113,6 @@ struct SweepResult {
   }
 };
 
-/// Hands the points over as rows: the varied numbers, and the outputs.
-void write_rows(const SweepResult& result, RowSink& to);
-
 /// The notes of all points; not usable if no point is usable.
 [[nodiscard]] ResultEvidence evidence_of(const SweepResult& result);
 
@@ -135,13 +132,15 @@ void check_variations(std::span<const Variation> variations);
 /// @param variations   one or two variations of different numbers
 /// @param progress     receives the share done, 0 to 1, and may stop the run; {}: neither
 /// @param shared       null, or the part of the points that this process computes or reads
+/// @param rows         null, or takes the points: the varied numbers, and the outputs
 /// @throws InputError    on the same conditions as check_variations; with the first fault if every
-///                       point is refused
+///                       point is refused, after `rows` has taken them
 /// @throws Stopped       if the caller requests a stop
 /// @throws ShareDone     after the points of a share were computed and kept
 /// @throws BrokenRecord  if points that are read are not those of this sweep
 [[nodiscard]] SweepResult sweep(const GearSet& gear, Method method,
                                 std::span<const Variation> variations,
-                                const Progress& progress = {}, SharedRows* shared = nullptr);
+                                const Progress& progress = {}, SharedRows* shared = nullptr,
+                                RowSink* rows = nullptr);
 
 }  // namespace strainwave

@@ -31,9 +31,14 @@ struct TorsionReportOptions {
   /// Null, or the part computed or read here: of the draws of the tolerances, else of the positions
   /// of the comparison, else of the draws of the ranges.
   SharedRows* shared = nullptr;
-  /// Null, or takes the draws of the tolerances, else those of the ranges.
+  /// Null, or takes the draws of the tolerances, else the positions of the comparison, else the
+  /// draws of the ranges; untouched if there are none of these.
   RowSink* rows = nullptr;
 };
+
+/// The ranges of numbers that enter the curve: not those of the sections that say how a drive
+/// moves.
+[[nodiscard]] std::vector<InputRange> ranges_of_curve(const GearSet& gear);
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.
 struct Band {

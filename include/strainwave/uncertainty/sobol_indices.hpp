@@ -33,6 +33,15 @@ struct SobolOutput {
   Estimate first_sum;               ///< sum of the first-order shares [-]; 1 without interactions
 };
 
+/// Takes the points of the design in their order, each with the outputs there.
+/// @param base     index of the base point, from 0
+/// @param set      0: point A, 1: point B, 2 + g: point A with the inputs of group g of B
+/// @param z        inputs there, standard normal
+/// @param outputs  empty if the function has no value at one of the points of this base point
+using DesignPoints =
+    std::function<void(std::size_t base, std::size_t set, std::span<const double> z,
+                       std::span<const double> outputs)>;
+
 /// Points of a study of shares.
 struct SobolOptions {
   int points = 4096;       ///< base points in all replicates
@@ -40,6 +49,7 @@ struct SobolOptions {
   std::uint64_t seed = 1;  ///< the same seed gives the same scramblings
   int threads = 0;         ///< 0: as many as the machine runs; the result does not depend on it
   SharedRows* shared = nullptr;  ///< null, or the part of the points computed or read here
+  DesignPoints each = {};        ///< empty, or takes each point before the shares are estimated
 };
 
 /// Shares of all groups in the variance of all outputs.

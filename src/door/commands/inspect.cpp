@@ -306,6 +306,7 @@ InspectionReport inspect(const Request& request, const InspectOptions& o) {
   options.seed = o.seed;
   options.threads = o.threads;
   options.shared = request.shared;
+  options.rows = request.rows;
   try {
     return inspection_report(request.drive.gear, options, request.progress);
   } catch (const InputError& error) {
@@ -337,6 +338,7 @@ Command inspect_command() {
       .example = "strainwave inspect examples/inspected_shaft.toml --until '350 h' --a50 '1 mm' "
                  "--a90 '2 mm' --every '100 h'",
       .shares = "draws",
+      .rows = "draws",
       .takes = Takes::drive,
       .function = inspect,
       .documents = {{Format::text, inspection_text},

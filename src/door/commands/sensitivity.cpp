@@ -68,8 +68,8 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     throw OptionError("scatter", "seed and threads need --scatter or --sobol; give one");
   if (request.shared != nullptr && options.scatter == options.sobol)
     throw OptionError("shard", "needs either --scatter or --sobol; give one of them");
-  if (request.rows != nullptr && !options.scatter)
-    throw OptionError("rows", "needs --scatter; give it too");
+  if (request.rows != nullptr && !options.scatter && !options.sobol)
+    throw OptionError("rows", "needs --scatter or --sobol; give one of them");
   const GearSet& gear = request.drive.gear;
   SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}, .sobol = {}};
   if (options.scatter) {
@@ -89,6 +89,7 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
     settings.threads = options.threads.value_or(settings.threads);
     settings.outputs = options.of;
     settings.shared = request.shared;
+    if (!options.scatter) settings.rows = request.rows;
     from_option([&] { check_settings(gear, settings); });
     report.sobol =
         sobol_of(gear, settings, request.progress.part(options.scatter ? 0.5 : 0.0, 1.0));
@@ -119,7 +120,7 @@ Command sensitivity_command() {
       .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
                  "tornado.svg",
       .shares = "draws of --scatter, or points of --sobol",
-      .rows = "draws of --scatter",
+      .rows = "draws of --scatter, else points of --sobol",
       .function = report_of,
       .documents = {{Format::text, sensitivity_text},
                     {Format::csv, sensitivity_csv},

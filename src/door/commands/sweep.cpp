@@ -32,9 +32,7 @@ SweepResult swept(const Request& request, const SweepOptions& options) {
     check_variations(parsed);
     return parsed;
   });
-  SweepResult result = sweep(gear, options.method, variations, request.progress, request.shared);
-  if (request.rows != nullptr) write_rows(result, *request.rows);
-  return result;
+  return sweep(gear, options.method, variations, request.progress, request.shared, request.rows);
 }
 
 }  // namespace

@@ -69,16 +69,18 @@ Command torsion_command() {
           "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .shares = "draws of --tolerances, else positions of --compare, else draws of the ranges",
-      .rows = "draws of --tolerances, else draws of the ranges",
+      .rows = "draws of --tolerances, else positions of --compare, else draws of the ranges",
       .not_in_tables = "tolerances",
       .function =
           [](const Request& request, const TorsionOptions& o) {
             if (o.angles && !o.compare) throw OptionError("angles", "needs --compare; give it too");
             if (o.seed && !o.tolerances)
               throw OptionError("seed", "needs --tolerances; give it too");
-            if (request.rows != nullptr && !o.tolerances &&
-                (request.drive.gear.range.empty() || o.draws == 0))
-              throw OptionError("rows", "needs draws; give --tolerances, or [[range]] in the file");
+            if (request.rows != nullptr && !o.tolerances && !o.compare &&
+                (ranges_of_curve(request.drive.gear).empty() || o.draws == 0))
+              throw OptionError("rows",
+                                "needs draws or positions; give --tolerances or --compare, or "
+                                "[[range]] of numbers of the curve in the file");
             std::optional<ToleranceOptions> tolerances;
             if (o.tolerances) {
               tolerances.emplace();

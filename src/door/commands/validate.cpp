@@ -52,6 +52,8 @@ struct ValidateOptions {
 };
 
 Validation validated(const Request& request, const ValidateOptions& options) {
+  if (request.rows != nullptr && options.draws == 0)
+    throw OptionError("rows", "needs draws; give their number with --draws too");
   std::vector<StiffnessRow> rows;
   if (options.data) {
     const auto text = request.texts.find(*options.data);
@@ -68,7 +70,7 @@ Validation validated(const Request& request, const ValidateOptions& options) {
          .sizes = {},
          .data = std::move(rows),
          .coupled = {}},
-        request.progress, request.shared);
+        request.progress, request.shared, request.rows);
   });
 }
 
@@ -90,6 +92,7 @@ Command validate_command() {
           "between their limits, which gives the band of a drive of unknown geometry.",
       .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
       .shares = "draws",
+      .rows = "draws of --draws",
       .takes = Takes::nothing,
       .function = validated,
       .documents = {{Format::text, validation_text},
