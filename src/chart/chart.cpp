@@ -13,6 +13,7 @@
 #include "chart_numbers.hpp"
 #include "contour_lines.hpp"
 #include "line_styles.hpp"
+#include "strainwave/chart/moving_plot.hpp"
 #include "strainwave/chart/svg_text.hpp"
 
 namespace strainwave {
@@ -245,8 +246,51 @@ std::string path_data(const PlotPanel& panel, const PlotSeries& series, const Ax
   return path;
 }
 
+/// The discs of a moving cursor, and its line between the edges of a panel.
+std::string cursor_svg(const PlotPanel& panel, const MovingCursor& cursor, const Axis& x,
+                       const Axis& y, double upper, double lower) {
+  const std::string clock = cursor.rounds.attributes();
+  const double from = x.px(cursor.from);
+  const double to = x.px(cursor.to);
+  const double start = std::lerp(from, to, cursor.rounds.start);
+  std::string svg = fmt::format(
+      "<g transform=\"translate({0:.2f} 0)\"><line x1=\"0\" y1=\"{1:.1f}\" x2=\"0\" "
+      "y2=\"{2:.1f}\" class=\"axis\"/><animateTransform attributeName=\"transform\" "
+      "type=\"translate\" from=\"{3:.2f} 0\" to=\"{4:.2f} 0\" {5}/></g>\n",
+      start, upper, lower, from, to, clock);
+  for (std::size_t n = 0; n < panel.series.size(); ++n) {
+    const PlotSeries& series = panel.series[n];
+    const std::size_t count = std::min(series.x.size(), series.y.size());
+    bool whole = count > 1;
+    for (std::size_t i = 0; i < count; ++i)
+      whole = whole && drawable(panel.x_scale, series.x[i]) &&
+              drawable(panel.y_scale, series.y[i]) && (i == 0 || series.x[i] > series.x[i - 1]);
+    if (!whole || series.x.front() != cursor.from || series.x[count - 1] != cursor.to) continue;
+    std::string heights;
+    std::string times;
+    double at_start = y.px(series.y.front());
+    for (std::size_t i = 0; i < count; ++i) {
+      const double height = y.px(series.y[i]);
+      const double time = (x.px(series.x[i]) - from) / (to - from);
+      const double before = i == 0 ? 0.0 : (x.px(series.x[i - 1]) - from) / (to - from);
+      if (i > 0 && before <= cursor.rounds.start && cursor.rounds.start <= time)
+        at_start = std::lerp(y.px(series.y[i - 1]), height,
+                             (cursor.rounds.start - before) / (time - before));
+      heights += fmt::format("{}{:.1f}", i == 0 ? "" : ";", height);
+      times += fmt::format("{}{:.5g}", i == 0 ? "" : ";", i + 1 == count ? 1.0 : time);
+    }
+    svg += fmt::format(
+        "<circle cx=\"{:.2f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\">"
+        "<animate attributeName=\"cx\" from=\"{:.2f}\" to=\"{:.2f}\" {}/>"
+        "<animate attributeName=\"cy\" values=\"{}\" keyTimes=\"{}\" {}/></circle>\n",
+        start, at_start, line_colour(n), from, to, clock, heights, times, clock);
+  }
+  return svg;
+}
+
 /// Draws one panel with its upper edge at `top`.
-std::string panel_svg(const PlotPanel& panel, double top) {
+/// @param cursor  null: there is none
+std::string panel_svg(const PlotPanel& panel, double top, const MovingCursor* cursor = nullptr) {
   ValueRange x_values;
   ValueRange y_values;
   for (const PlotSeries& series : panel.series)
@@ -308,6 +352,7 @@ std::string panel_svg(const PlotPanel& panel, double top) {
                        label_y - 4, style);
     svg += margin_words(right + 46, label_y, "tick", series.label, kMostOfLine);
   }
+  if (cursor != nullptr) svg += cursor_svg(panel, *cursor, x, y, upper, lower);
   return svg;
 }
 
@@ -417,6 +462,21 @@ Spoken spoken(std::span<const ContourPanel> panels) {
   return text;
 }
 
+constexpr std::string_view kStyle =
+    "<style>\n"
+    "text { font-family: 'DejaVu Sans', Arial, sans-serif; fill: #222 }\n"
+    ".title { font-size: 15px; font-weight: bold }\n"
+    ".label { font-size: 13px }\n"
+    ".tick { font-size: 12px }\n"
+    ".small { font-size: 11px; fill: #555 }\n"
+    ".middle { text-anchor: middle }\n"
+    ".end { text-anchor: end }\n"
+    ".grid { stroke: #ddd }\n"
+    ".minor { stroke: #eee }\n"
+    ".axis { stroke: #222 }\n"
+    ".series { fill: none; stroke-linejoin: round }\n"
+    "</style>\n";
+
 /// Begins a document of one height, to which panels are added.
 /// @param numbers  of the panels, as chart_numbers writes them
 std::string svg_head(double height, const Spoken& text, const std::string& numbers) {
@@ -424,21 +484,10 @@ std::string svg_head(double height, const Spoken& text, const std::string& numbe
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
       "height=\"{1:g}\" role=\"img\">\n"
       "<title>{2}</title>\n<desc>{3}</desc>\n<metadata class=\"numbers\">{4}</metadata>\n"
-      "<style>\n"
-      "text {{ font-family: 'DejaVu Sans', Arial, sans-serif; fill: #222 }}\n"
-      ".title {{ font-size: 15px; font-weight: bold }}\n"
-      ".label {{ font-size: 13px }}\n"
-      ".tick {{ font-size: 12px }}\n"
-      ".small {{ font-size: 11px; fill: #555 }}\n"
-      ".middle {{ text-anchor: middle }}\n"
-      ".end {{ text-anchor: end }}\n"
-      ".grid {{ stroke: #ddd }}\n"
-      ".minor {{ stroke: #eee }}\n"
-      ".axis {{ stroke: #222 }}\n"
-      ".series {{ fill: none; stroke-linejoin: round }}\n"
-      "</style>\n"
+      "{5}"
       "<rect width=\"{0:g}\" height=\"{1:g}\" class=\"ground\" fill=\"white\"/>\n",
-      kPlotWidth, height, svg_text(text.title), svg_text(text.description), svg_text(numbers));
+      kPlotWidth, height, svg_text(text.title), svg_text(text.description), svg_text(numbers),
+      kStyle);
 }
 
 /// A number at a point of the grid's axis, between its neighbours on the scale of the axis.
@@ -669,6 +718,25 @@ std::string svg_plot(std::span<const PlotPanel> panels) {
     top += kPanelHeight;
   }
   return svg + "</svg>\n";
+}
+
+std::string Rounds::attributes(double later) const {
+  return fmt::format("begin=\"{:.4g}s\" dur=\"{:g}s\" repeatCount=\"indefinite\"",
+                     (later - start - 1) * seconds, seconds);
+}
+
+double panel_height(double width) { return kPanelHeight / kPlotWidth * width; }
+
+std::string moving_plot(const PlotPanel& panel, const MovingCursor& cursor,
+                        const PlotPlace& place) {
+  const std::span<const PlotPanel> one(&panel, 1);
+  return fmt::format(
+             "<svg x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\" "
+             "viewBox=\"0 0 {:g} {:g}\">\n<desc>{}</desc>\n"
+             "<metadata class=\"numbers\">{}</metadata>\n{}",
+             place.x, place.y, place.width, panel_height(place.width), kPlotWidth, kPanelHeight,
+             svg_text(spoken(one).description), svg_text(chart_numbers(one)), kStyle) +
+         panel_svg(panel, 0, &cursor) + "</svg>\n";
 }
 
 std::string tornado_svg(std::span<const TornadoPanel> panels) {

@@ -345,6 +345,25 @@ void PictureSheet::colour_bar(PaperPoint corner, double height, const ValueScale
   words({corner.x, corner.y - 9}, "small", beyond);
 }
 
+void PictureSheet::level_bar(PaperPoint corner, double width, const ValueScale& scale) {
+  constexpr double kHeight = 14;
+  constexpr int kTicks = 5;
+  const double step = width / static_cast<double>(scale.bands);
+  for (std::size_t band = 0; band < scale.bands; ++band)
+    body_ += fmt::format(
+        "<rect class=\"band\" x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{}\" "
+        "fill=\"{}\"/>\n",
+        corner.x + static_cast<double>(band) * step, corner.y, step, kHeight, scale.colour(band));
+  body_ += fmt::format(
+      "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>\n",
+      corner.x, corner.y, width, kHeight);
+  for (int i = 0; i <= kTicks; ++i) {
+    const double share = static_cast<double>(i) / kTicks;
+    words({corner.x + width * share, corner.y + kHeight + 15}, "tick middle",
+          shown_number(std::lerp(scale.lower, scale.upper, share)));
+  }
+}
+
 void PictureSheet::scale_bar(PaperPoint at, double px_per_metre, double longest) {
   double length = 1e-7;
   for (double decade = 1e-7; decade < 20; decade *= 10)
@@ -388,7 +407,8 @@ std::string PictureSheet::svg(std::string_view description) const {
       ".crack {{ fill: none; stroke: #000; stroke-width: 2 }}\n"
       ".halo {{ fill: none; stroke: #fff; stroke-width: 4; stroke-opacity: 0.8 }}\n"
       ".dashes {{ fill: none; stroke: #222; stroke-width: 1.2; stroke-dasharray: 6 4 }}\n"
-      ".axis {{ fill: none; stroke: #222; stroke-width: 0.8; stroke-dasharray: 14 4 3 4 }}\n"
+      ".centre {{ fill: none; stroke: #222; stroke-width: 0.8; stroke-dasharray: 14 4 3 4 }}\n"
+      ".touch {{ fill: none; stroke: #fff; stroke-width: 1.2 }}\n"
       ".frame {{ fill: none; stroke: #222; stroke-width: 0.8 }}\n"
       ".bar {{ fill: #222 }}\n"
       "</style>\n"

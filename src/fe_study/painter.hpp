@@ -121,6 +121,10 @@ class PictureSheet {
   void begin_clip(std::string_view id, PaperPoint corner, double width, double height);
   void end_clip();
 
+  /// Draws a horizontal colour bar with numbers below it.
+  void level_bar(PaperPoint corner, double width, const ValueScale& scale);
+
+  [[nodiscard]] const std::string& body() const { return body_; }  ///< what was drawn
   [[nodiscard]] std::string svg(std::string_view description) const;
 
  private:

@@ -131,7 +131,7 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
   crack_line(whole, false);
   const std::array axis = {PaperPoint{whole.corner.x - 10, whole.paper(0, 0).y},
                            PaperPoint{whole.corner.x + whole.width() + 10, whole.paper(0, 0).y}};
-  sheet.line(axis, "axis");
+  sheet.line(axis, "centre");
   // Frame of the enlarged part.
   const PaperPoint high = whole.paper(part.r1, part.z0);
   const PaperPoint low = whole.paper(part.r0, part.z1);
@@ -258,7 +258,7 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
   const double axis = view.paper(0, 0).y;
   sheet.line(std::array{PaperPoint{view.corner.x - 10, axis},
                         PaperPoint{view.corner.x + view.width() + 10, axis}},
-             "axis");
+             "centre");
   sheet.scale_bar({view.corner.x, axis + 14}, view.scale, 150);
   sheet.words({view.corner.x, axis + 44}, "small", "Meridian section above the axis");
   axes(sheet, {view.corner.x + view.width() - 66, axis + 52});

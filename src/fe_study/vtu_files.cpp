@@ -1,44 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <array>
 
+#include "field_writer.hpp"
 #include "fields_at_load.hpp"
 #include "strainwave/fe_study/output_files.hpp"
 #include "strainwave/fem/vtu.hpp"
 
 namespace strainwave::fe_study {
-namespace {
-
-/// Writes one field of all ranks: one file per rank, and on the first rank the file that lists
-/// them.
-class FieldWriter {
- public:
-  FieldWriter(std::vector<OutputFile>& files, const Ranks& ranks)
-      : files_(files), rank_(ranks.rank()), size_(ranks.size()) {}
-
-  template <class Text, class Record>
-  void add(const std::string& stem, const Text& text, const Record& record) {
-    if (size_ == 1) {
-      files_.push_back({stem + ".vtu", text()});
-      return;
-    }
-    const auto piece = [&](int rank) { return fmt::format("{}.{}.vtu", stem, rank); };
-    files_.push_back({piece(rank_), text()});
-    if (rank_ != 0) return;
-    std::vector<std::string> pieces;
-    for (int rank = 0; rank < size_; ++rank) pieces.push_back(piece(rank));
-    files_.push_back({stem + ".pvtu", record(pieces)});
-  }
-
- private:
-  std::vector<OutputFile>& files_;
-  int rank_;
-  int size_;
-};
-
-}  // namespace
-
 std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
                                   const Ranks& ranks) {
   std::vector<OutputFile> files;

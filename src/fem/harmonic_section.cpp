@@ -497,9 +497,9 @@ void add_gradient(CylinderGradient& to, const HarmonicPoint& point, int waves, d
   to[2][2] += cosine * point.by_z[2];
 }
 
-std::vector<SectionPlace> HarmonicSection::locate(std::span<const SectionPoint> points) const {
+std::vector<SectionPlace> HarmonicSection::locate(std::span<const SectionPoint> points,
+                                                  double beyond) const {
   const Parts& parts = *parts_;
-  constexpr double kTiny = 1e-7;  // of a cell: a point on its edge counts as inside
   struct Box {
     Triangulation<2>::active_cell_iterator cell;
     std::size_t number;
@@ -513,9 +513,9 @@ std::vector<SectionPlace> HarmonicSection::locate(std::span<const SectionPoint> 
     const dealii::Point<2> at(point.r, point.z);
     std::optional<dealii::Point<2>> unit;
     std::size_t number = 0;
-    double off = kTiny;
+    double off = beyond;
     for (const Box& box : boxes) {
-      if (!box.bounds.point_inside(at, 1e-6)) continue;
+      if (!box.bounds.point_inside(at, std::max(1e-6, 2 * beyond))) continue;
       try {
         const dealii::Point<2> in_cell = parts.mapping.transform_real_to_unit_cell(box.cell, at);
         double outside = 0;

@@ -226,6 +226,16 @@ std::string pvtu_text(const std::vector<std::string>& pieces, const SampledField
   return record(pieces, body_fields(fields.without_crack));
 }
 
+std::string pvd_text(std::span<const SeriesFile> files) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const SeriesFile& file : files)
+    text +=
+        fmt::format("<DataSet timestep=\"{:.12g}\" part=\"0\" file=\"{}\"/>\n", file.at, file.name);
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
 std::string crack_faces_pvtu_text(const std::vector<std::string>& pieces) {
   return record(pieces, face_fields());
 }

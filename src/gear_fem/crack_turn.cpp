@@ -32,6 +32,10 @@ using std::numbers::pi;
 constexpr double kOfRelease = 0.03;
 constexpr double kOfLargest = 0.003;
 
+/// Places of the ring of the sound wall.
+constexpr int kRingAngles = 72;
+constexpr int kRingRadii = 5;
+
 /// The stress of the sound cup in the coordinates of the solid, whose z counts from the lower end
 /// of the barrel.
 class SoundStress {
@@ -41,6 +45,15 @@ class SoundStress {
   [[nodiscard]] std::array<fem::Point3, 3> at(const fem::Point3& place, double from_lobe,
                                               double torque) {
     return turned(place, from_lobe, torque, &OvalCup::field);
+  }
+  [[nodiscard]] fem::Point3 displacement(const fem::Point3& place, double from_lobe,
+                                         double torque) {
+    const double theta = std::atan2(place[1], place[0]);
+    const OvalField field =
+        cup_.field(known(std::hypot(place[0], place[1]), place[2]), from_lobe + theta, torque);
+    const auto& [radial, round, axial] = field.displacement;
+    return {radial * std::cos(theta) - round * std::sin(theta),
+            radial * std::sin(theta) + round * std::cos(theta), axial};
   }
   /// The same for small rotations of the oval.
   [[nodiscard]] std::array<fem::Point3, 3> small_at(const fem::Point3& place, double from_lobe,
@@ -70,10 +83,12 @@ class SoundStress {
   /// The waves at a place; solid elements ask for the same places for each angle, torque and side.
   const OvalPlace& known(double r, double z) {
     constexpr double kSame = 1e-10;  // [m]
+    // The cells of the solid are no exact cylinders, so a place of its surface may lie outside.
+    constexpr double kBeyond = 1e-4;
     const std::pair key{std::llround(r / kSame), std::llround(z / kSame)};
     const auto at = places_.find(key);
     if (at != places_.end()) return at->second;
-    return places_.emplace(key, cup_.at(r, z + barrel_from_)).first->second;
+    return places_.emplace(key, cup_.at(r, z + barrel_from_, kBeyond)).first->second;
   }
 
   const OvalCup& cup_;
@@ -172,6 +187,121 @@ std::string judge(TorqueTurn& turn, const FullSolution& full) {
   return {};
 }
 
+/// The wall at the middle of a crack.
+struct CrackWall {
+  double mean_radius;  ///< [m]
+  double thickness;    ///< [m]
+  double place;        ///< z of the crack's middle [m]
+  double angle;        ///< of the crack, from +z toward -theta [rad]
+};
+
+CrackWall wall_of(const TurningCrack& turning) {
+  return std::visit(
+      [](const auto& tube) {
+        return CrackWall{tube.mean_radius, tube.wall_thickness,
+                         tube.place > 0 ? tube.place : tube.length / 2, tube.angle};
+      },
+      turning.tube);
+}
+
+CrackPlane plane_of(const fem::CrackResponse& crack, const CrackWall& wall) {
+  CrackPlane plane{.nodes = {},
+                   .cells = {crack.cells().begin(), crack.cells().end()},
+                   .half_wall = wall.thickness / 2};
+  for (const fem::CrackNode& node : crack.nodes()) {
+    const auto& [x, y, z] = node.place;
+    const double round = wall.mean_radius * std::atan2(y, x);
+    plane.nodes.push_back(
+        {.along = (z - wall.place) * std::cos(wall.angle) - round * std::sin(wall.angle),
+         .through = std::hypot(x, y) - wall.mean_radius});
+  }
+  return plane;
+}
+
+/// The places of the ring, and the displacement there, which no torque changes.
+SoundRing ring_of(const CrackWall& wall, SoundStress& sound) {
+  SoundRing ring;
+  for (int i = 0; i < kRingRadii; ++i)
+    ring.radii.push_back(wall.mean_radius +
+                         wall.thickness * (static_cast<double>(i) / (kRingRadii - 1) - 0.5));
+  for (int i = 0; i <= kRingAngles; ++i) {
+    ring.angles.push_back(pi * i / kRingAngles);
+    ring.outward.push_back(
+        sound.displacement({wall.mean_radius, 0, wall.place}, ring.angles.back(), 0)[0]);
+  }
+  return ring;
+}
+
+/// Stress normal to the crack round the sound wall, as TorqueTurn::ring_stress.
+std::vector<double> ring_stress(const SoundRing& ring, const CrackWall& wall, SoundStress& sound,
+                                double torque) {
+  const fem::Point3 normal{0, std::cos(wall.angle), std::sin(wall.angle)};
+  std::vector<double> stress;
+  for (const double angle : ring.angles)
+    for (const double radius : ring.radii)
+      stress.push_back(
+          dot(times(sound.at({radius, 0, wall.place}, angle, torque), normal), normal));
+  return stress;
+}
+
+/// Keeps what the faces do at an angle.
+void keep_faces(TorqueTurn& turn, const fem::CrackState& state, double angle) {
+  FacesAtAngle& faces = turn.faces.emplace_back();
+  faces.opening = state.gap;
+  faces.contact_share = state.contact_share;
+  for (const double pressure : state.pressure) faces.touching.push_back(pressure > 0);
+  for (const double opening : faces.opening)
+    if (opening > turn.largest_opening) {
+      turn.largest_opening = opening;
+      turn.at_opening = angle;
+    }
+  turn.least_contact_share = std::min(turn.least_contact_share, state.contact_share);
+  turn.largest_contact_share = std::max(turn.largest_contact_share, state.contact_share);
+}
+
+/// The stress that the crack sees at each of its nodes, times the normal [Pa].
+std::vector<fem::Point3> tractions_at(const fem::CrackResponse& crack, SoundStress& sound,
+                                      double angle, double torque) {
+  std::vector<fem::Point3> tractions;
+  for (const fem::CrackNode& node : crack.nodes())
+    tractions.push_back(times(sound.at(node.place, angle, torque), node.normal));
+  return tractions;
+}
+
+/// Solves each state in full, and hands over its fields.
+void take_frames(const TurningCrack& turning, const fem::CrackResponse& crack, SoundStress& sound) {
+  for (std::size_t t = 0; t < turning.torques.size(); ++t)
+    for (int i = 0; i < turning.angles; ++i) {
+      const double torque = turning.torques[t];
+      const double angle = pi * i / turning.angles;
+      const fem::SolidLoad load{.tractions = {},
+                                .stress_without_crack =
+                                    [&sound, angle, torque](const fem::Point3& place) {
+                                      return sound.at(place, angle, torque);
+                                    },
+                                .released = true,
+                                .displacement_without_crack =
+                                    [&sound, angle, torque](const fem::Point3& place) {
+                                      return sound.displacement(place, angle, torque);
+                                    }};
+      fem::SolidResult solid = std::move(crack.solve({&load, 1}).front());
+      const fem::CrackState state = crack.state(tractions_at(crack, sound, angle, torque));
+      std::size_t s = 0;
+      for (fem::CrackFront& front : solid.fronts)
+        for (fem::FrontStation& station : front.stations) {
+          const fem::StationFactors& K = state.stations.at(s++);
+          station.K_I = K.K_I;
+          station.K_II = K.K_II;
+          station.K_III = K.K_III;
+        }
+      turning.frame({.torque = t,
+                     .number = static_cast<std::size_t>(i),
+                     .angle = angle,
+                     .fields = std::move(solid.fields),
+                     .fronts = std::move(solid.fronts)});
+    }
+}
+
 /// The turn under one torque, without its checks; `result` gets the largest stresses.
 TorqueTurn turn_under(double torque, int angles, const fem::CrackResponse& crack,
                       const std::vector<LabelledStation>& labels, SoundStress& sound,
@@ -185,18 +315,17 @@ TorqueTurn turn_under(double torque, int angles, const fem::CrackResponse& crack
   double most = -1;
   for (int i = 0; i < angles; ++i) {
     const double angle = pi * i / angles;
-    std::vector<fem::Point3> tractions;
-    for (const fem::CrackNode& node : crack.nodes()) {
-      tractions.push_back(times(sound.at(node.place, angle, torque), node.normal));
-      const double across = dot(tractions.back(), node.normal);
+    const std::vector<fem::Point3> tractions = tractions_at(crack, sound, angle, torque);
+    for (std::size_t n = 0; n < tractions.size(); ++n) {
+      const fem::CrackNode& node = crack.nodes()[n];
+      const double across = dot(tractions[n], node.normal);
       const double small =
           dot(times(sound.small_at(node.place, angle, torque), node.normal), node.normal);
       result.largest_stress = std::max(result.largest_stress, std::abs(across));
       result.rotation_stress = std::max(result.rotation_stress, std::abs(across - small));
     }
     const fem::CrackState state = crack.state(tractions);
-    turn.least_contact_share = std::min(turn.least_contact_share, state.contact_share);
-    turn.largest_contact_share = std::max(turn.largest_contact_share, state.contact_share);
+    keep_faces(turn, state, angle);
     double release = 0;  // up to a factor
     for (std::size_t s = 0; s < labels.size(); ++s) {
       const fem::StationFactors& K = state.stations[labels[s].number];
@@ -229,7 +358,9 @@ CrackTurn turn_crack(const TurningCrack& turning) {
   steps.done("sound cup");
   SoundStress sound(cup, section.diaphragm ? section.diaphragm->thickness : 0.0);
   // The factors of this body are freed before those of the smaller crack are made.
-  auto crack = std::make_unique<fem::CrackResponse>(body->mesh(1), body->problem());
+  fem::SolidProblem problem = body->problem();
+  if (turning.frame) problem.fields = turning.fields;
+  auto crack = std::make_unique<fem::CrackResponse>(body->mesh(1), problem);
   steps.done(fmt::format("crack, {} solutions", crack->solutions()));
 
   CrackTurn result;
@@ -237,10 +368,15 @@ CrackTurn turn_crack(const TurningCrack& turning) {
   result.second_order_stress = cup.second_order_stress();
   result.unknowns = crack->unknowns();
   result.states = turning.torques.size() * static_cast<std::size_t>(turning.angles);
+  const CrackWall wall = wall_of(turning);
+  result.plane = plane_of(*crack, wall);
+  result.ring = ring_of(wall, sound);
   const std::vector<LabelledStation> labels = body->labels(crack->stations());
-  for (const double torque : turning.torques)
+  for (const double torque : turning.torques) {
     result.torques.push_back(
         turn_under(torque, turning.angles, *crack, labels, sound, steel.poissons_ratio, result));
+    result.torques.back().ring_stress = ring_stress(result.ring, wall, sound, torque);
+  }
   double range = -1;
   for (const TorqueTurn& turn : result.torques)
     if (const StationTurn& station = *governing_station(turn.stations);
@@ -258,6 +394,10 @@ CrackTurn turn_crack(const TurningCrack& turning) {
                        cup.equilibrium_residual()));
   const std::vector<fem::SolidLoad> states = checked_states(result, sound);
   const std::vector<fem::SolidResult> full = crack->solve(states);
+  if (problem.fields.divisions > 0) {
+    take_frames(turning, *crack, sound);
+    steps.done(fmt::format("fields of {} states", result.states));
+  }
   crack.reset();
   std::vector<fem::SolidResult> smaller;
   if (turning.check_growth)

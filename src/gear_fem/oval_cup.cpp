@@ -444,9 +444,9 @@ std::size_t OvalCup::unknowns() const { return parts_->section.unknowns(); }
 double OvalCup::equilibrium_residual() const { return parts_->residual; }
 double OvalCup::second_order_stress() const { return parts_->second_order; }
 
-OvalPlace OvalCup::at(double r, double z) const {
+OvalPlace OvalCup::at(double r, double z, double beyond) const {
   const std::array<fem::SectionPoint, 1> point{{{.r = r, .z = z}}};
-  const fem::SectionPlace place = parts_->section.locate(point).front();
+  const fem::SectionPlace place = parts_->section.locate(point, beyond).front();
   OvalPlace result{.r = r,
                    .of_waves = {},
                    .of_small_waves = {},

@@ -38,27 +38,30 @@ std::string turn_rows(std::span<const StationTurn> stations, bool through) {
   return text;
 }
 
+PlotPanel turn_panel(const SizedTurn& size, const LoadedTurn& torque, std::string_view tip) {
+  PlotPanel panel;
+  panel.title = fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque, size.name(), tip);
+  panel.x_label = "angle from a lobe to the crack [deg]";
+  panel.y_label = "K_I [MPa·√m]";
+  panel.legend_title = "station, open share";
+  for (const StationTurn& station : torque.stations) {
+    if (station.tip != tip) continue;
+    PlotSeries line{.label = fmt::format("{}, {:.0f} %", place_of(station, !size.depth),
+                                         100 * station.mode_I.open_share)};
+    for (const TurnFactor& K : station.factors) {
+      line.x.push_back(K.angle / units::deg);
+      line.y.push_back(K.K_I / kMPaRootMetre);
+    }
+    panel.series.push_back(std::move(line));
+  }
+  return panel;
+}
+
 std::string turn_plot(std::span<const SizedTurn> sizes, const std::string& subtitle) {
   const std::string_view tip = governing_station(sizes)->tip;
   std::vector<PlotPanel> panels;
   for (const SizedTurn& size : sizes)
-    for (const LoadedTurn& torque : size.torques) {
-      PlotPanel& panel = panels.emplace_back();
-      panel.title = fmt::format("T = {:.6g} N·m, {}, {} tip", torque.torque, size.name(), tip);
-      panel.x_label = "angle from a lobe to the crack [deg]";
-      panel.y_label = "K_I [MPa·√m]";
-      panel.legend_title = "station, open share";
-      for (const StationTurn& station : torque.stations) {
-        if (station.tip != tip) continue;
-        PlotSeries line{.label = fmt::format("{}, {:.0f} %", place_of(station, !size.depth),
-                                             100 * station.mode_I.open_share)};
-        for (const TurnFactor& K : station.factors) {
-          line.x.push_back(K.angle / units::deg);
-          line.y.push_back(K.K_I / kMPaRootMetre);
-        }
-        panel.series.push_back(std::move(line));
-      }
-    }
+    for (const LoadedTurn& torque : size.torques) panels.push_back(turn_panel(size, torque, tip));
   panels.front().subtitle = subtitle;
   return svg_plot(panels);
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/command/command.hpp"
 #include "strainwave/core/ranks.hpp"
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/gear_fem/crack_turn.hpp"
@@ -24,6 +25,8 @@ struct TurnOptions {
   /// Order p of the solid elements, 2 to 4; absent: kSolidOrder
   std::optional<int> order = {};
   LargeRotations large_rotations = LargeRotations::automatic;
+  /// Whether TurnRun::fields is filled in; each state is then also solved in full.
+  bool fields = false;
   /// Called with one line after each step, on every rank; may be empty.
   std::function<void(const std::string&)> progress = {};
 };
@@ -48,6 +51,9 @@ struct TurnRun {
   std::vector<double> torques;  ///< ascending [N*m]
   std::vector<TurnAtSize> sizes;
   std::vector<Note> notes;
+  /// The fields over the turn as VTU files of this rank, with a PVD file for each series; not a
+  /// part of the answer.
+  std::vector<OutputFile> fields;
 
   /// The turns without their checks.  The station of a surface crack next to the surface counts as
   /// that at the surface, 0, where K is not defined.
@@ -82,5 +88,10 @@ struct TurnRun {
 [[nodiscard]] std::string turn_text(const TurnRun& run, const GearSet& gear);
 /// K_I over the turn: a panel for each size and torque, a line for each station.
 [[nodiscard]] std::string turn_plot(const TurnRun& run, const GearSet& gear);
+
+/// Pictures as SVG of at most 2 MB each, for each size of the crack: the opening through the wall
+/// under each torque at the angle of its largest opening; and for each torque an animation (SMIL)
+/// of the oval wall, the opening and K over one wave.  Without scripts or other files.
+[[nodiscard]] std::vector<OutputFile> turn_pictures(const TurnRun& run);
 
 }  // namespace strainwave::fe_study

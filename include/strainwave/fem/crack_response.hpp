@@ -26,6 +26,11 @@ struct CrackNode {
   bool on_front = false;  ///< both sides share the node
 };
 
+/// One face of a cell on the crack: a grid of (p+1)^2 nodes, whose first index runs fastest.
+struct CrackCell {
+  std::vector<std::size_t> nodes;  ///< indices into CrackResponse::nodes
+};
+
 /// K at a station of a front.
 struct StationFactors {
   /// The faces touch beside the station, or would pass through each other; K_I is then exactly 0.
@@ -58,7 +63,7 @@ class CrackResponse {
   /// Factorises the body, and solves once for each node and each number of a station.
   ///
   /// Every rank must call it with the same arguments.  An MpiSession must exist.
-  /// @param problem  with crack_tag and crack_faces = contact; `fields` are not read
+  /// @param problem  with crack_tag and crack_faces = contact; only `solve` reads `fields`
   /// @throws InputError, SolverError  as solve_solid
   CrackResponse(const HexMesh& mesh, const SolidProblem& problem);
   ~CrackResponse();
@@ -66,6 +71,8 @@ class CrackResponse {
   CrackResponse& operator=(CrackResponse&&) noexcept;
 
   [[nodiscard]] std::span<const CrackNode> nodes() const;
+  /// The cells that tile the crack, each once.  The same on every rank.
+  [[nodiscard]] std::span<const CrackCell> cells() const;
   [[nodiscard]] std::span<const StationPlace> stations() const;
   [[nodiscard]] std::size_t unknowns() const;  ///< of the body
   [[nodiscard]] double worst_jacobian() const;

@@ -124,8 +124,10 @@ class HarmonicSection {
   [[nodiscard]] WaveStress large_rotation_stress(const CylinderGradient& gradient) const;
 
   /// Finds places in the section.
+  /// @param beyond  a point this far outside of a cell, over the cell's size, counts as inside [-]
   /// @throws InputError  for a point outside of the section
-  [[nodiscard]] std::vector<SectionPlace> locate(std::span<const SectionPoint> points) const;
+  [[nodiscard]] std::vector<SectionPlace> locate(std::span<const SectionPoint> points,
+                                                 double beyond = 1e-7) const;
 
   /// The field of a solution at a place.
   [[nodiscard]] HarmonicPoint at(const HarmonicSolution& solution, const SectionPlace& place) const;

@@ -38,8 +38,12 @@ struct SolidLoad {
   /// for `added_work`.  With `fields`, it must accept any place.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
   /// The crack releases `stress_without_crack` on its faces, in place of loads that cause it.  The
-  /// displacements are then those that the crack adds (FE-54).
+  /// displacements are then those that the crack adds (FE-54).  The stress of `fields` is that of
+  /// the body, with what the crack released.
   bool released = false;
+  /// Displacement of the body without the crack at any place [m].  The displacements of `fields`
+  /// contain it where the crack releases the stress.  May be empty.
+  PointMap displacement_without_crack = {};
 };
 
 /// A body and how it is held.

@@ -32,6 +32,15 @@ namespace strainwave::fem {
 [[nodiscard]] std::string pvtu_text(const std::vector<std::string>& pieces,
                                     const SampledFields& fields);
 
+/// A file of a series.
+struct SeriesFile {
+  double at{};       ///< time of the file, or what stands for time
+  std::string name;  ///< of a .vtu or .pvtu file in the same folder
+};
+
+/// The .pvd document that names the files of a series with their times.
+[[nodiscard]] std::string pvd_text(std::span<const SeriesFile> files);
+
 /// The .pvtu document for the files of `crack_faces_vtu_text`.
 [[nodiscard]] std::string crack_faces_pvtu_text(const std::vector<std::string>& pieces);
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "strainwave/fem/crack_response.hpp"
 #include "strainwave/gear_fem/checks.hpp"
 #include "strainwave/gear_fem/oval_cup.hpp"
 #include "strainwave/gear_fem/tube_surface_crack.hpp"
@@ -23,6 +24,16 @@ namespace strainwave::gear_fem {
 /// Layers of cells through the wall.  Bending opens the crack on one face and shuts it on the
 /// other, so one layer would not do.
 inline constexpr int kTurnLayers = 2;
+
+/// The body with its crack at one angle, as fields.
+struct TurnFrame {
+  std::size_t torque{};  ///< index into TurningCrack::torques
+  std::size_t number{};  ///< of the angle, from 0
+  double angle{};        ///< from a lobe to the crack [rad]
+  /// Displacement and stress of the oval, of the torque and of the crack together.
+  fem::SampledFields fields;
+  std::vector<fem::CrackFront> fronts;  ///< K as in the results of the turn, not rescaled to G
+};
 
 /// A crack of the barrel of a cup at work.
 struct TurningCrack {
@@ -39,16 +50,51 @@ struct TurningCrack {
   bool check_growth = true;
   /// Called after each step with its name and its time [s]; may be empty.
   std::function<void(const std::string&, double)> done = {};
+  /// Fields of TurnFrame.  With divisions, each state of the turn is also solved in full.
+  fem::FieldRequest fields = {};
+  /// Takes the fields of each state; empty: there are none.
+  std::function<void(const TurnFrame&)> frame = {};
+};
+
+/// The plane of a crack, unrolled.
+struct CrackPlane {
+  struct Node {
+    double along{};    ///< from the middle of the crack toward its upper tip [m]
+    double through{};  ///< from the middle surface of the wall outward [m]
+  };
+  std::vector<Node> nodes;
+  std::vector<fem::CrackCell> cells;  ///< they tile the crack
+  double half_wall{};                 ///< half of the wall thickness [m]
+};
+
+/// The faces of a crack at one angle.
+struct FacesAtAngle {
+  std::vector<double> opening;  ///< at each node of the plane [m]
+  std::vector<bool> touching;   ///< whether the faces press on each other there
+  double contact_share{};       ///< share of the crack that touches [-]
+};
+
+/// The sound wall round the axis, at the height of the crack's middle, over one wave.
+struct SoundRing {
+  std::vector<double> angles;   ///< from a lobe; the last one is the first one again [rad]
+  std::vector<double> radii;    ///< from the inner to the outer face [m]
+  std::vector<double> outward;  ///< radial displacement of the middle surface at each angle [m]
 };
 
 /// A turn under one torque.
 struct TorqueTurn {
   double torque{};  ///< T [N*m]
   std::vector<StationTurn> stations;
-  double least_contact_share{};    ///< least share of the crack that touches, over the turn [-]
-  double largest_contact_share{};  ///< [-]
-  double checked_angle{};          ///< angle of the largest energy release rate [rad]
-  Checks checks;                   ///< of the full solution at this angle
+  double least_contact_share{};     ///< least share of the crack that touches, over the turn [-]
+  double largest_contact_share{};   ///< [-]
+  double largest_opening{};         ///< largest distance of the faces over the turn [m]
+  double at_opening{};              ///< angle of the largest opening [rad]
+  double checked_angle{};           ///< angle of the largest energy release rate [rad]
+  Checks checks;                    ///< of the full solution at this angle
+  std::vector<FacesAtAngle> faces;  ///< at each angle of the turn; not a part of the answer
+  /// Stress normal to the crack that the sound wall has round the axis [Pa], at each angle of the
+  /// ring and each radius, which runs fastest; not a part of the answer.
+  std::vector<double> ring_stress;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -58,6 +104,10 @@ struct TorqueTurn {
           &R::least_contact_share);
     field({"largest_contact_share", "1", "largest share of the crack that touches over the turn"},
           &R::largest_contact_share);
+    field({"largest_opening", "m", "largest distance of the crack's faces over the turn"},
+          &R::largest_opening);
+    field({"at_opening", "rad", "angle from a lobe to the crack at the largest opening"},
+          &R::at_opening);
     field(
         {"checked_angle", "rad", "angle of the largest energy release rate, where the checks are"},
         &R::checked_angle);
@@ -74,6 +124,8 @@ struct CrackTurn {
   double largest_stress{};          ///< largest stress normal to the crack without it [Pa]
   std::vector<TorqueTurn> torques;  ///< as asked for
   std::string_view governing_tip;   ///< the tip with the larger range of K_I
+  CrackPlane plane;                 ///< of TorqueTurn::faces
+  SoundRing ring;                   ///< of TorqueTurn::ring_stress
   std::size_t unknowns{};
   std::size_t states{};  ///< angles times torques
   bool usable = false;

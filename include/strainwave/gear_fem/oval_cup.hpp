@@ -102,8 +102,9 @@ class OvalCup {
 
   /// The waves at a place of the section.
   /// @param r, z  [m], with z from the outer face of the diaphragm as in CupSection
+  /// @param beyond  a place this far outside of a cell, over the cell's size, counts as inside [-]
   /// @throws InputError  for a place outside of the section
-  [[nodiscard]] OvalPlace at(double r, double z) const;
+  [[nodiscard]] OvalPlace at(double r, double z, double beyond = 1e-7) const;
 
   /// The fields at a place and an angle.
   /// @param from_lobe  angle from a lobe of the wave generator toward +theta [rad]

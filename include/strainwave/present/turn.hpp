@@ -3,7 +3,9 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "strainwave/chart/chart.hpp"
 #include "strainwave/model/result/crack_turn.hpp"
 
 /// @file
@@ -20,5 +22,10 @@ namespace strainwave {
 /// of the governing tip.
 /// @param sizes  one or more
 [[nodiscard]] std::string turn_plot(std::span<const SizedTurn> sizes, const std::string& subtitle);
+
+/// One panel of that plot.
+/// @param tip  "upper" or "lower", the tip whose stations are drawn
+[[nodiscard]] PlotPanel turn_panel(const SizedTurn& size, const LoadedTurn& torque,
+                                   std::string_view tip);
 
 }  // namespace strainwave

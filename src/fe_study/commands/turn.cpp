@@ -8,6 +8,7 @@ namespace {
 
 struct TurnCommandOptions : TurnRequestOptions, NonlinearOption, CrackOptions {
   bool dry_run = false;
+  bool fields = false;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -16,6 +17,8 @@ struct TurnCommandOptions : TurnRequestOptions, NonlinearOption, CrackOptions {
     NonlinearOption::describe(field);
     CrackOptions::describe(field);
     field({"dry_run", "", "print size, memory and time without computing"}, &O::dry_run);
+    field({"fields", "", "sample displacement and stress at each angle, as --format vtu needs"},
+          &O::fields);
   }
 };
 
@@ -24,6 +27,7 @@ TurnRun turn_run(const Request& request, const TurnCommandOptions& options) {
   const TurnOptions asked{.request = options.request(run.crack),
                           .order = run.order,
                           .large_rotations = options.large_rotations(),
+                          .fields = options.fields,
                           .progress = run.progress};
   if (!options.dry_run) return run_turn(request.drive.gear, asked, request.ranks);
   TurnRun result = planned_turn(request.drive.gear, asked);
@@ -37,6 +41,22 @@ std::string plot_of_turn(const TurnRun& run, const GearSet& gear) {
   return turn_plot(run, gear);
 }
 
+std::vector<OutputFile> pictures_of_turn(const TurnRun& run, const Rendering& to) {
+  if (!run.calculated)
+    throw OptionError("dry_run", "does not compute the turn; choose another format");
+  return to.ranks.first() ? turn_pictures(run) : std::vector<OutputFile>();
+}
+
+std::vector<OutputFile> fields_of_turn(const TurnRun& run, const Rendering& to) {
+  if (!run.calculated || run.fields.empty())
+    throw OptionError(run.calculated ? "fields" : "dry_run",
+                      run.calculated ? "must be given for this format"
+                                     : "does not compute fields; choose another format");
+  std::vector<OutputFile> files = run.fields;
+  if (to.ranks.first()) files.push_back({.name = "result.json", .text = to.answer.json()});
+  return files;
+}
+
 }  // namespace
 
 Command turn_command() {
@@ -48,12 +68,17 @@ Command turn_command() {
           "crack of the barrel release this stress at each angle. The faces of the crack "
           "may touch, also over a part of the wall. The answer states the largest and the least "
           "K_I at each place of the fronts, and the share of the turn during which this place is "
-          "open. A crack of a drive can name the table as its turn_table.",
+          "open. A crack of a drive can name the table as its turn_table. --format svg draws the "
+          "opening of the crack and an animation over the turn into a folder, --format vtu writes "
+          "the "
+          "fields at each angle for ParaView.",
       .example = "strainwave-fe turn examples/breathing_crack.toml -o turn.csv",
       .function = turn_run,
       .documents =
           {{Format::csv, turn_csv},
            {Format::text, turn_text},
+           {Format::svg, pictures_of_turn},
+           {{.name = "vtu", .format = Format::vtu, .needs = "fields"}, fields_of_turn},
            {{.name = "plot", .format = Format::svg, .option = "plot", .doc = "K_I over the turn"},
             plot_of_turn}},
   });

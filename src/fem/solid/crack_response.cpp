@@ -58,6 +58,30 @@ struct Faces {
   }
 };
 
+/// The faces of cells on one side of the crack, as grids of nodes.
+/// @param place  number of a node, by its first dof
+std::vector<CrackCell> cells_of(const Space& space, const std::map<Index, std::size_t>& place) {
+  struct GridNode {
+    std::array<double, 2> at;  // second and first unit coordinate on the face
+    std::size_t number;
+  };
+  std::vector<CrackCell> cells;
+  space.visit_crack_faces([&](const Cell& cell, unsigned f) {
+    if (space.source(cell).side < 0) return;
+    const unsigned first = f / 2 == 0 ? 1 : 0;
+    const unsigned second = f / 2 == 2 ? 1 : 2;
+    std::vector<GridNode> grid;
+    space.visit_face_nodes(cell, f, [&](unsigned a, const Node& node) {
+      const Point<3>& unit = space.scalar.unit_support_point(a);
+      grid.push_back({{unit[second], unit[first]}, place.at(node[0])});
+    });
+    std::ranges::sort(grid, {}, &GridNode::at);
+    CrackCell& one = cells.emplace_back();
+    for (const GridNode& node : grid) one.nodes.push_back(node.number);
+  });
+  return cells;
+}
+
 }  // namespace
 
 struct CrackResponse::Parts {
@@ -65,6 +89,7 @@ struct CrackResponse::Parts {
 
   FactoredSolid solid;
   std::vector<CrackNode> nodes;
+  std::vector<CrackCell> cells;
   std::vector<StationPlace> stations;
   std::vector<std::vector<std::size_t>> beside;  ///< pairs beside each station, may repeat
   std::size_t pairs = 0;
@@ -106,6 +131,8 @@ CrackResponse::CrackResponse(const HexMesh& mesh, const SolidProblem& problem) {
                            .on_front = i >= parts.pairs});
     if (i < parts.pairs) parts.area[static_cast<Eigen::Index>(i)] = p.area;
   }
+
+  parts.cells = cells_of(space, faces.place);
 
   // Gaps, by reciprocity: the work of the forces of tractions on the displacements under a unit
   // pressure at a pair is the pair's area times its gap under these forces.
@@ -183,6 +210,7 @@ CrackResponse::CrackResponse(CrackResponse&&) noexcept = default;
 CrackResponse& CrackResponse::operator=(CrackResponse&&) noexcept = default;
 
 std::span<const CrackNode> CrackResponse::nodes() const { return parts_->nodes; }
+std::span<const CrackCell> CrackResponse::cells() const { return parts_->cells; }
 std::span<const StationPlace> CrackResponse::stations() const { return parts_->stations; }
 std::size_t CrackResponse::unknowns() const { return parts_->unknowns; }
 double CrackResponse::worst_jacobian() const { return parts_->worst_jacobian; }

@@ -50,7 +50,14 @@ std::vector<CrackFace> crack_faces(const Space& space, bool upper) {
   return faces;
 }
 
-std::vector<CrackFacePatch> crack_face_patches(const Space& space, const Vector& u) {
+/// Displacement of the body without the crack where the load does not cause it [m].
+Tensor<1, 3> sound_displacement(const SolidLoad& load, const Point<3>& place) {
+  if (!load.released || !load.displacement_without_crack) return {};
+  return to_tensor(load.displacement_without_crack(to_array(place)));
+}
+
+std::vector<CrackFacePatch> crack_face_patches(const Space& space, const SolidLoad& load,
+                                               const Vector& u) {
   const std::vector<CrackFace> lower = crack_faces(space, false);
   const dealii::Quadrature<2> points = sample_points<2>(space.problem.fields.divisions);
   // The normal is not defined at a front with a singular map, so evaluate it next to the front.
@@ -89,10 +96,13 @@ std::vector<CrackFacePatch> crack_face_patches(const Space& space, const Vector&
                                            return a.distance(place) < b.distance(place);
                                          });
       const Tensor<1, 3>& opposite = below[static_cast<std::size_t>(same - place_below.begin())];
+      const Tensor<1, 3> sound = sound_displacement(load, place);
+      const Tensor<1, 3> up = above[q] + sound;
+      const Tensor<1, 3> down = opposite + sound;
       patch.points.push_back(
           {.place = to_array(place),
-           .upper = {above[q][0], above[q][1], above[q][2]},
-           .lower = {opposite[0], opposite[1], opposite[2]},
+           .upper = {up[0], up[1], up[2]},
+           .lower = {down[0], down[1], down[2]},
            .opening = (opposite - above[q]) * normals.normal_vector(q)});  // (FE-39)
     }
   }
@@ -131,22 +141,24 @@ SampledFields sampled_fields(const Space& space, const SolidLoad& load, const Ve
     sampled.face_tag = source.face_tag;
     sampled.cell = static_cast<std::size_t>(cell->index());
     for (unsigned q = 0; q < points.size(); ++q) {
-      const Tensor<1, 3> moved = displacement.at(values, q);
-      const Tensor2 s = space.lame.stress(gradient[q]);
+      const Tensor<1, 3> moved =
+          displacement.at(values, q) + sound_displacement(load, values.quadrature_point(q));
+      Tensor2 s = space.lame.stress(gradient[q]);
       FieldPoint p{.place = to_array(values.quadrature_point(q))};
-      p.displacement = {moved[0], moved[1], moved[2]};
-      p.stress = {s[0][0], s[1][1], s[2][2], s[1][2], s[0][2], s[0][1]};
-      p.energy_density = energy_of_stress(s, problem.material);
       if (fields.without_crack) {
         const auto sound = load.stress_without_crack(p.place);
         Tensor2 s0;
         for (unsigned i = 0; i < 3; ++i) s0[i] = to_tensor(sound[i]);
         p.energy_density_without_crack = energy_of_stress(s0, problem.material);
+        if (load.released) s += s0;
       }
+      p.displacement = {moved[0], moved[1], moved[2]};
+      p.stress = {s[0][0], s[1][1], s[2][2], s[1][2], s[0][2], s[0][1]};
+      p.energy_density = energy_of_stress(s, problem.material);
       sampled.points.push_back(p);
     }
   }
-  fields.crack_faces = crack_face_patches(space, u);
+  fields.crack_faces = crack_face_patches(space, load, u);
   return fields;
 }
 
