@@ -40,11 +40,11 @@ BasicShellFactors<Real> flat_sheet() {
 /// The stress on the plane of a crack of a row that acts like its stress and its neighbours.
 template <class Real>
 BasicCrackPlaneStress<Real> with_neighbours(const BasicThroughCrackInTube<Real>& crack,
-                                            const Real& a,
+                                            const Real& a, bool open,
                                             const BasicCrackPlaneStress<Real>& stress) {
   const Real share = crack.row_share(a);
   BasicCrackPlaneStress<Real> result;
-  if (!crack.open) {
+  if (!open) {
     const Real sliding = pressed_row(share, crack.row_angle());
     for (const std::size_t i : {kAxial, kTorsion})
       result.shear[i] = sliding * stress.shear[i];  // (CG-7)
@@ -96,20 +96,34 @@ BasicCrackPlaneStress<DualReal> crack_plane_stress(const DualReal& mean_radius,
 
 template <class Real>
 Real BasicThroughCrackInTube<Real>::wall_factor(const Real& a) const {
-  if (thin_sheet) return 1.0;
-  using std::pow, std::sin, std::sqrt;
-  const Real& nu = poissons_ratio;
+  const ApartAndPressed<Real> both = BasicWallFactor<Real>(*this).at(a);
+  return open ? both.apart : both.pressed;
+}
+
+template <class Real>
+BasicWallFactor<Real>::BasicWallFactor(const BasicThroughCrackInTube<Real>& crack)
+    : thin_sheet_(crack.thin_sheet),
+      poissons_ratio_squared_(crack.poissons_ratio * crack.poissons_ratio),
+      wall_thickness_(crack.wall_thickness) {
+  if (thin_sheet_ || !crack.shell_correction) return;
+  using std::sin, std::sqrt;
+  const Real sine = sin(crack.angle);
+  const Real apart = kThickAxial + kThickRound * sine * sine;
+  // Pressed faces reduce the effect; it vanishes if they only slide.
+  const Real slant = without_rounding_noise(sin(2 * crack.angle));
+  const Real pressed = apart - kThickPressed * slant * slant;
+  const Real thickness =
+      sqrt(crack.shell_parameter_squared(1.0)) * crack.wall_thickness / crack.mean_radius;
+  bulging_ = {apart * thickness, pressed * thickness};
+}
+
+template <class Real>
+ApartAndPressed<Real> BasicWallFactor<Real>::at(const Real& a) const {
+  if (thin_sheet_) return {1.0, 1.0};
+  using std::pow;
   const Real constraint =
-      1 - nu * nu / (1 + kRelief * pow(a / wall_thickness, kReliefPower));  // (FR-21)
-  if (!shell_correction) return constraint;
-  const Real sine = sin(angle);
-  Real bulging = kThickAxial + kThickRound * sine * sine;
-  if (!open) {  // pressed faces reduce the effect; it vanishes if they only slide
-    const Real pressed = without_rounding_noise(sin(2 * angle));
-    bulging -= kThickPressed * pressed * pressed;
-  }
-  const Real thickness = sqrt(shell_parameter_squared(a)) * wall_thickness / mean_radius;
-  return constraint * (1 + bulging * thickness);  // (FR-21)
+      1 - poissons_ratio_squared_ / (1 + kRelief * pow(a / wall_thickness_, kReliefPower));
+  return {constraint * (1 + bulging_.apart * a), constraint * (1 + bulging_.pressed * a)};  // (FR-21)
 }
 
 template <class Real>
@@ -117,27 +131,53 @@ BasicThroughCrackFamily<Real>::BasicThroughCrackFamily(const BasicThroughCrackIn
     : crack_(crack),
       stress_(crack.tip_stress ? *crack.tip_stress
                                : crack_plane_stress(crack.mean_radius, crack.wall_thickness,
-                                                    crack.angle, crack.stress_nonuniformity)) {
+                                                    crack.angle, crack.stress_nonuniformity)),
+      wall_(crack) {
   if (!crack.shell_correction) return;
+  using std::sqrt;
+  shell_per_size_ = sqrt(crack.shell_parameter_squared(1.0));
   shell_.emplace(crack.angle);
   if (crack.count > 1 && crack.open) row_.emplace(crack.angle);
 }
 
 template <class Real>
+Real BasicThroughCrackFamily<Real>::wall_factor(const Real& a) const {
+  const ApartAndPressed<Real> both = wall_factors(a);
+  return crack_.open ? both.apart : both.pressed;
+}
+
+template <class Real>
 LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::linear_stress_intensity(
     const Real& a) const {
+  return intensity(factors(a), a, crack_.open);
+}
+
+template <class Real>
+ApartAndPressed<LinearStressIntensity<2, Real>> BasicThroughCrackFamily<Real>::in_both_states(
+    const Real& a) const {
+  const BasicShellFactors<Real> of_shell = factors(a);
+  return {intensity(of_shell, a, true), intensity(of_shell, a, false)};
+}
+
+template <class Real>
+BasicShellFactors<Real> BasicThroughCrackFamily<Real>::factors(const Real& a) const {
+  if (!shell_) return flat_sheet<Real>();
+  const Real lambda = shell_per_size_ * a;
+  // Beyond the end of the table, its last value is used.
+  return shell_->at(value_of(lambda) < kShellTableEnd ? lambda : Real(kShellTableEnd));
+}
+
+template <class Real>
+LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::intensity(
+    const BasicShellFactors<Real>& f, const Real& a, bool open) const {
   using std::sqrt;
-  const auto factors = [&] {
-    if (!shell_) return flat_sheet<Real>();
-    const Real lambda = sqrt(crack_.shell_parameter_squared(a));
-    // Beyond the end of the table, its last value is used.
-    return shell_->at(value_of(lambda) < kShellTableEnd ? lambda : Real(kShellTableEnd));
-  };
-  const BasicShellFactors<Real> f = factors();
   const bool in_row = crack_.count > 1;
-  const BasicCrackPlaneStress<Real> plane = in_row ? with_neighbours(crack_, a, stress_) : stress_;
+  const BasicCrackPlaneStress<Real> plane =
+      in_row ? with_neighbours(crack_, a, open, stress_) : stress_;
+  const bool curved_between = row_ && open;
   BasicShellFactors<Real> between{};  // what the curvature between the cracks adds
-  if (row_) between = row_->at(Real(sqrt(crack_.shell_parameter_squared(a))), crack_.row_share(a));
+  if (curved_between)
+    between = row_->at(Real(shell_per_size_ * a), crack_.row_share(a));
   const Real root = sqrt(pi * a);
   LinearStressIntensity<2, Real> k;
   const auto fill = [&](UnitStressIntensity<2, Real>& part, Real BasicWallIntensity<Real>::*which) {
@@ -147,11 +187,11 @@ LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::linear_stress_inte
       const Real& sound_normal = stress_.normal[i];
       const Real& sound_shear = stress_.shear[i];
       part.II[i] = f.sliding_by_shear.*which * shear * root;  // (FR-7)
-      if (!crack_.open) continue;  // the faces carry the stress that presses them
+      if (!open) continue;  // the faces carry the stress that presses them
       part.I[i] = (f.opening_by_normal.*which * normal + f.opening_by_shear.*which * shear) *
                   root;                                          // (FR-7, FR-9)
       part.II[i] += f.sliding_by_normal.*which * normal * root;  // (FR-9)
-      if (!row_) continue;
+      if (!curved_between) continue;
       part.I[i] += (between.opening_by_normal.*which * sound_normal +
                     between.opening_by_shear.*which * sound_shear) *
                    root;  // (CG-8)
@@ -181,6 +221,8 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
   return release(true) / release(false);  // (FR-9)
 }
 
+template class BasicWallFactor<double>;
+template class BasicWallFactor<CrackReal>;
 template class BasicThroughCrackFamily<double>;
 template class BasicThroughCrackFamily<CrackReal>;
 template struct BasicThroughCrackInTube<double>;

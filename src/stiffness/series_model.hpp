@@ -49,6 +49,15 @@ struct AddedBothSenses {
 template <class Solution>
 [[nodiscard]] AddedBothSenses<Solution::kLoads, ScalarOf<Solution>> closed_form(
     const LoadedCrack<Solution>& crack, const QuadratureOptions& options) {
+  using Added = AddedBothSenses<Solution::kLoads, ScalarOf<Solution>>;
+  if constexpr (SharedByFaces<Solution>) {
+    if (crack.faces.differ()) {
+      const auto both = integrated_in_both_states(
+          crack.solution, {crack.moduli, crack.moduli.pressed()}, options);
+      return crack.faces.negative == Faces::pressed ? Added{both.apart, both.pressed}
+                                                    : Added{both.pressed, both.apart};
+    }
+  }
   const auto added_under = [&](Faces state) {
     return added_compliance(crack.with_faces(state), crack.moduli_with(state), options);
   };

@@ -157,13 +157,8 @@ SeriesCompliance<Real> sum_of_members(const GearSet& gear, const SeriesModel<Rea
 }  // namespace
 
 struct SeriesDerivatives::Cracks {
-  /// Derivatives of one crack under both senses of torque.
-  template <class Solution>
-  struct BothSensesOf {
-    CrackDerivatives<Solution> positive;
-    std::optional<CrackDerivatives<Solution>> negative;  ///< absent: as under positive torque
-  };
-  std::vector<OfAnySolution<DualReal, BothSensesOf>> of;  ///< by index; filled when first read
+  /// By index; filled when first read.
+  std::vector<OfAnySolution<DualReal, CrackDerivatives>> of;
 };
 
 namespace {
@@ -177,23 +172,17 @@ struct ByDerivatives {
 
   template <class Solution, class Add>
   void operator()(std::size_t index, const CrackNumbers<Solution>& numbers, const Add& add) {
-    using Both = SeriesDerivatives::Cracks::BothSensesOf<Solution>;
     if (index >= cracks.of.size()) cracks.of.resize(index + 1);
     auto& any = cracks.of[index];
-    if (std::holds_alternative<std::monostate>(any)) {
-      const auto under = [&](Faces faces) {
-        return CrackDerivatives<Solution>(numbers, faces, options);
-      };
-      Both both{.positive = under(numbers.faces.positive), .negative = {}};
-      if (numbers.faces.differ()) both.negative = under(numbers.faces.negative);
-      any = std::move(both);
-    }
-    const Both& both = std::get<Both>(any);
-    converged =
-        converged && both.positive.converged() && (!both.negative || both.negative->converged());
+    if (std::holds_alternative<std::monostate>(any))
+      any.template emplace<CrackDerivatives<Solution>>(numbers, options);
+    const auto& derivatives = std::get<CrackDerivatives<Solution>>(any);
+    converged = converged && derivatives.converged();
     using Matrix = SymmetricMatrix<Solution::kLoads, DualReal>;
-    const DualReal positive = model.at_output(Matrix(both.positive(numbers)));
-    add(positive, both.negative ? model.at_output(Matrix((*both.negative)(numbers))) : positive);
+    const UnderBothSenses<DualReal> added = derivatives(numbers);
+    const DualReal positive = model.at_output(Matrix(added.positive));
+    add(positive,
+        numbers.faces.differ() ? model.at_output(Matrix(added.negative)) : positive);
   }
 };
 

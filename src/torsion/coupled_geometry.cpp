@@ -99,7 +99,7 @@ Real hinge_compliance(const Real& depth, const Real& thickness, const Real& widt
       .moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G},
       .faces = {}};
   if constexpr (is_dual<Real>)
-    return CrackDerivatives(crack, Faces::open, {})(crack);  // (TC-22)
+    return CrackDerivatives(crack, {})(crack).positive;  // (TC-22)
   else
     return added_compliance(crack.parameters, crack.moduli).matrix(0, 0);  // (TC-22)
 }
@@ -159,7 +159,7 @@ DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
                      if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, Crack>)
                        if (of == path) {
                          const auto numbers = loads.numbers(crack);
-                         result = CrackDerivatives(numbers, numbers.faces.positive, {})(numbers);
+                         result = CrackDerivatives(numbers, {})(numbers).positive;
                        }
                    });
     return result;

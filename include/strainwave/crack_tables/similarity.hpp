@@ -406,15 +406,23 @@ class UnderLastLoad {
   [[nodiscard]] UnitStressIntensity<1, Real> stress_intensity(const Real& a, double s) const {
     return last(crack_.stress_intensity(a, s));
   }
-  [[nodiscard]] Real wall_factor(const Real& a) const requires WallCrack<Crack> {
-    return crack_.wall_factor(a);
-  }
   [[nodiscard]] auto family() const requires LinearFront<Crack> {
     struct Family {
       decltype(std::declval<const Crack&>().family()) of;
       [[nodiscard]] LinearStressIntensity<1, Real> linear_stress_intensity(const Real& a) const {
-        const auto k = of.linear_stress_intensity(a);
-        return {last(k.mean), last(k.slope)};
+        return last(of.linear_stress_intensity(a));
+      }
+      [[nodiscard]] ApartAndPressed<LinearStressIntensity<1, Real>> in_both_states(
+          const Real& a) const requires SharedByFaces<Crack> {
+        const auto both = of.in_both_states(a);
+        return {last(both.apart), last(both.pressed)};
+      }
+      [[nodiscard]] Real wall_factor(const Real& a) const requires WallCrack<Crack> {
+        return of.wall_factor(a);
+      }
+      [[nodiscard]] ApartAndPressed<Real> wall_factors(const Real& a) const requires
+          SharedByFaces<Crack> {
+        return of.wall_factors(a);
       }
     };
     return Family{crack_.family()};
@@ -440,6 +448,10 @@ class UnderLastLoad {
       const UnitStressIntensity<Crack::kLoads, Real>& k) {
     return {.I = {k.I.back()}, .II = {k.II.back()}, .III = {k.III.back()}};
   }
+  [[nodiscard]] static LinearStressIntensity<1, Real> last(
+      const LinearStressIntensity<Crack::kLoads, Real>& k) {
+    return {last(k.mean), last(k.slope)};
+  }
 
   Crack crack_;
 };
@@ -464,6 +476,22 @@ template <class Solution, class From>
   const auto added = added_compliance(
       UnderLastLoad<Solution>(faces == Faces::pressed ? open.pressed() : open), moduli, options);
   return {added.matrix(0, 0) / Similar::size_of(numbers), added.converged};
+}
+
+/// `similar_part` with the faces apart and pressed, for moduli that do not depend on the state, by
+/// one quadrature.
+template <class Solution, class From>
+[[nodiscard]] ApartAndPressed<SimilarPart<ScalarOf<Solution>>> similar_part_in_both_states(
+    const From& like, const std::array<ScalarOf<Solution>, Similarity<Solution>::kArguments>& x,
+    CrackPart part, const BasicCrackModuli<ScalarOf<Solution>>& moduli,
+    const QuadratureOptions& options) requires SharedByFaces<UnderLastLoad<Solution>> {
+  using Similar = Similarity<Solution>;
+  const auto numbers = Similar::shape(like, x, part);
+  const auto added = integrated_in_both_states(UnderLastLoad<Solution>(Solution(numbers)),
+                                               {moduli, moduli}, options);
+  const auto size = Similar::size_of(numbers);
+  return {{added.apart.matrix(0, 0) / size, added.apart.converged},
+          {added.pressed.matrix(0, 0) / size, added.pressed.converged}};
 }
 
 /// Unit moduli under which only one part releases energy.

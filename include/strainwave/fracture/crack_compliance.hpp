@@ -74,6 +74,35 @@ struct SymmetricMatrix {
   }
 };
 
+/// What a crack has while its faces are apart, and while they are pressed together (FR-17).
+template <class T>
+struct ApartAndPressed {
+  T apart{};    ///< with the faces apart
+  T pressed{};  ///< with the faces pressed together
+
+  /// Sums, differences and multiples of both, as adaptive quadrature needs them.
+  /// @{
+  ApartAndPressed& operator+=(const ApartAndPressed& other) {
+    apart += other.apart;
+    pressed += other.pressed;
+    return *this;
+  }
+  friend ApartAndPressed operator+(ApartAndPressed a, const ApartAndPressed& b) { return a += b; }
+  friend ApartAndPressed operator-(const ApartAndPressed& a, const ApartAndPressed& b) {
+    return {a.apart - b.apart, a.pressed - b.pressed};
+  }
+  template <class Factor>
+  friend ApartAndPressed operator*(const ApartAndPressed& a, const Factor& factor) {
+    return {a.apart * factor, a.pressed * factor};
+  }
+  /// @}
+
+  /// The larger magnitude of both; adaptive quadrature uses it as the norm.
+  friend double abs(const ApartAndPressed& a) {
+    return std::max(magnitude(a.apart), magnitude(a.pressed));
+  }
+};
+
 /// Indices of the two generalised loads of a tube or shaft.
 enum Load2 : std::size_t { kAxial = 0, kTorsion = 1 };
 
@@ -204,8 +233,18 @@ concept FrontOfSquares = SweptCrack<C> &&
 /// A crack in a wall too thick for a sheet: G is wall_factor(a) times the value from K and the
 /// moduli.
 template <class C>
-concept WallCrack = SweptCrack<C> && requires(const C& crack, const ScalarOf<C>& a) {
-  { crack.wall_factor(a) } -> std::convertible_to<ScalarOf<C>>;
+concept WallCrack = LinearFront<C> && requires(const C& crack, const ScalarOf<C>& a) {
+  { crack.family().wall_factor(a) } -> std::convertible_to<ScalarOf<C>>;
+};
+
+/// A crack whose solutions with the faces apart and pressed share most of their work, so one
+/// quadrature takes both.
+template <class C>
+concept SharedByFaces = WallCrack<C> && requires(const C& crack, const ScalarOf<C>& a) {
+  {
+    crack.family().in_both_states(a)
+    } -> std::same_as<ApartAndPressed<LinearStressIntensity<C::kLoads, ScalarOf<C>>>>;
+  { crack.family().wall_factors(a) } -> std::same_as<ApartAndPressed<ScalarOf<C>>>;
 };
 
 /// A crack whose stress intensity was derived from its added compliance, which it knows at every
@@ -254,6 +293,72 @@ template <std::size_t N, class Real>
   return density;
 }
 
+/// Mean of d(lambda_ij)/dA along a front with linear stress intensity; (FR-2).
+template <std::size_t N, class Real>
+[[nodiscard]] SymmetricMatrix<N, Real> mean_compliance_density(
+    const LinearStressIntensity<N, Real>& k, const BasicCrackModuli<Real>& moduli) {
+  return compliance_density(k.mean, moduli) + compliance_density(k.slope, moduli) * Real(1.0 / 3);
+}
+
+/// Units of the entries of a compliance matrix in which loads that release equal energy count
+/// alike, so that one tolerance suits all entries.
+template <std::size_t N, class Real>
+[[nodiscard]] SymmetricMatrix<N> units_of_equal_energy(const SymmetricMatrix<N, Real>& matrix) {
+  SymmetricMatrix<N> units(1.0);
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t j = i; j < N; ++j) {
+      const double product =
+          std::sqrt(magnitude(matrix(i, i))) * std::sqrt(magnitude(matrix(j, j)));
+      if (product > 0) units(i, j) = product;
+    }
+  return units;
+}
+template <std::size_t N, class Real>
+[[nodiscard]] ApartAndPressed<SymmetricMatrix<N>> units_of_equal_energy(
+    const ApartAndPressed<SymmetricMatrix<N, Real>>& both) {
+  return {units_of_equal_energy(both.apart), units_of_equal_energy(both.pressed)};
+}
+
+/// A matrix divided by its units, entry by entry, and multiplied by them again.
+/// @{
+template <std::size_t N, class Real>
+[[nodiscard]] SymmetricMatrix<N, Real> over_units(SymmetricMatrix<N, Real> matrix,
+                                                  const SymmetricMatrix<N>& units) {
+  for (std::size_t n = 0; n < units.upper.size(); ++n) matrix.upper[n] /= units.upper[n];
+  return matrix;
+}
+template <std::size_t N, class Real>
+[[nodiscard]] ApartAndPressed<SymmetricMatrix<N, Real>> over_units(
+    const ApartAndPressed<SymmetricMatrix<N, Real>>& both,
+    const ApartAndPressed<SymmetricMatrix<N>>& units) {
+  return {over_units(both.apart, units.apart), over_units(both.pressed, units.pressed)};
+}
+template <std::size_t N, class Real>
+[[nodiscard]] SymmetricMatrix<N, Real> in_units(SymmetricMatrix<N, Real> matrix,
+                                                const SymmetricMatrix<N>& units) {
+  for (std::size_t n = 0; n < units.upper.size(); ++n) matrix.upper[n] *= units.upper[n];
+  return matrix;
+}
+/// @}
+
+/// Integral over the size of a crack, from 0 to the size that it has.
+/// @param along_front  callable: size -> what the front at this size adds per unit of size
+template <SweptCrack Crack, class AlongFront>
+[[nodiscard]] auto integrated_over_size(const Crack& crack, const AlongFront& along_front,
+                                        const QuadratureOptions& options) {
+  using Real = ScalarOf<Crack>;
+  if constexpr (WallCrack<Crack>) {
+    // A non-integer power of a is smoother as a function of the square root of a.
+    const auto over_root = [&](double u) {
+      const Real a = crack.size() * (u * u);
+      return along_front(a) * (2 * u * crack.size());
+    };
+    return integrate(over_root, 0.0, 1.0, options);
+  } else {
+    return integrate([&](const Real& a) { return along_front(a); }, 0.0, crack.size(), options);
+  }
+}
+
 /// The integral of `added_compliance` by adaptive quadrature, for any crack.
 ///
 /// Implements theory manual eq. (FR-2).
@@ -282,11 +387,9 @@ template <SweptCrack Crack>
   const auto along_front = [&] {
     if constexpr (LinearFront<Crack>) {
       return [&, family = crack.family()](const Real& a) {
-        const auto k = family.linear_stress_intensity(a);
-        const SymmetricMatrix<N, Real> sum = compliance_density(k.mean, moduli) +
-                                             compliance_density(k.slope, moduli) * Real(1.0 / 3);
+        const auto sum = mean_compliance_density(family.linear_stress_intensity(a), moduli);
         Real length = 2 * crack.swept_area(a, 0.0);
-        if constexpr (WallCrack<Crack>) length *= crack.wall_factor(a);
+        if constexpr (WallCrack<Crack>) length *= family.wall_factor(a);
         return sum * length;
       };
     } else if constexpr (FrontOfSquares<Crack>) {
@@ -301,41 +404,51 @@ template <SweptCrack Crack>
       return [&](const Real& a) { return point ? density(a, front.begin) : by_quadrature(a); };
     }
   }();
-  // The loads have different units, so the entries may differ by powers of ten.  Scale the loads to
-  // units that release equal energy at the final size; then one tolerance suits all entries.
-  SymmetricMatrix<N> scale(1.0);
-  if constexpr (N > 1) {
-    const SymmetricMatrix<N, Real> final = along_front(crack.size());
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = i; j < N; ++j) {
-        const double product = std::sqrt(value_of(final(i, i))) * std::sqrt(value_of(final(j, j)));
-        if (product > 0) scale(i, j) = product;
-      }
-  }
-  const auto scaled = [&](SymmetricMatrix<N, Real> matrix) {
-    for (std::size_t n = 0; n < scale.upper.size(); ++n) matrix.upper[n] /= scale.upper[n];
-    return matrix;
-  };
-  const auto integral = [&] {
-    if constexpr (WallCrack<Crack>) {
-      // A non-integer power of a is smoother as a function of the square root of a.
-      const auto over_root = [&](double u) {
-        const Real a = crack.size() * (u * u);
-        return scaled(along_front(a)) * (2 * u * crack.size());
-      };
-      return integrate(over_root, 0.0, 1.0, options);
-    } else {
-      return integrate([&](const Real& a) { return scaled(along_front(a)); }, 0.0, crack.size(),
-                       options);
-    }
-  }();
-
-  result.matrix = integral.value;
-  for (std::size_t n = 0; n < scale.upper.size(); ++n) result.matrix.upper[n] *= scale.upper[n];
+  // The loads have different units, so the entries may differ by powers of ten.
+  SymmetricMatrix<N> units(1.0);
+  if constexpr (N > 1) units = units_of_equal_energy(along_front(crack.size()));
+  const auto integral = integrated_over_size(
+      crack, [&](const Real& a) { return over_units(along_front(a), units); }, options);
+  result.matrix = in_units(integral.value, units);
   const double size = abs(integral.value);
   result.relative_error = size > 0 ? integral.error / size : 0.0;
   result.converged = result.converged && (integral.converged || size == 0);
   return result;
+}
+
+/// `integrated_compliance` with the faces apart and pressed, by one quadrature.
+///
+/// Implements theory manual eqs. (FR-2), (FR-17).
+/// @param crack    with its faces apart
+/// @param moduli   E' and mu in each state; > 0
+/// @param options  tolerance of the adaptive quadrature, which each of both results meets
+template <SharedByFaces Crack>
+[[nodiscard]] ApartAndPressed<CrackCompliance<Crack::kLoads, ScalarOf<Crack>>>
+integrated_in_both_states(const Crack& crack,
+                          const ApartAndPressed<BasicCrackModuli<ScalarOf<Crack>>>& moduli,
+                          const QuadratureOptions& options = {}) {
+  constexpr std::size_t N = Crack::kLoads;
+  using Real = ScalarOf<Crack>;
+  using Both = ApartAndPressed<SymmetricMatrix<N, Real>>;
+  const auto along_front = [&, family = crack.family()](const Real& a) {
+    const auto k = family.in_both_states(a);
+    const ApartAndPressed<Real> factor = family.wall_factors(a);
+    const Real length = 2 * crack.swept_area(a, 0.0);
+    return Both{mean_compliance_density(k.apart, moduli.apart) * (length * factor.apart),
+                mean_compliance_density(k.pressed, moduli.pressed) * (length * factor.pressed)};
+  };
+  // A pressed crack may add much less than an open one, and must meet the tolerance too.
+  const auto units = units_of_equal_energy(along_front(crack.size()));
+  const auto integral = integrated_over_size(
+      crack, [&](const Real& a) { return over_units(along_front(a), units); }, options);
+  const auto result = [&](const SymmetricMatrix<N, Real>& matrix, const SymmetricMatrix<N>& unit) {
+    const double size = abs(matrix);
+    return CrackCompliance<N, Real>{.matrix = in_units(matrix, unit),
+                                    .relative_error = size > 0 ? integral.error / size : 0.0,
+                                    .converged = integral.converged || size == 0};
+  };
+  return {result(integral.value.apart, units.apart),
+          result(integral.value.pressed, units.pressed)};
 }
 
 /// Added compliance of a crack,

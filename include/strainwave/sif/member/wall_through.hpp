@@ -120,6 +120,23 @@ struct BasicThroughCrackInTube {
 };
 using ThroughCrackInTube = BasicThroughCrackInTube<double>;
 
+/// Factor of the wall's thickness at all sizes of a crack; eq. (FR-21).
+template <class Real>
+class BasicWallFactor {
+ public:
+  /// Computes what does not depend on the size of the crack.
+  explicit BasicWallFactor(const BasicThroughCrackInTube<Real>& crack);
+
+  /// The factor at a size, with the faces apart and pressed [-].
+  [[nodiscard]] ApartAndPressed<Real> at(const Real& a) const;
+
+ private:
+  bool thin_sheet_;
+  Real poissons_ratio_squared_;
+  Real wall_thickness_;
+  ApartAndPressed<Real> bulging_{};  ///< growth with the size [1/m]; 0 without the curvature
+};
+
 /// A through crack at all sizes; what does not depend on the size is computed once.
 template <class Real>
 class BasicThroughCrackFamily {
@@ -127,12 +144,26 @@ class BasicThroughCrackFamily {
   /// Computes what does not depend on the size of the crack.
   explicit BasicThroughCrackFamily(const BasicThroughCrackInTube<Real>& crack);
 
+  /// Factor of the wall's thickness on the energy release rate of the sheet [-]; eq. (FR-21).
+  [[nodiscard]] Real wall_factor(const Real& a) const;
+  /// The same with the faces apart and pressed, whatever the state of the crack.
+  [[nodiscard]] ApartAndPressed<Real> wall_factors(const Real& a) const { return wall_.at(a); }
+
   /// K of the sheet through the wall [Pa*m^0.5 per unit of load]; (FR-7), (FR-9).
   [[nodiscard]] LinearStressIntensity<2, Real> linear_stress_intensity(const Real& a) const;
+  /// The same with the faces apart and pressed; the factors of the shell are computed once.
+  /// Only the family of a crack with its faces apart answers for both.
+  [[nodiscard]] ApartAndPressed<LinearStressIntensity<2, Real>> in_both_states(const Real& a) const;
 
  private:
+  [[nodiscard]] BasicShellFactors<Real> factors(const Real& a) const;
+  [[nodiscard]] LinearStressIntensity<2, Real> intensity(const BasicShellFactors<Real>& factors,
+                                                         const Real& a, bool open) const;
+
   BasicThroughCrackInTube<Real> crack_;
   BasicCrackPlaneStress<Real> stress_;
+  BasicWallFactor<Real> wall_;
+  Real shell_per_size_;                                  ///< shell parameter over a [1/m]
   std::optional<BasicShellFactorsAtAngle<Real>> shell_;  ///< nothing: flat plate
   std::optional<BasicShellRowAtAngle<Real>> row_;        ///< nothing: alone, pressed or flat
 };
@@ -148,6 +179,8 @@ UnitStressIntensity<2, Real> BasicThroughCrackInTube<Real>::stress_intensity(con
   return family().linear_stress_intensity(a).at(s);
 }
 
+extern template class BasicWallFactor<double>;
+extern template class BasicWallFactor<CrackReal>;
 extern template class BasicThroughCrackFamily<double>;
 extern template class BasicThroughCrackFamily<CrackReal>;
 extern template struct BasicThroughCrackInTube<double>;
