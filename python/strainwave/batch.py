@@ -134,8 +134,8 @@ class BatchResult:
 
 
 def _listed(numbers: FloatArray) -> Any:
-    """Numbers in lists, with None for what JSON cannot write."""
-    listed = numbers.astype(object)
+    """Numbers in lists, with None for what JSON cannot write; a single row has no list."""
+    listed = np.asarray(numbers).astype(object)
     listed[~np.isfinite(numbers)] = None
     return listed.tolist()
 

@@ -51,7 +51,9 @@ class Batch(unittest.TestCase):
         said = {"cracks": rows.tables.cracks, "points": 1000,
                 "largest_error": rows.tables.largest_error}
         self.assertEqual(json.loads(json.dumps(rows.to_dict()))["tables"], said)
-        self.assertIsNone(single.to_dict()["tables"])
+        said_once = single.to_dict()
+        self.assertIsNone(said_once["tables"])
+        self.assertEqual(said_once["outputs"][output], float(single[output]))
         if missing("pandas") is None:
             self.assertEqual(rows.to_frame().attrs["tables"], said)
         self.assertIn("differ from the engine by", rows._repr_html_())

@@ -20,6 +20,7 @@
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/strainwave.h"
+#include "support/expect.hpp"
 #include "support/random_drive.hpp"
 #include "support/sanitized.hpp"
 

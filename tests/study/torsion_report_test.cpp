@@ -231,7 +231,7 @@ TEST(TorsionReport, IdentityRowsOfAComparison) {
   RimAxialCrack rim;
   rim.depth = 0.1e-3;
   gear.flexspline->crack.emplace_back(rim);
-  gear.range = {range("circular_spline.support", "0.3", "0.7")};
+  gear.range.push_back(range("mesh.coning", "0.1", "1"));
   test::KeptRows rows;
   const TorsionReport report =
       torsion_report(gear, {.compare = true, .angles = 4, .draws = 2, .rows = &rows});
