@@ -319,9 +319,8 @@ sw_error* sw_batch_with_evidence(const sw_drive* drive, const sw_batch_task* tas
                            [](RowCode code) { return static_cast<int>(code); });
     if (tables != nullptr) {
       const TableEvidence stated = result.tables.value_or(TableEvidence());
-      *tables = {.cracks = stated.cracks,
-                 .points = stated.points,
-                 .largest_error = stated.largest_error};
+      *tables = {
+          .cracks = stated.cracks, .points = stated.points, .largest_error = stated.largest_error};
     }
   });
 }

@@ -271,8 +271,8 @@ std::vector<std::string> names_of(std::span<const ValidationRow> each_ratio) {
   for (std::size_t at = 0; at < each_ratio.size(); ++at) {
     const StiffnessRow& row = each_ratio[at].catalogue;
     std::string name =
-        fmt::format("{} {:g} ratio {:g} {} {}", row.series, row.size,
-                    each_ratio[at].ratios.front(), enum_name(row.length), enum_name(row.form));
+        fmt::format("{} {:g} ratio {:g} {} {}", row.series, row.size, each_ratio[at].ratios.front(),
+                    enum_name(row.length), enum_name(row.form));
     if (!known.insert(name).second) name += fmt::format(" each_ratio[{}]", at);
     names.push_back(std::move(name));
   }
@@ -475,8 +475,8 @@ bool is_regular(const StiffnessRow& row) {
          row.ratio_class != RatioClass::thirty;
 }
 
-Validation validate(const ValidationOptions& options, const Progress& progress,
-                    SharedRows* shared, RowSink* to) {
+Validation validate(const ValidationOptions& options, const Progress& progress, SharedRows* shared,
+                    RowSink* to) {
   Validation v{.options = options,
                .rows = {},
                .errors = {},

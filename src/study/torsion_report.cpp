@@ -377,11 +377,9 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
   of_file.at(curve_ends);
   if (draws)
-    report.bands = line_bands(drive,
-                              {.draws = options.draws,
-                               .shared = of_bands,
-                               .rows = rows_of_bands},
-                              of_file.part(curve_ends, draws_end));
+    report.bands =
+        line_bands(drive, {.draws = options.draws, .shared = of_bands, .rows = rows_of_bands},
+                   of_file.part(curve_ends, draws_end));
   if (options.compare) {
     report.comparison =
         compare_curves(drive, options.angles, of_file.part(draws_end, 1.0), of_positions);

@@ -433,8 +433,8 @@ TEST(CApi, CrosscheckErrorOfTheTablesOfABatch) {
     task.values = &values[row];
     double exact = 0.0;
     sw_table_evidence none{.cracks = 9, .points = 9, .largest_error = 9};
-    ASSERT_TRUE(succeeded(sw_batch_with_evidence(drive.get(), &task, nullptr, &exact, codes.data(),
-                                                 nullptr, &none)));
+    ASSERT_TRUE(succeeded(
+        sw_batch_with_evidence(drive.get(), &task, nullptr, &exact, codes.data(), nullptr, &none)));
     test::expect_relative(numbers[row], exact, 1e-10);
     EXPECT_EQ(none.cracks + none.points, 0);
     EXPECT_EQ(none.largest_error, 0.0);

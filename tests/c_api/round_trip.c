@@ -114,12 +114,6 @@ int main(int n_arguments, char** arguments) {
   EXPECT(codes[0] == SW_ROW_OK && codes[2] == SW_ROW_OK);
   EXPECT(numbers[0] > numbers[1] && numbers[1] > 0);
   for (int i = 0; i < SW_ROW_CODES; ++i) sw_text_free(faults[i]);
-  double again[6];
-  sw_table_evidence tables = {-1, -1, -1};
-  succeed(sw_batch_with_evidence(drive, &task, NULL, again, codes, NULL, &tables));
-  EXPECT(memcmp(numbers, again, sizeof numbers) == 0);
-  EXPECT(tables.cracks == 0 && tables.points == 0 && tables.largest_error == 0);
-  succeed(sw_batch_with_evidence(drive, &task, NULL, again, codes, NULL, NULL));
   int calls = 0;
   const sw_progress progress = {stop, &calls};
   sw_error* error = sw_batch(drive, &task, &progress, numbers, codes, NULL);

@@ -237,9 +237,9 @@ TEST(ValidationBands, IdentityReproducibleAndOrdered) {
   EXPECT_NE(validation_csv(one), validation_csv(validate(other)));
 }
 
-// Kind: cross-check.  The rows are the draws: a drive made from the proportions of a row, and solved
-// at its own size, has the K1, K2 and K3 of the row.  Tolerance: that of Newton's method.  Rows of
-// one drive have different names.
+// Kind: cross-check.  The rows are the draws: a drive made from the proportions of a row, and
+// solved at its own size, has the K1, K2 and K3 of the row.  Tolerance: that of Newton's method.
+// Rows of one drive have different names.
 TEST(ValidationBands, CrosscheckRowsAreDrawnDrives) {
   StiffnessRow own = stiffness_rows().front();
   own.origin = RowOrigin::file;

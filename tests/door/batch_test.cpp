@@ -286,8 +286,7 @@ void compare_random_rows(RandomRows& found, const GearSet& gear, std::size_t row
   std::vector<double> values;
   for (std::size_t row = 0; row < rows; ++row)
     for (const std::string& path : paths) {
-      const double factor =
-          dice.chance(0.06) ? dice.uniform(-0.5, 4) : dice.log_uniform(0.75, 1.3);
+      const double factor = dice.chance(0.06) ? dice.uniform(-0.5, 4) : dice.log_uniform(0.75, 1.3);
       values.push_back(factor * (path == "load.torque" && dice.chance(0.3) ? -1 : 1) *
                        number_at(gear, path).value);
     }

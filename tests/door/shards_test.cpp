@@ -110,9 +110,7 @@ TEST(Shards, InputRowsOfAStudyWithoutRows) {
       "--rows";
   test::KeptRows rows;
   const Host host{.rows = &rows};
-  EXPECT_EQ(test::broken_rule([&] {
-              (void)merged(commands_without_rows(), shards, {}, host);
-            }),
+  EXPECT_EQ(test::broken_rule([&] { (void)merged(commands_without_rows(), shards, {}, host); }),
             kRefusal);
   const Command merge = merge_command(commands_without_rows);
   OptionValues values(merge.options);

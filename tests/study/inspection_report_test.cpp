@@ -697,8 +697,9 @@ TEST(InspectionReport, CrosscheckRowsAreLives) {
   }
   EXPECT_EQ(draws - static_cast<int>(lives.size()), report.outcomes.refused);
   std::ranges::sort(lives);
-  EXPECT_EQ(*report.percentiles[2].life,
-            lives[static_cast<std::size_t>(std::ceil(0.5 * static_cast<double>(lives.size()))) - 1]);
+  EXPECT_EQ(
+      *report.percentiles[2].life,
+      lives[static_cast<std::size_t>(std::ceil(0.5 * static_cast<double>(lives.size()))) - 1]);
   double arrested = 0.0;
   for (std::size_t n = 0; n < rows.numbers.size(); ++n)
     if (rows.status[n] == RowStatus::usable) arrested += rows.at(n, "arrested");
@@ -717,8 +718,9 @@ TEST(InspectionReport, BehaviourRowsOfRefusedDraws) {
   test::KeptRows rows;
   InspectionOptions options = options_of(25, 100 * kHour);
   options.rows = &rows;
-  EXPECT_NE(test::broken_rule([&] { (void)inspection_report(gear, options); })
-                .find("lets 25 of 25 drawn drives break a rule"),
+  EXPECT_NE(test::broken_rule([&] {
+              (void)inspection_report(gear, options);
+            }).find("lets 25 of 25 drawn drives break a rule"),
             std::string::npos);
   ASSERT_EQ(rows.numbers.size(), 25U);
   for (std::size_t n = 0; n < 25; ++n) {

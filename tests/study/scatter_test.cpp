@@ -286,9 +286,8 @@ TEST(Scatter, BehaviourRowsOfAStudyWithoutAnAnswer) {
   const Sensitivity sensitivity = sensitivity_of(gear);
   for (const int kept : {1000, 10}) {
     test::KeptRows rows;
-    EXPECT_THROW(
-        (void)scatter_of(gear, sensitivity, {.samples = 40, .kept = kept, .rows = &rows}),
-        SolverError);
+    EXPECT_THROW((void)scatter_of(gear, sensitivity, {.samples = 40, .kept = kept, .rows = &rows}),
+                 SolverError);
     EXPECT_EQ(rows.numbers.size(), 40U);
     for (std::size_t n = 0; n < rows.numbers.size(); ++n) {
       EXPECT_EQ(rows.status[n], RowStatus::refused);

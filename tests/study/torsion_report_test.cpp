@@ -238,21 +238,20 @@ TEST(TorsionReport, IdentityRowsOfAComparison) {
   ASSERT_TRUE(report.comparison && report.bands);
   EXPECT_EQ(rows.head.of, "positions of the wave generator");
   EXPECT_FALSE(rows.head.seed);
-  EXPECT_EQ(rows.columns(), (std::vector<std::pair<std::string, std::string>>{
-                                {"angle", "rad"},
-                                {"positive.K1", "1"},
-                                {"positive.K2", "1"},
-                                {"positive.K3", "1"},
-                                {"negative.K1", "1"},
-                                {"negative.K2", "1"},
-                                {"negative.K3", "1"}}));
+  EXPECT_EQ(rows.columns(),
+            (std::vector<std::pair<std::string, std::string>>{{"angle", "rad"},
+                                                              {"positive.K1", "1"},
+                                                              {"positive.K2", "1"},
+                                                              {"positive.K3", "1"},
+                                                              {"negative.K1", "1"},
+                                                              {"negative.K2", "1"},
+                                                              {"negative.K3", "1"}}));
   ASSERT_EQ(rows.numbers.size(), 4U);
   for (std::size_t n = 0; n < 4; ++n) {
     const LineChanges& positive = report.comparison->positive.at_angle[n];
     const LineChanges& negative = report.comparison->negative.at_angle[n];
-    EXPECT_EQ(rows.numbers[n],
-              (std::vector{report.comparison->angles[n], positive.K1, positive.K2, positive.K3,
-                           negative.K1, negative.K2, negative.K3}));
+    EXPECT_EQ(rows.numbers[n], (std::vector{report.comparison->angles[n], positive.K1, positive.K2,
+                                            positive.K3, negative.K1, negative.K2, negative.K3}));
     EXPECT_EQ(rows.status[n], RowStatus::usable);
   }
 }

@@ -38,9 +38,8 @@ struct SobolOutput {
 /// @param set      0: point A, 1: point B, 2 + g: point A with the inputs of group g of B
 /// @param z        inputs there, standard normal
 /// @param outputs  empty if the function has no value at one of the points of this base point
-using DesignPoints =
-    std::function<void(std::size_t base, std::size_t set, std::span<const double> z,
-                       std::span<const double> outputs)>;
+using DesignPoints = std::function<void(
+    std::size_t base, std::size_t set, std::span<const double> z, std::span<const double> outputs)>;
 
 /// Points of a study of shares.
 struct SobolOptions {
