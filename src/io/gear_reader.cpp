@@ -118,7 +118,7 @@ InputError with_tables(const GearSet& gear, const InputError& error) {
       if (const std::string path = group.crack(i); message.find(path) != std::string_view::npos)
         of_groups.push_back(fmt::format("{} is crack {}/{} of the table {}", path, i + 1,
                                         group.count, std::string(group.crack(0))));
-  return of_groups.empty() ? error : error.remarked(fmt::format("{}", fmt::join(of_groups, ", ")));
+  return of_groups.empty() ? error : error.remarked(fmt::format("{}", fmt::join(of_groups, "; ")));
 }
 
 }  // namespace
