@@ -41,7 +41,9 @@ def _toml(value: Any, path: str) -> str:
     if isinstance(value, str):
         return _text(value)
     if isinstance(value, Mapping):
-        inner = (f"{_key(name)} = {_toml(one, f'{path}.{name}')}" for name, one in value.items())
+        # An empty list in `fields` is a list that the drive leaves out.
+        inner = (f"{_key(name)} = {_toml(one, f'{path}.{name}')}" for name, one in value.items()
+                 if not (isinstance(one, (list, tuple)) and len(one) == 0))
         return "{" + ", ".join(inner) + "}"
     if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(_toml(one, path) for one in value) + "]"
@@ -320,6 +322,17 @@ class Cracks(Sequence["Crack"]):
         return {name: len(member["crack"]) for name, member in fields.items()
                 if isinstance(member, dict) and "crack" in member}
 
+    def _tables(self, member: str) -> int:
+        """Number of tables of a member's cracks in the text, in which no entry names a crack behind
+        the tables; one table may give several cracks."""
+        count = 0
+        while True:
+            try:
+                _library.edit(self._drive.text, f"{member}.crack[{count}]", None)
+            except InputError:
+                return count
+            count += 1
+
     def _paths(self) -> list[str]:
         return [f"{member}.crack[{index}]" for member, count in self._counts().items()
                 for index in range(count)]
@@ -358,7 +371,8 @@ class Cracks(Sequence["Crack"]):
             raise InputError(f"this drive has no [{member}]; give its fields first, by "
                              f'edit({{"{member}.FIELD": value, ...}}), or name {can}', path=member)
         self._drive.edit({f"{member}.crack[+]": fields})
-        return Crack(self._drive, f"{member}.crack[{self._counts()[member] - 1}]")
+        # The cracks of groups come behind all tables.
+        return Crack(self._drive, f"{member}.crack[{self._tables(member) - 1}]")
 
     def clear(self) -> None:
         """Removes all cracks.
@@ -368,7 +382,8 @@ class Cracks(Sequence["Crack"]):
         >>> len(drive.cracks)
         0
         """
-        self._drive.edit({path: None for path in reversed(self._paths())})
+        self._drive.edit({f"{member}.crack": None
+                          for member, count in self._counts().items() if count > 0})
 
     def __repr__(self) -> str:
         return f"<Cracks {', '.join(self._paths()) or 'none'}>"

@@ -193,6 +193,22 @@ class Changing(unittest.TestCase):
         with self.assertRaisesRegex(sw.InputError, "load can have no crack; name one of the members"):
             drive.cracks.append("load", kind="annular", depth="1 mm")
 
+    def test_behaviour_cracks_of_one_table(self):
+        drive = size25()
+        count = len(drive.cracks)
+        group = drive.cracks.append("output_shaft", kind="annular", depth="1 mm",
+                                    positions=["10 mm", "12 mm", "15 mm"])
+        self.assertEqual((group.path, len(drive.cracks)), ("output_shaft.crack[1]", count + 3))
+        self.assertEqual([float(drive[f"output_shaft.crack[{i}].distance"]) for i in (1, 2, 3)],
+                         [0.01, 0.012, 0.015])
+        group["depth"] = "2 mm"  # the table is that of all three
+        self.assertEqual(float(drive["output_shaft.crack[3].depth"]), 2e-3)
+        single = drive.cracks.append("output_shaft", **drive.cracks[count - 1].fields())
+        self.assertEqual(single.path, "output_shaft.crack[2]")  # before the copies of the group
+        self.assertEqual(float(drive["output_shaft.crack[4].distance"]), 0.015)
+        drive.cracks.clear()
+        self.assertEqual(len(drive.cracks), 0)
+
     def test_input_paths_and_values_of_wrong_types(self):
         drive = size25()
         for path in ("no.such", "drive.ratio.more", "output_shaft.crack[9]", ""):

@@ -65,6 +65,11 @@ InputError InputError::located(const TextPlace& place, std::string_view value_as
            .place = place}};
 }
 
+InputError InputError::remarked(std::string_view remark) const {
+  return {fmt::format("{}; {}", what(), remark),
+          {.field = field_, .value = value_, .rule = rule_, .place = place_}};
+}
+
 std::string shown(std::string_view text, std::size_t most) {
   std::string line;
   for (const char c : text) {

@@ -68,6 +68,17 @@ InputError TomlReader::located(const InputError& error) const {
   return error.located(place({1, 1}), {});
 }
 
+void TomlReader::repeat(const std::string& table, const std::string& copy) {
+  std::map<std::string, TomlSource> copied;
+  for (auto at = sources_.lower_bound(table); at != sources_.end(); ++at) {
+    if (!at->first.starts_with(table)) break;
+    const std::string rest = at->first.substr(table.size());
+    if (rest.empty() || rest.front() == '.' || rest.front() == '[')
+      copied.emplace(copy + rest, TomlSource{.position = at->second.position, .written = {}});
+  }
+  sources_.merge(copied);
+}
+
 TextPlace TomlReader::place(toml::source_position position) const {
   return {.file = file_name_, .line = position.line, .column = position.column};
 }
@@ -247,6 +258,10 @@ void TomlReader::read_list(const toml::node& node, const FieldPath& path, const 
   if (list == nullptr && shape.element->is_table())
     refuse(node, path, fmt::format("must be an array of tables, [[{}]]", path.text()));
   if (list == nullptr) refuse_type(node, path, "a list", field.example);
+  if (list->empty() && shape.element->kind == Shape::Kind::number)
+    refuse(node, path,
+           fmt::format("is an empty list; give at least one value, such as {}, or leave {} out",
+                       field.example, field.name));
   remember(node, path);
   for (const toml::node& element : *list) {
     const FieldPath at = path[shape.size(value)];  // computed before the element is added

@@ -801,6 +801,39 @@ std::string with_paths_after(std::string text, const toml::table& before, const 
   return text;
 }
 
+/// Refuses a change that moves the cracks of groups, which come behind all tables, if an entry
+/// names one of them: it would then name another crack.
+void refuse_moved_cracks(const toml::table& before, const Steps& change) {
+  constexpr std::array<std::string_view, 5> kOfGroups = {"count", "pitch", "axial_pitch",
+                                                         "positions", "kind"};
+  const bool moves =
+      change.size() <= 3 || std::ranges::find(kOfGroups, change[3].key) != kOfGroups.end();
+  if (!moves || (change.size() > 1 && change[1].key != "crack")) return;
+  const Steps list = {change.front(), key_step("crack")};
+  const toml::node* const cracks = node_at(before, list);
+  const std::size_t tables =
+      cracks != nullptr && cracks->is_array() ? cracks->as_array()->size() : 0;
+  const auto look = [&](const Steps& at, std::span<const std::string_view> keys) {
+    const toml::node* const node = node_at(before, at);
+    const auto* const entries = node != nullptr ? node->as_array() : nullptr;
+    for (std::size_t i = 0; entries != nullptr && i < entries->size(); ++i)
+      for (const std::string_view key : keys) {
+        const Steps named = named_steps(entries->get(i), key);
+        if (named.size() < 3 || !begins_with(named, list) || named[2].index < tables) continue;
+        throw InputError(
+            path_text(change),
+            fmt::format("moves {}, which {}[{}].{} names and a group gives; remove "
+                        "that entry first, and add it with the new number of the crack",
+                        printed_path(part(named, 3)), printed_path(at), i, key));
+      }
+  };
+  const GearSet lists;
+  for_each_path_list(lists, [&]<class Entry>(std::string_view name, const std::vector<Entry>&) {
+    look({key_step(std::string(name))}, Entry::kPathKeys);
+  });
+  look({key_step("inspection"), key_step("place")}, std::array<std::string_view, 1>{"crack"});
+}
+
 }  // namespace
 
 std::string edit(std::string_view text, std::string_view path,
@@ -814,6 +847,7 @@ std::string edit(std::string_view text, std::string_view path,
     wanted = value_of(*value);
   else if (node_at(before, known.steps) == nullptr)
     throw InputError(path_text(known.steps), "is not in the text, so it cannot be removed");
+  refuse_moved_cracks(before, known.steps);
   return with_paths_after(with_change(std::string(text), known, wanted ? &*wanted : nullptr),
                           before, known.steps, !wanted);
 }

@@ -15,6 +15,7 @@
 #include "strainwave/io/history_file.hpp"
 #include "strainwave/io/turn_table_file.hpp"
 #include "strainwave/materials/material_library.hpp"
+#include "strainwave/model/input/placed_group.hpp"
 #include "strainwave/model/input/section_materials.hpp"
 
 namespace strainwave {
@@ -101,6 +102,25 @@ void refuse_other_formats(std::string_view text, std::string_view file_name) {
                            "that provenance.input_file names");
 }
 
+/// Makes the cracks of groups, and lets the places of each table hold for all of its cracks.
+void place_groups(GearSet& gear, TomlReader& reader) {
+  place_groups(gear);
+  for (const PlacedGroup& group : gear.placed_groups)
+    for (std::size_t i = 1; i < group.count; ++i) reader.repeat(group.crack(0), group.crack(i));
+}
+
+/// Says which table of the file gives the cracks that a message names.
+InputError with_tables(const GearSet& gear, const InputError& error) {
+  const std::string_view message = error.what();
+  std::vector<std::string> of_groups;
+  for (const PlacedGroup& group : gear.placed_groups)
+    for (std::size_t i = 1; i < group.count; ++i)
+      if (const std::string path = group.crack(i); message.find(path) != std::string_view::npos)
+        of_groups.push_back(fmt::format("{} is crack {}/{} of the table {}", path, i + 1,
+                                        group.count, std::string(group.crack(0))));
+  return of_groups.empty() ? error : error.remarked(fmt::format("{}", fmt::join(of_groups, "; ")));
+}
+
 }  // namespace
 
 GearSet read_gear_set(std::string_view text, std::string_view file_name,
@@ -114,6 +134,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
   GearSet gear;
   reader.read_table(table, FieldPath(), gear);
   try {
+    place_groups(gear, reader);
     complete_from_library(gear);
     add_from_library(gear);
     read_compliance_tables(gear, attachments);
@@ -124,7 +145,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
   } catch (const InputError& error) {
     // A fault in a history names its own file and line.
     if (gear.duty && error.place().file == gear.duty->history) throw;
-    throw reader.located(error);
+    throw with_tables(gear, reader.located(error));
   }
   return gear;
 }
@@ -138,13 +159,14 @@ InputError located(const InputError& fault, std::string_view text, std::string_v
   TomlReader reader(file_name);
   GearSet gear;
   reader.read_table(parse_toml(text, file_name), FieldPath(), gear);
+  place_groups(gear, reader);
   bool same = true;
   if (!fault.rule().empty())
     for_each_number(gear, [&](const FieldPath& path, const Field& field, double value) {
       if (path.text() == fault.field())
         same = InputError(fault.field(), value, field.unit, fault.rule()).value() == fault.value();
     });
-  return same ? reader.located(fault) : fault;
+  return same ? with_tables(gear, reader.located(fault)) : fault;
 }
 
 GearSet read_gear_set_file(const std::filesystem::path& file) {

@@ -117,7 +117,7 @@ class GearWriter {
   }
 
  private:
-  /// Right-hand side of a plain field; empty for an absent optional field.
+  /// Right-hand side of a plain field; empty for an absent optional field and an empty list.
   static std::string plain(const Shape& shape, const void* value, const Field& field) {
     switch (shape.kind) {
       case Shape::Kind::number:
@@ -141,6 +141,7 @@ class GearWriter {
       case Shape::Kind::record:
         return {};  // a section
     }
+    if (shape.size(value) == 0) return {};
     std::string list;
     for (std::size_t i = 0; i < shape.size(value); ++i)
       list += (i > 0 ? ", " : "") + plain(*shape.element, element_of(shape, value, i), field);
@@ -202,6 +203,16 @@ class GearWriter {
   std::string text_;
 };
 
+/// Refuses a number of one crack of a group, because the text has one table for all of them.
+void refuse_in_group(const GearSet& gear, const std::string& path) {
+  for (const PlacedGroup& group : gear.placed_groups)
+    for (std::size_t i = 0; i < group.count; ++i)
+      if (path.starts_with(std::string(group.crack(i)) + '.'))
+        throw InputError(path, fmt::format("is a number of one of {} cracks that {} gives; give "
+                                           "each crack a table of its own first",
+                                           group.count, std::string(group.crack(0))));
+}
+
 }  // namespace
 
 std::string gear_text(const GearSet& gear, const std::map<std::string, std::string>& comments) {
@@ -230,8 +241,9 @@ std::string with_numbers_of(std::string text, const GearSet& from, const GearSet
   });
   for_each_number(to, [&](const FieldPath& path, const Field& field, double value) {
     const auto old = before.find(path.text());
-    if (old == before.end() || old->second != value)
-      text = edit(text, path.text(), number_text(value, field));
+    if (old != before.end() && old->second == value) return;
+    refuse_in_group(from, path.text());
+    text = edit(text, path.text(), number_text(value, field));
   });
   return text;
 }

@@ -85,6 +85,7 @@ class Collector {
         walk(element, path / name, field);
       }
     } else if constexpr (is_variant<T>) {
+      if (of_another_table(path.text())) return;
       std::visit(
           [&](const auto& alternative) {
             group_ = path.text();
@@ -116,6 +117,14 @@ class Collector {
         if constexpr (is_table<Value>) walk(value.*member, path / inner.name, inner);
       });
     }
+  }
+
+  /// Whether the table of a group gives a crack, and the file no table of its own.
+  [[nodiscard]] bool of_another_table(const std::string& crack) const {
+    for (const PlacedGroup& group : gear_.placed_groups)
+      for (std::size_t i = 1; i < group.count; ++i)
+        if (crack == std::string(group.crack(i))) return true;
+    return false;
   }
 
   /// @param taken  value from the material library; empty if the value has another origin

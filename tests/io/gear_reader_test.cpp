@@ -667,7 +667,8 @@ const std::vector<Wrong> kWrong = {
      "M_M = ", "\"M\\nM\" = ", "65:1: article.\"M\\nM\": is not known here; did you mean M_M?"},
     {"KeyOfAnotherKindOfCrack", "angle = \"45 deg\"", "depth = \"0.1 mm\"",
      "46:1: flexspline.crack[0].depth: is not known here; known names are kind, half_length, "
-     "angle, section, distance, position, count, shell_correction, compliance_table, turn_table"},
+     "angle, section, distance, position, count, pitch, axial_pitch, "
+     "positions, shell_correction, compliance_table, turn_table"},
     {"KindWhereThereIsNone", "[load]\n", "[load]\nkind = \"static\"\n",
      "16:1: load.kind: is not known here; known names are torque, axial_force"},
 

@@ -357,6 +357,10 @@ TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
       {"[material.steel] reference_modulus",
        "is read only beside ply; a metal has a youngs_modulus"},
       {"[[wave_generator.crack]] stress", "is read only with stress_driver = \"given\""},
+      {"[[flexspline.crack]] pitch", "must be given with count, the number of cracks, 2 or more"},
+      {"[[flexspline.crack]] axial_pitch",
+       "must be given with count, the number of cracks, 2 or more"},
+      {"[[output_shaft.crack]] pitch", "must be given with count, the number of cracks, 2 or more"},
       {"[[flexspline.crack]] compliance_table", "is not a file beside the input"},
       {"[[flexspline.crack]] turn_table", "is not a file beside the input"},
       {"[[output_shaft.crack]] compliance_table", "is not a file beside the input"}};
@@ -425,7 +429,15 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       if (lines[i].starts_with("# [flexspline.")) switch_on_table(lines, i);
     replace_line(lines, "crack_free", "crack_free = \"sections\"");
   };
-  const std::function<void(Lines&)> without_turn_table = [](Lines& lines) {
+  // A pitch and positions are two ways to give a group.
+  const std::function<void(Lines&)> without_group = [](Lines& lines) {
+    std::erase_if(lines, [](const std::string& line) {
+      return line.starts_with("pitch = ") || line.starts_with("axial_pitch = ") ||
+             line.starts_with("positions = ");
+    });
+  };
+  const std::function<void(Lines&)> without_turn_table = [&](Lines& lines) {
+    without_group(lines);
     std::erase_if(lines, [](const std::string& line) { return line.starts_with("turn_table = "); });
   };
   const std::function<void(Lines&)> in_the_rim = [&](Lines& lines) {
@@ -434,6 +446,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   };
   const std::function<void(Lines&)> arc_on_the_diaphragm = [&](Lines& lines) {
     all_sections(lines);
+    without_group(lines);
   };
   const std::function<void(Lines&)> groove_on_the_diaphragm = [&](Lines& lines) {
     all_sections(lines);
@@ -619,12 +632,12 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[flexspline.diaphragm.profile]]", "flexspline.diaphragm.outer_diameter: must be given",
        all_sections},
       {"[flexspline.boss]", "is read only where crack_free = \"sections\"", all_sections},
-      {"[[flexspline.crack]] surface", "is not a file beside the input", without_turn_table},
-      {"[[flexspline.crack]] diaphragm_arc",
-       "flexspline.diaphragm: must be given for flexspline.crack[1]", arc_on_the_diaphragm},
+      {"[[flexspline.crack]] surface", "pitch: is given beside positions", without_turn_table},
+      {"[[flexspline.crack]] diaphragm_arc", "pitch: is given beside positions",
+       arc_on_the_diaphragm},
       {"[[flexspline.crack]] diaphragm_groove",
        "flexspline.diaphragm: must be given for flexspline.crack[1]", groove_on_the_diaphragm},
-      {"[[flexspline.crack]] rim_axial", "is not a file beside the input", in_the_rim},
+      {"[[flexspline.crack]] rim_axial", "pitch: is given beside positions", in_the_rim},
       {"[[output_shaft.crack]] surface", "accepted", nothing},
       {"[mesh]", "accepted", nothing},
       {"[mesh.tooth]", "accepted", nothing},

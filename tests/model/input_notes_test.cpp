@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/input/placed_group.hpp"
 #include "support/article_gear.hpp"
 
 namespace strainwave {
@@ -129,6 +131,29 @@ TEST(InputNotes, IdentityEveryUsualRangeContainsItsExample) {
     const Range usual = usual_range(field);
     EXPECT_TRUE(value == 0 || usual.contains(std::abs(value))) << path.text();
   });
+}
+
+// A table that gives several cracks says which ones, because a path names only one of them.
+TEST(InputNotes, BehaviourCracksOfAGroup) {
+  const auto note_of = [](const std::vector<double>& positions) {
+    GearSet gear = test::article_gear();
+    gear.output_shaft->crack.emplace_back(AnnularCrack{.depth = 1 * mm, .positions = positions});
+    place_groups(gear);
+    const std::vector<Note> notes = input_notes(gear);
+    EXPECT_EQ(notes.size(), positions.size() > 1 ? 1U : 0U);
+    return notes.empty() ? Note() : notes.front();
+  };
+  const Note three = note_of({10 * mm, 20 * mm, 30 * mm});
+  EXPECT_EQ(three.code, "input.crack_group");
+  EXPECT_EQ(three.path, "output_shaft.crack[1]");
+  EXPECT_EQ(three.severity, Severity::information);
+  EXPECT_EQ(three.text,
+            "this table gives 3 cracks: crack 1/3 has this path, and cracks 2/3 to 3/3 are "
+            "output_shaft.crack[2] to output_shaft.crack[3]; a path names only one of them in "
+            "--vary, [[scatter]], [[range]] and [[inspection.place]]");
+  EXPECT_NE(note_of({10 * mm, 20 * mm}).text.find("and crack 2/2 is output_shaft.crack[2]"),
+            std::string::npos);
+  (void)note_of({10 * mm});
 }
 
 }  // namespace

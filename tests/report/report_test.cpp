@@ -391,6 +391,15 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
   EXPECT_NE(html.find("one thickness in place of a plate"), std::string::npos);
 }
 
+// The inputs are those of the file, which gives the cracks of a group in one table.
+TEST(Report, BehaviourAGroupOfCracksIsOneTableOfTheInputs) {
+  const Report report = report_on(text_of("crack_group"));
+  const std::string& html = section(report, "inputs").html;
+  for (const char* const field : {"half_length", "count", "pitch"})
+    EXPECT_NE(html.find("flexspline.crack[0]." + std::string(field)), std::string::npos) << field;
+  EXPECT_EQ(html.find("flexspline.crack[1]"), std::string::npos);
+}
+
 TEST(Report, BehaviourACompletedMaterialIsMarkedFieldByField) {
   std::string text = text_of("solid_shaft");
   const std::size_t table = text.find("[material.");

@@ -12,6 +12,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/crack_group/annular_cracks.hpp"
 #include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/model/input/placed_group.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
 #include "support/article_gear.hpp"
@@ -192,6 +193,34 @@ TEST(GroupedCracks, BehaviourOfTheAssembly) {
     return std::abs(crack.front(crack.size, Faces::open).at(0).load.II[kTorsion]);
   };
   EXPECT_NE(sliding(shielded), sliding(alone));
+}
+
+// Kind: identity.  A group of one table has the answers of its cracks one by one, to the last bit.
+TEST(GroupedCracks, IdentityOneTableForAll) {
+  GearSet group = in_one_line({2 * mm}, {0.0});
+  auto& table = std::get<WallThroughCrack>(group.flexspline->crack[0]);
+  table.angle = pi / 4;
+  table.count = 3;
+  table.pitch = 7 * mm / kRadiusOfWall;
+  place_groups(group);
+  GearSet single = in_one_line({2 * mm, 2 * mm, 2 * mm}, {0.0, 7 * mm, 14 * mm});
+  for (FlexsplineCrack& crack : single.flexspline->crack)
+    std::get<WallThroughCrack>(crack).angle = pi / 4;
+  std::get<WallThroughCrack>(single.flexspline->crack[2]).position = 2 * (7 * mm / kRadiusOfWall);
+  const std::vector<CrackStrength> of_group = crack_strength(group);
+  const std::vector<CrackStrength> of_single = crack_strength(single);
+  ASSERT_EQ(of_group.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(of_group[i].path, of_single.at(i).path);
+    EXPECT_EQ(of_group[i].states.at(0).K_load, of_single[i].states.at(0).K_load);
+    EXPECT_EQ(of_group[i].states.at(0).L_r, of_single[i].states.at(0).L_r);
+  }
+  // The crack in the middle has two neighbours.
+  EXPECT_NE(of_group[0].states.at(0).K_load, of_group[1].states.at(0).K_load);
+  const auto stiffness = [](const GearSet& gear) {
+    return torsional_stiffness(gear).cracked->positive.stiffness.value;
+  };
+  EXPECT_EQ(stiffness(group), stiffness(single));
 }
 
 }  // namespace

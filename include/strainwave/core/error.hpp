@@ -36,6 +36,8 @@ class InputError : public Error {
   InputError(const TextPlace& place, std::string_view problem);
   /// The same fault with its place in a file: `file:line:column: ...`.
   [[nodiscard]] InputError located(const TextPlace& place, std::string_view value_as_written) const;
+  /// The same fault with a remark at the end of its message: `...; remark`.
+  [[nodiscard]] InputError remarked(std::string_view remark) const;
 
   /// Path of the faulty field, or name of the option or the file; empty if no field is known.
   [[nodiscard]] const std::string& field() const noexcept { return field_; }

@@ -41,6 +41,10 @@ class TomlReader {
     read_record(table, path, shape_of<T>(), &value);
   }
 
+  /// Lets the places of a table hold for a copy of its struct too, which the file does not contain.
+  /// A message shows the values of the copy, which may be others than the table gives.
+  void repeat(const std::string& table, const std::string& copy);
+
   /// Adds the place in the file to a fault: the place of the field, or of the table that lacks it.
   [[nodiscard]] InputError located(const InputError& error) const;
 

@@ -17,6 +17,10 @@ namespace strainwave {
 /// Removing a crack or a section also removes the ranges and scatters of its numbers.  If the
 /// number of a crack changes, the paths that name the crack change too.
 ///
+/// The cracks of a group (model/input/placed_group.hpp) come behind the tables of their part.  A
+/// change that moves them is refused while a range, a scatter, a correlation or an inspection names
+/// one of them.
+///
 /// The text does not need to be a complete drive before or after the edit.
 ///
 /// @param text   TOML, at most kMaxTextSize

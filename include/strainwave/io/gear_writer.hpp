@@ -10,7 +10,7 @@ namespace strainwave {
 
 /// Writes a drive as an input file.  `read_gear_set` reads back the same drive to the last bit.
 ///
-/// Quantities are written in the units of drawings if no digit is lost: "2.24 mm" rather than
+/// Each crack of a group has a table of its own.  Quantities are written in the units of drawings if no digit is lost: "2.24 mm" rather than
 /// "0.00224 m".  A field at its default value is left out unless it has a comment.
 ///
 /// @param gear      drive to write
@@ -26,7 +26,7 @@ namespace strainwave {
 /// @param from  the drive that read_gear_set reads from `text`
 /// @param to    the drive `from` with other numbers, perhaps without some ranges, scatters and
 ///              correlations
-/// @throws InputError  as `edit`
+/// @throws InputError  as `edit`; if a number of a crack differs that belongs to a group of the text
 [[nodiscard]] std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to);
 
 }  // namespace strainwave

@@ -20,6 +20,7 @@
 #include "strainwave/model/input/cam_curve.hpp"
 #include "strainwave/model/input/check_rules.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/placed_group.hpp"
 #include "strainwave/model/input/section_materials.hpp"
 #include "strainwave/model/input/turn_table.hpp"
 
@@ -649,7 +650,16 @@ template <class Cracks>
 void check_cracks(const GearSet& gear, const LazyPath& member, const Cracks& cracks) {
   const LazyPath list = member / "crack";
   for (std::size_t i = 0; i < cracks.size(); ++i)
-    std::visit([&](const auto& crack) { check_crack(list[i], gear, crack); }, cracks[i]);
+    std::visit(
+        [&](const auto& crack) {
+          if constexpr (GroupableCrack<std::decay_t<decltype(crack)>>)
+            if (is_group(crack))
+              throw InputError(list[i].text(),
+                               "stands for a group whose cracks are not made; call place_groups "
+                               "before check");
+          check_crack(list[i], gear, crack);
+        },
+        cracks[i]);
 }
 
 /// Checks that the balls fit side by side on the pitch circle, and that no more balls carry a lobe
@@ -803,6 +813,33 @@ void check_diaphragm(const LazyPath& path, const Diaphragm& diaphragm) {
   }
 }
 
+/// Refuses arcs of one circle of the diaphragm that touch.
+void check_arcs(const LazyPath& path, const Flexspline& fs) {
+  const auto arc_at = [&](std::size_t n) {
+    const auto* const arc = std::get_if<DiaphragmArcCrack>(&fs.crack[n]);
+    return arc != nullptr && arc->position ? arc : nullptr;
+  };
+  const auto radius_of = [&](const DiaphragmArcCrack& arc) {
+    return arc.radius.value_or(fs.diaphragm->inner_diameter / 2);
+  };
+  for (std::size_t i = 0; i < fs.crack.size(); ++i) {
+    const DiaphragmArcCrack* const here = arc_at(i);
+    for (std::size_t other = 0; here != nullptr && other < i; ++other) {
+      const DiaphragmArcCrack* const there = arc_at(other);
+      if (there == nullptr || clearly_less(radius_of(*here), radius_of(*there)) ||
+          clearly_less(radius_of(*there), radius_of(*here)))
+        continue;
+      const double turn = 2 * std::numbers::pi / std::lcm(here->count, there->count);
+      const double apart =
+          std::abs(std::remainder(*here->position - *there->position, turn)) * radius_of(*here);
+      if (!clearly_less(here->half_length + there->half_length, apart))
+        throw InputError((path[i] / "position").text(),
+                         fmt::format("the arc touches {}; place the two apart, or give one arc",
+                                     path[other].text()));
+    }
+  }
+}
+
 /// Refuses cracks of the diaphragm at the same place.
 void check_overlaps(const LazyPath& path, const Flexspline& fs) {
   for (std::size_t i = 0; i < fs.crack.size(); ++i)
@@ -906,6 +943,7 @@ void check_cracks_of_flexspline(const GearSet& gear) {
   check_repeated(path / "crack", fs.crack);
   check_apart(path / "crack", gear);
   check_overlaps(path / "crack", fs);
+  check_arcs(path / "crack", fs);
   if (fs.rim)
     check_hinges<RimAxialCrack>(path / "crack", fs.crack, fs.rim->wall_thickness,
                                 (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2);

@@ -80,11 +80,35 @@ void note_step(std::vector<Note>& notes, const TubeSection& barrel, double bore,
                    .next_step = "Check the diameters of the sections."});
 }
 
+/// Says which cracks a table with a group stands for.
+void note_groups(const GearSet& gear, std::vector<Note>& notes) {
+  for (const PlacedGroup& group : gear.placed_groups) {
+    const std::string table = group.crack(0);
+    const std::string second = group.crack(1);
+    const std::string last = group.crack(group.count - 1);
+    notes.push_back(
+        {.code = "input.crack_group",
+         .text = fmt::format("this table gives {0} cracks: crack 1/{0} has this path, {1}; a path "
+                             "names only one of them in --vary, [[scatter]], [[range]] and "
+                             "[[inspection.place]]",
+                             group.count,
+                             group.count == 2
+                                 ? fmt::format("and crack 2/2 is {}", second)
+                                 : fmt::format("and cracks 2/{0} to {0}/{0} are {1} to {2}",
+                                               group.count, second, last)),
+         .path = table,
+         .equation = "",
+         .severity = Severity::information,
+         .next_step = "Change the table to change all of its cracks."});
+  }
+}
+
 }  // namespace
 
 std::vector<Note> input_notes(const GearSet& gear) {
   std::vector<Note> notes;
   note_unusual(gear, notes);
+  note_groups(gear, notes);
   if (!gear.flexspline || gear.flexspline->crack_free != CrackFree::sections) return notes;
   const Flexspline& fs = *gear.flexspline;
   if (fs.length)

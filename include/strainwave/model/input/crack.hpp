@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "strainwave/core/fields.hpp"
 
@@ -184,15 +185,45 @@ inline constexpr Field kTurnTableField{
     .example = R"("turn.csv")",
     .in_template = InTemplate::commented};
 
-/// The field of the number of equal cracks, evenly spaced round the axis.
+/// The field of the number of equal cracks, evenly spaced round the axis unless a pitch is given.
 inline constexpr Field kCrackCountField{
     .name = "count",
     .unit = "1",
-    .doc = "equal cracks, evenly spaced round the axis; stiffness and K are those of this row",
+    .doc =
+        "equal cracks, evenly spaced round the axis; stiffness and K are those of this row; "
+        "with a pitch the cracks of a group",
     .range = {.lower = 1.0, .lower_open = false, .upper = 2000.0, .upper_open = false},
     .example = "4",
     .fallback = "1",
     .in_template = InTemplate::commented};
+
+/// The field of the angle from one crack of a group to the next.
+inline constexpr Field kRoundPitchField{
+    .name = "pitch",
+    .unit = "rad",
+    .doc =
+        "angle from one crack of a group to the next, toward +theta; the first one is at "
+        "position, and count says how many there are",
+    .example = R"("20 deg")",
+    .in_template = InTemplate::commented};
+
+/// The field of the places of a group round the axis.
+inline constexpr Field kRoundPositionsField{
+    .name = "positions",
+    .unit = "rad",
+    .doc = "positions of the equal cracks of a group, in place of position",
+    .example = R"(["0 deg", "25 deg"])",
+    .in_template = InTemplate::commented};
+
+/// A kind of crack whose table may stand for a group of equal cracks at stated places
+/// (placed_group.hpp).  `kPlace` is the field that `pitch` and `positions` place, and
+/// `kCountIsRow` tells whether `count` without a pitch is a row that the program treats as one
+/// crack.
+template <class Crack>
+concept GroupableCrack = requires {
+  Crack::kPlace;
+  Crack::kCountIsRow;
+};
 
 /// The part of a flexspline's wall that contains a crack, if sections are given.
 enum class WallSection { barrel, rim };
@@ -227,6 +258,13 @@ struct WallThroughCrack {
   /// angle of the crack's middle round the axis [rad]; absent: far from other cracks
   std::optional<double> position = {};
   int count = 1;  ///< equal cracks, evenly spaced round the axis [-]; 1 to 2000
+  /// angle from one crack of a group to the next [rad]; not 0; place_groups reads it
+  std::optional<double> pitch = {};
+  /// the same along z [m]
+  std::optional<double> axial_pitch = {};
+  std::vector<double> positions = {};  ///< of a group, in place of `position` [rad]
+  static constexpr auto kPlace = &WallThroughCrack::position;  ///< as in GroupableCrack
+  static constexpr bool kCountIsRow = true;                    ///< as in GroupableCrack
   /// file of a table (FE-41) that replaces the closed form
   std::optional<std::string> compliance_table = {};
   /// file of a table of K over a turn (GR-30)
@@ -298,6 +336,15 @@ struct WallThroughCrack {
                 .in_template = InTemplate::commented},
           &Crack::position);
     field(kCrackCountField, &Crack::count);
+    field(kRoundPitchField, &Crack::pitch);
+    field(Field{.name = "axial_pitch",
+                .unit = "m",
+                .doc = "length from one crack of a group to the next along z; the first one is at "
+                       "distance; with pitch or alone",
+                .example = R"("4 mm")",
+                .in_template = InTemplate::commented},
+          &Crack::axial_pitch);
+    field(kRoundPositionsField, &Crack::positions);
   }
 };
 
@@ -305,13 +352,18 @@ struct WallThroughCrack {
 struct WallSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
   static constexpr std::string_view kMeaning = "semi-elliptical crack in the surface of the wall";
-  double depth = 0.0;                          ///< a, into the wall [m]; > 0, < wall thickness
-  double half_length = 0.0;                    ///< half length c along the surface [m]; >= depth
-  double angle = std::numbers::pi / 4;         ///< as in WallThroughCrack
-  WallSection section = WallSection::barrel;   ///< as in WallThroughCrack
-  std::optional<double> distance = {};         ///< as in WallThroughCrack
-  std::optional<double> position = {};         ///< as in WallThroughCrack
-  int count = 1;                               ///< as in WallThroughCrack
+  double depth = 0.0;                         ///< a, into the wall [m]; > 0, < wall thickness
+  double half_length = 0.0;                   ///< half length c along the surface [m]; >= depth
+  double angle = std::numbers::pi / 4;        ///< as in WallThroughCrack
+  WallSection section = WallSection::barrel;  ///< as in WallThroughCrack
+  std::optional<double> distance = {};        ///< as in WallThroughCrack
+  std::optional<double> position = {};        ///< as in WallThroughCrack
+  int count = 1;                              ///< as in WallThroughCrack
+  std::optional<double> pitch = {};           ///< as in WallThroughCrack
+  std::optional<double> axial_pitch = {};     ///< as in WallThroughCrack
+  std::vector<double> positions = {};         ///< as in WallThroughCrack
+  static constexpr auto kPlace = &WallSurfaceCrack::position;  ///< as in GroupableCrack
+  static constexpr bool kCountIsRow = true;                    ///< as in GroupableCrack
   std::optional<Mouth> mouth = {};             ///< absent: not known, taken as outer
   std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
 
@@ -364,7 +416,12 @@ struct AnnularCrack {
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
   /// From the shaft's end toward the flexspline, along z [m]; absent: far from the other cracks
   std::optional<double> distance = {};
-  std::optional<std::string> compliance_table = {};  ///< as in WallThroughCrack
+  int count = 1;                     ///< cracks of a group [-]; place_groups reads it
+  std::optional<double> pitch = {};  ///< from one crack of a group to the next, along z [m]; not 0
+  std::vector<double> positions = {};  ///< of a group, in place of `distance` [m]
+  static constexpr auto kPlace = &AnnularCrack::distance;  ///< as in GroupableCrack
+  static constexpr bool kCountIsRow = false;               ///< as in GroupableCrack
+  std::optional<std::string> compliance_table = {};        ///< as in WallThroughCrack
 
   /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
@@ -382,12 +439,35 @@ struct AnnularCrack {
           &AnnularCrack::solution);
     field(Field{.name = "distance",
                 .unit = "m",
-                .doc = "from the shaft's end toward the flexspline to the crack, along z; if left out "
-                       "the crack is far from the others",
+                .doc =
+                    "from the shaft's end toward the flexspline to the crack, along z; if left out "
+                    "the crack is far from the others",
                 .range = kPositive,
                 .example = R"("12 mm")",
                 .in_template = InTemplate::commented},
           &AnnularCrack::distance);
+    field(Field{.name = "count",
+                .unit = "1",
+                .doc = "equal cracks of a group along the shaft; with a pitch",
+                .range = kCrackCountField.range,
+                .example = "1",
+                .fallback = "1",
+                .in_template = InTemplate::commented},
+          &AnnularCrack::count);
+    field(Field{.name = "pitch",
+                .unit = "m",
+                .doc = "length from one crack of a group to the next along z; the first one is at "
+                       "distance, and count says how many there are",
+                .example = R"("10 mm")",
+                .in_template = InTemplate::commented},
+          &AnnularCrack::pitch);
+    field(Field{.name = "positions",
+                .unit = "m",
+                .doc = "distances of the equal cracks of a group, in place of distance",
+                .range = kPositive,
+                .example = R"(["12 mm", "20 mm"])",
+                .in_template = InTemplate::commented},
+          &AnnularCrack::positions);
     field(kComplianceTableField, &AnnularCrack::compliance_table);
   }
 };
@@ -463,11 +543,27 @@ struct RimAxialCrack : RingCrack<CrackedPart::rim, false> {
   static constexpr std::string_view kKind = "rim_axial";
   static constexpr std::string_view kMeaning =
       "axial crack of the rim from a tooth root; coupled drive only";
+  int count = 1;                               ///< cracks of a group [-]; place_groups reads it
+  std::optional<double> pitch = {};            ///< as in WallThroughCrack
+  std::vector<double> positions = {};          ///< as in WallThroughCrack
   std::optional<std::string> turn_table = {};  ///< as in WallThroughCrack
+  static constexpr auto kPlace = &RingCrack::position;  ///< as in GroupableCrack
+  static constexpr bool kCountIsRow = false;            ///< as in GroupableCrack
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     RingCrack::describe(field);
+    field(Field{.name = "count",
+                .unit = "1",
+                .doc = "equal cracks, evenly spaced round the axis, or with a pitch the cracks of "
+                       "a group",
+                .range = kCrackCountField.range,
+                .example = "4",
+                .fallback = "1",
+                .in_template = InTemplate::commented},
+          &RimAxialCrack::count);
+    field(kRoundPitchField, &RimAxialCrack::pitch);
+    field(kRoundPositionsField, &RimAxialCrack::positions);
     field(kTurnTableField, &RimAxialCrack::turn_table);
   }
 };
@@ -529,7 +625,13 @@ struct DiaphragmArcCrack {
       "crack through the diaphragm along an arc round the boss";
   double half_length = 0.0;      ///< a, along the arc [m]; > 0
   std::optional<double> radius;  ///< radius of the arc [m]; absent: the diaphragm's inner radius
-  int count = 1;                 ///< as in WallThroughCrack
+  /// angle of the arc's middle round the axis [rad]; absent: far from other cracks
+  std::optional<double> position = {};
+  int count = 1;                                                ///< as in WallThroughCrack
+  std::optional<double> pitch = {};                             ///< as in WallThroughCrack
+  std::vector<double> positions = {};                           ///< as in WallThroughCrack
+  static constexpr auto kPlace = &DiaphragmArcCrack::position;  ///< as in GroupableCrack
+  static constexpr bool kCountIsRow = true;                     ///< as in GroupableCrack
 
   /// Size and place, for drawings and tables.
   [[nodiscard]] CrackPlace place() const {
@@ -554,7 +656,16 @@ struct DiaphragmArcCrack {
                 .example = R"("42 mm")",
                 .in_template = InTemplate::commented},
           &DiaphragmArcCrack::radius);
+    field(Field{.name = "position",
+                .unit = "rad",
+                .doc = "angle of the arc's middle round the axis, toward +theta, from one mark for "
+                       "all cracks; if left out the crack is far from the others",
+                .example = R"("0 deg")",
+                .in_template = InTemplate::commented},
+          &DiaphragmArcCrack::position);
     field(kCrackCountField, &DiaphragmArcCrack::count);
+    field(kRoundPitchField, &DiaphragmArcCrack::pitch);
+    field(kRoundPositionsField, &DiaphragmArcCrack::positions);
   }
 };
 

@@ -128,6 +128,31 @@ struct ArticleOverrides {
   }
 };
 
+/// Path of a crack, such as "flexspline.crack[0]"; its text is built where it is needed.
+struct CrackPath {
+  std::string_view member;  ///< part of the drive that carries the crack: "flexspline"
+  std::size_t index = 0;    ///< among the cracks of that part
+
+  /// The text of the path.  Implicit, so that a walk may take the text.
+  operator std::string() const {  // NOLINT(google-explicit-constructor)
+    return std::string(member) + ".crack[" + std::to_string(index) + "]";
+  }
+};
+
+/// Equal cracks that one table of the file gives (placed_group.hpp).
+struct PlacedGroup {
+  std::string_view member;     ///< part of the drive that carries the cracks: "flexspline"
+  std::size_t index = 0;       ///< of the table, and of the first crack, among those of the part
+  std::size_t first_copy = 0;  ///< index of the second crack; the others follow
+  std::size_t count = 0;       ///< cracks of the group; 2 or more
+
+  /// The path of a crack of the group.
+  /// @param number  from 0 to count - 1
+  [[nodiscard]] CrackPath crack(std::size_t number) const {
+    return {member, number == 0 ? index : first_copy + number - 1};
+  }
+};
+
 /// A strain wave gear with its cracks, material and load: the content of an input file.
 ///
 /// An absent member adds no compliance.
@@ -166,6 +191,8 @@ struct GearSet {
   /// The history that `duty` names; the reader of the file fills it (io/history_file.hpp).  Copies
   /// of the drive share it.
   std::shared_ptr<const DutyRecord> duty_record;
+  /// The groups whose cracks place_groups has made, in the order of their tables; for messages.
+  std::vector<PlacedGroup> placed_groups;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -275,17 +302,6 @@ void for_each_cracked_member(Gear& gear, const F& f) {
   if (gear.circular_spline) f("circular_spline", *gear.circular_spline);
   if (gear.output_shaft) f("output_shaft", *gear.output_shaft);
 }
-
-/// Path of a crack, such as "flexspline.crack[0]"; its text is built where it is needed.
-struct CrackPath {
-  std::string_view member;  ///< part of the drive that carries the crack: "flexspline"
-  std::size_t index = 0;    ///< among the cracks of that part
-
-  /// The text of the path.  Implicit, so that a walk may take the text.
-  operator std::string() const {  // NOLINT(google-explicit-constructor)
-    return std::string(member) + ".crack[" + std::to_string(index) + "]";
-  }
-};
 
 /// Calls f(path, crack) for each crack of a member.
 template <class Cracks, class F>
