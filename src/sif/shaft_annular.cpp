@@ -178,9 +178,9 @@ template <class Real>
 BasicAnnularCrackHollow<Real>::BasicAnnularCrackHollow(const Parameters& parameters)
     : p_(parameters),
       shallow_torsion_factor_(shallow_torsion_factor<Real>(p_.inner_radius / p_.outer_radius)),
-      log_torsion_(log_torsion_curve<Real>(p_.inner_radius / p_.outer_radius)),
-      tension_(tension_curve<Real>(p_.inner_radius / p_.outer_radius)) {
+      log_torsion_(log_torsion_curve<Real>(p_.inner_radius / p_.outer_radius)) {
   static_assert(kNodes == kColumns + 1);
+  if (p_.open) tension_ = tension_curve<Real>(p_.inner_radius / p_.outer_radius);
 }
 
 template <class Real>
@@ -191,7 +191,8 @@ Real BasicAnnularCrackHollow<Real>::torsion_factor(const Real& depth_ratio) cons
 
 template <class Real>
 Real BasicAnnularCrackHollow<Real>::tension_factor(const Real& depth_ratio) const {
-  return tension_(depth_ratio);
+  if (tension_) return (*tension_)(depth_ratio);
+  return tension_curve<Real>(p_.inner_radius / p_.outer_radius)(depth_ratio);
 }
 
 template <class Real>
@@ -216,7 +217,7 @@ UnitStressIntensity<2, Real> BasicAnnularCrackHollow<Real>::stress_intensity(con
 
   // K_I = P sqrt(E lambda_PP'/(2(1-nu^2) front)), where E and nu drop out (FR-16).
   if (p_.open) {
-    const auto tension = tension_.value_and_slope(alpha);
+    const auto tension = tension_->value_and_slope(alpha);
     const Real tension_slope =
         tension_scale() / 2 * p_.outer_radius * a * (2 * tension.value + alpha * tension.slope);
     k.I[0] = sqrt(tension_slope / front);
