@@ -28,11 +28,16 @@ std::string rule_text(const Range& range, std::string_view unit) {
 }
 
 std::string FieldPath::text() const {
-  std::string text = base_;
+  constexpr std::size_t kUsualLength = 48;  // of a whole path; one allocation serves most paths
+  std::string text;
+  text.reserve(base_.size() + kUsualLength);
+  text += base_;
   for (std::size_t n = 0; n < steps_; ++n) {
     const Step& step = step_[n];
     if (step.index != kNone) {
-      text += fmt::format("[{}]", step.index);
+      text += '[';
+      text += std::to_string(step.index);
+      text += ']';
     } else {
       if (!text.empty()) text += '.';
       text.append(step.name, step.size);
@@ -46,7 +51,7 @@ bool FieldPath::is(std::string_view text) const {
   for (std::size_t n = steps_; n-- > 0;) {
     const Step& step = step_[n];
     if (step.index != kNone) {
-      const std::string index = fmt::format("[{}]", step.index);
+      const std::string index = '[' + std::to_string(step.index) + ']';
       if (!text.ends_with(index)) return false;
       text.remove_suffix(index.size());
       continue;

@@ -246,7 +246,6 @@ class Maker {
     };
     made.range_end = kNearlyAll * d / 2;
     made.range_text = "the radius of the shaft";
-    made.kinks.push_back(solid_shaft_kink("FR-12"));
   }
   void fill(DriveCrack& made, const AnnularCrack& crack,
             const LoadedCrack<sif::AnnularCrackHollow>& loaded) const {
@@ -347,7 +346,6 @@ class Maker {
     };
     made.range_end = kNearlyAll * 2 * r * sif::ShaftSurfaceSolid::kMaxDepthRatio;
     made.range_text = "half of the diameter, the range of the stress intensity";
-    made.kinks.push_back(solid_shaft_kink("SB-7"));
     use(made, {"SB-7"});
   }
   void fill(DriveCrack& made, const ShaftSurfaceCrack& crack,
@@ -416,31 +414,8 @@ class Maker {
     }
     return deepest;
   }
-  [[nodiscard]] static Note solid_shaft_kink(const char* equation) {
-    return {.code = "sensitivity.solid_shaft",
-            .text =
-                "a bore of 0 is a solid shaft, whose crack has a separate solution, so the "
-                "derivative with respect to the bore is that of the sound shaft",
-            .path = "output_shaft.inner_diameter",
-            .equation = equation,
-            .severity = Severity::care};
-  }
 
   // --- Flexspline -------------------------------------------------------------------------------
-
-  /// Notes a crack that torque opens and that is exactly between open and closed.
-  void step_where_touching(DriveCrack& made, double normal_stress_of_torque) const {
-    const bool touching =
-        made.faces.positive == Faces::touching || made.faces.negative == Faces::touching;
-    if (touching && normal_stress_of_torque != 0)
-      made.kinks.push_back(
-          {.code = "sensitivity.step",
-           .text = "the crack is exactly between open and closed, where the stiffness steps, so "
-                   "the derivatives are those of the open crack and valid on one side only",
-           .path = made.path,
-           .equation = "FR-17",
-           .severity = Severity::care});
-  }
 
   /// The wall that contains a crack, with its length.
   [[nodiscard]] LongWall long_wall(WallSection section) const {
@@ -457,7 +432,6 @@ class Maker {
     const LongWall wall = long_wall(crack.section);
     take_basics(made, loaded);
     const EnergyModes energy_modes = take_reference_modulus(made);
-    step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
     if (made.laminate) {
@@ -631,7 +605,6 @@ class Maker {
     const double nu = loads_.wall_steel(crack.section).nu;
     const double t = wall.thickness;
     take_basics(made, loaded);
-    step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, crack.section, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
     const auto at_points = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size,
@@ -751,19 +724,6 @@ class Maker {
     };
     leave_unknown(made, kDiaphragm, kNoField);
     use(made, {"FA-6", "FA-8"});
-    const bool at_station = std::ranges::any_of(
-        gear_.flexspline->diaphragm->profile, [&](const DiaphragmStation& station) {
-          return std::abs(station.radius - r) <= 1e-12 * station.radius;
-        });
-    if (at_station)
-      made.kinks.push_back(
-          {.code = "sensitivity.kink",
-           .text =
-               "the arc is at a station of the diaphragm's profile, where the slope of the "
-               "thickness steps, so the derivatives are those of the profile inside the station",
-           .path = made.path,
-           .equation = "TC-19",
-           .severity = Severity::care});
   }
 
   void fill(DriveCrack& made, const DiaphragmGroove& groove, const LoadedGroove&) const {

@@ -37,19 +37,17 @@ Real BasicNewmanRaju<Real>::factor(const Real& depth_ratio, double phi) const {
 template <class Real>
 typename BasicNewmanRaju<Real>::FrontMeans BasicNewmanRaju<Real>::front_means(
     const QuadratureOptions& options) const {
-  FrontMeans means;
-  for (std::size_t n = 0; n < means.mean.size(); ++n) {
-    const auto integrand = [&](double phi) -> Real {
-      const double s = std::sin(phi);
-      double power = 1.0;
-      for (std::size_t i = 0; i < n; ++i) power *= (1 - s) * (1 - s);
-      return angle_square(s) * power;
-    };
-    // Use 31 points, because a slender front bends sharply at the surface.
-    const auto integral = integrate<31>(integrand, 0.0, std::numbers::pi / 2, options);
-    means.mean[n] = integral.value * (2 / std::numbers::pi);
-    means.converged = means.converged && integral.converged;
-  }
+  const auto integrand = [&](double phi) {
+    const double s = std::sin(phi);
+    const double fall = (1 - s) * (1 - s);
+    const Real square = angle_square(s);
+    return Together<Real, 3>{{square, square * fall, square * (fall * fall)}};
+  };
+  // Use 31 points, because a slender front bends sharply at the surface.
+  const auto integral = integrate<31>(integrand, 0.0, std::numbers::pi / 2, options);
+  FrontMeans means{.converged = integral.converged};
+  for (std::size_t n = 0; n < means.mean.size(); ++n)
+    means.mean[n] = integral.value.of[n] * (2 / std::numbers::pi);
   return means;
 }
 

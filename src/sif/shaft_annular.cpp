@@ -69,17 +69,23 @@ Real shallow_torsion_factor(const Real& rho) {
 
 constexpr std::size_t kColumns = kDepthRatios.size();
 
-/// Ordinates over alpha: an exact value at 0, then one value for each column of a table.
-template <class Real, class MakeOrdinate>
-FloaterHormann<Real, kColumns + 1> depth_curve(double at_zero, const MakeOrdinate& make) {
+/// Nodes over alpha: 0, where the value is exact, then the columns of a table.
+constexpr std::array<double, kColumns + 1> kDepthNodes = [] {
   std::array<double, kColumns + 1> x{};
-  std::array<Real, kColumns + 1> y{};
+  for (std::size_t column = 0; column < kColumns; ++column) x[column + 1] = kDepthRatios[column];
+  return x;
+}();
+
+/// Ordinates at these nodes.
+template <class Real>
+using Ordinates = std::array<Real, kColumns + 1>;
+
+template <class Real, class MakeOrdinate>
+Ordinates<Real> ordinates(double at_zero, const MakeOrdinate& make) {
+  Ordinates<Real> y{};
   y[0] = at_zero;
-  for (std::size_t column = 0; column < kColumns; ++column) {
-    x[column + 1] = kDepthRatios[column];
-    y[column + 1] = make(column);
-  }
-  return {x, y};
+  for (std::size_t column = 0; column < kColumns; ++column) y[column + 1] = make(column);
+  return y;
 }
 
 /// Curves over rho, one for each column of a table; computed only once.
@@ -98,7 +104,7 @@ Columns<Nodes> columns(const MakeColumn& make) {
 /// r_o, at which the crack works: it runs smoothly from its value for a solid shaft to 1 for a thin
 /// tube, where C_T = 1 exactly.  This radius is therefore interpolated in rho.
 template <class Real>
-FloaterHormann<Real, kColumns + 1> log_torsion_curve(const Real& rho) {
+Ordinates<Real> log_torsion_ordinates(const Real& rho) {
   using std::log;
   constexpr std::size_t kRows = kTorsionRadiusRatios.size();
   static const auto kCurves = columns<kRows + 1>([](std::size_t column) {
@@ -112,14 +118,14 @@ FloaterHormann<Real, kColumns + 1> log_torsion_curve(const Real& rho) {
     radius[kRows] = 1.0;
     return FloaterHormann<double, kRows + 1>(nodes, radius);
   });
-  return depth_curve<Real>(
+  return ordinates<Real>(
       0.0, [&](std::size_t column) -> Real { return -3 * log(kCurves[column](rho)); });
 }
 
 /// C_P over alpha at one radius ratio.  The logarithm is interpolated, because it is smoother in
 /// rho toward thin tubes.
 template <class Real>
-FloaterHormann<Real, kColumns + 1> tension_curve(const Real& rho) {
+Ordinates<Real> tension_ordinates(const Real& rho) {
   using std::exp;
   constexpr std::size_t kRows = kTensionRadiusRatios.size();
   static const auto kCurves = columns<kRows>([](std::size_t column) {
@@ -128,7 +134,7 @@ FloaterHormann<Real, kColumns + 1> tension_curve(const Real& rho) {
       log_factor[row] = std::log(kTensionTable[row][column]);
     return FloaterHormann<double, kRows>(kTensionRadiusRatios, log_factor);
   });
-  return depth_curve<Real>(1.0,
+  return ordinates<Real>(1.0,
                            [&](std::size_t column) -> Real { return exp(kCurves[column](rho)); });
 }
 
@@ -178,9 +184,10 @@ template <class Real>
 BasicAnnularCrackHollow<Real>::BasicAnnularCrackHollow(const Parameters& parameters)
     : p_(parameters),
       shallow_torsion_factor_(shallow_torsion_factor<Real>(p_.inner_radius / p_.outer_radius)),
-      log_torsion_(log_torsion_curve<Real>(p_.inner_radius / p_.outer_radius)),
-      tension_(tension_curve<Real>(p_.inner_radius / p_.outer_radius)) {
+      log_torsion_(kDepthNodes, log_torsion_ordinates<Real>(p_.inner_radius / p_.outer_radius)) {
   static_assert(kNodes == kColumns + 1);
+  if (p_.open)
+    tension_.emplace(kDepthNodes, tension_ordinates<Real>(p_.inner_radius / p_.outer_radius));
 }
 
 template <class Real>
@@ -191,7 +198,9 @@ Real BasicAnnularCrackHollow<Real>::torsion_factor(const Real& depth_ratio) cons
 
 template <class Real>
 Real BasicAnnularCrackHollow<Real>::tension_factor(const Real& depth_ratio) const {
-  return tension_(depth_ratio);
+  if (tension_) return (*tension_)(depth_ratio);
+  return Curve(kDepthNodes,
+               tension_ordinates<Real>(p_.inner_radius / p_.outer_radius))(depth_ratio);
 }
 
 template <class Real>
@@ -216,7 +225,7 @@ UnitStressIntensity<2, Real> BasicAnnularCrackHollow<Real>::stress_intensity(con
 
   // K_I = P sqrt(E lambda_PP'/(2(1-nu^2) front)), where E and nu drop out (FR-16).
   if (p_.open) {
-    const auto tension = tension_.value_and_slope(alpha);
+    const auto tension = tension_->value_and_slope(alpha);
     const Real tension_slope =
         tension_scale() / 2 * p_.outer_radius * a * (2 * tension.value + alpha * tension.slope);
     k.I[0] = sqrt(tension_slope / front);

@@ -226,12 +226,4 @@ SeriesCompliance<double> series_compliance(const GearSet& gear, CrackTables::Rea
   return total;
 }
 
-std::vector<Note> smoothness_notes(const GearSet& gear) {
-  std::vector<Note> notes;
-  for (const DriveCrack& crack : drive_cracks(gear))
-    for (const Note& kink : crack.kinks)
-      if (std::ranges::find(notes, kink) == notes.end()) notes.push_back(kink);
-  return notes;
-}
-
 }  // namespace strainwave

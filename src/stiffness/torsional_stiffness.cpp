@@ -240,6 +240,10 @@ void note_materials(const GearSet& gear, std::vector<Note>& notes) {
 
 StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions& options) {
   check(gear);
+  return stiffness_of_checked(gear, options);
+}
+
+StiffnessResult stiffness_of_checked(const GearSet& gear, const StiffnessOptions& options) {
   StiffnessResult result;
   result.method = Method::corrected;
   result.notes = input_notes(gear);

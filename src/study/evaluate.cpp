@@ -356,7 +356,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   Coupled coupled =
       options.coupled_drive ? coupled_drive(gear, options.over_turn, progress) : Coupled{};
   StiffnessResult result =
-      torsional_stiffness(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
+      stiffness_of_checked(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
   result.curve = coupled.curve;
   // Put the notes that limit the answer first.
   for (Note& note : result.notes)

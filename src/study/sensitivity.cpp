@@ -37,6 +37,7 @@ struct Number {
 /// The numbers that describe the drive, without those of ranges, scatter and correlations.
 std::vector<Number> numbers_of(const GearSet& gear) {
   std::vector<Number> numbers;
+  numbers.reserve(64);  // most drives have fewer
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
     std::string text = path.text();
     if (text.starts_with("scatter[") || text.starts_with("correlation[")) return;
@@ -143,7 +144,7 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
   const Coupled coupled = coupled_drive(gear);
   StiffnessOptions beside = options;
   beside.coupled = coupled.curve ? &*coupled.curve : nullptr;
-  const StiffnessResult result = torsional_stiffness(gear, beside);
+  const StiffnessResult result = stiffness_of_checked(gear, beside);
   const CoupledOutputs of_coupled(gear, coupled);
   Sensitivity sensitivity;
   sensitivity.unusable_because = result.unusable_because;
@@ -211,19 +212,24 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
     sensitivity.unusable_because = "the derivative of a crack integral did not converge";
 
   if (!of_coupled.outputs().empty()) sensitivity.not_differentiated = curve_steps(gear);
-  for (Number& number : numbers) {
-    const bool step = std::ranges::find(sensitivity.not_differentiated, number.input.path,
-                                        &CurveStep::path) != sensitivity.not_differentiated.end();
-    const bool none = std::ranges::all_of(number.input.influence,
+  struct Rank {
+    double largest_elasticity;
+    SensitivityInput* input;
+  };
+  std::vector<Rank> ranks;
+  ranks.reserve(numbers.size());
+  for (auto& [input, address] : numbers) {
+    const bool none = std::ranges::all_of(input.influence,
                                           [](const Influence& i) { return i.derivative == 0.0; });
-    if (none && step) continue;
-    if (none)
-      sensitivity.no_influence.push_back(std::move(number.input.path));
-    else
-      sensitivity.inputs.push_back(std::move(number.input));
+    if (!none)
+      ranks.push_back({input.largest_elasticity(), &input});
+    else if (std::ranges::find(sensitivity.not_differentiated, input.path, &CurveStep::path) ==
+             sensitivity.not_differentiated.end())
+      sensitivity.no_influence.push_back(std::move(input.path));
   }
-  std::ranges::stable_sort(sensitivity.inputs, std::ranges::greater{},
-                           &SensitivityInput::largest_elasticity);
+  std::ranges::stable_sort(ranks, std::ranges::greater{}, &Rank::largest_elasticity);
+  sensitivity.inputs.reserve(ranks.size());
+  for (const Rank& rank : ranks) sensitivity.inputs.push_back(std::move(*rank.input));
   sensitivity.notes.push_back({"sensitivity.whole_numbers",
                                "whole numbers, such as the wave number, have no derivative", "",
                                "SN-1", Severity::information});
@@ -234,8 +240,14 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
 
 Sensitivity held_to_dimensions(Sensitivity sensitivity) {
   std::vector<LengthAndForce> of_inputs;
-  for (const SensitivityInput& input : sensitivity.inputs)
-    of_inputs.push_back(length_and_force(input.unit));
+  of_inputs.reserve(sensitivity.inputs.size());
+  std::vector<std::pair<std::string_view, LengthAndForce>> read;  // few units serve many inputs
+  for (const SensitivityInput& input : sensitivity.inputs) {
+    auto known = std::ranges::find(read, input.unit, &decltype(read)::value_type::first);
+    if (known == read.end())
+      known = read.insert(known, {input.unit, length_and_force(input.unit)});
+    of_inputs.push_back(known->second);
+  }
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     SensitivityOutput& output = sensitivity.outputs[y];
     const LengthAndForce of_output = length_and_force(output.value.unit);

@@ -257,5 +257,21 @@ TEST(QuadratureRule, CrosscheckComplexValues) {
   EXPECT_NEAR(integral.value.imag(), 1, 1e-13);
 }
 
+TEST(QuadratureRule, CrosscheckIntegrandsTogetherAgreeWithEach) {
+  // The second integrand needs bisection, and the first gets the same points.
+  const auto f = [](double x) { return std::exp(x); };
+  const auto g = [](double x) { return std::sqrt(x); };
+  const auto both =
+      integrate([&](double x) { return Together<double, 2>{{f(x), g(x)}}; }, 0.0, 1.0);
+  EXPECT_TRUE(both.converged);
+  EXPECT_NEAR(both.value.of[0], std::numbers::e - 1, 1e-14);
+  EXPECT_NEAR(both.value.of[1], 2.0 / 3, 2e-10);
+  EXPECT_GT(both.error, 0.0);
+  EXPECT_LT(std::abs(both.value.of[1] - 2.0 / 3), both.error + 1e-15);
+  // The norm is the largest magnitude, whatever its place and sign.
+  EXPECT_EQ(abs(Together<double, 3>{{1.0, -3.0, 2.0}}), 3.0);
+  EXPECT_EQ(abs(Together<double, 3>{{4.0, -3.0, 2.0}}), 4.0);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/sif/tube/shell_factors.hpp"
@@ -580,6 +581,87 @@ TEST(ThroughCrack, InputDefaults) {
   EXPECT_TRUE(crack.open);
   EXPECT_EQ(kAxial, 0U);
   EXPECT_EQ(kTorsion, 1U);
+}
+
+// --- Both states of the faces by one quadrature ------------------------------------------------
+
+/// The same crack in the scalar with derivatives, all with respect to the angle alone.
+sif::BasicThroughCrackInTube<CrackReal> by_angle(const sif::ThroughCrackInTube& crack) {
+  CrackReal angle = crack.angle;
+  angle.partial[0] = 1.0;
+  return {.half_length = crack.half_length,
+          .mean_radius = crack.mean_radius,
+          .wall_thickness = crack.wall_thickness,
+          .angle = angle,
+          .poissons_ratio = crack.poissons_ratio,
+          .shell_correction = crack.shell_correction,
+          .thin_sheet = crack.thin_sheet,
+          .count = crack.count};
+}
+
+// Kind: identity (FR-2), (FR-17).  Tolerance: 1e-12, rounding of the same 15 points; the tolerance
+// of the quadrature is 1e-10.
+TEST(BothStatesOfFaces, IdentityEachStateAlone) {
+  const ApartAndPressed<CrackModuli> moduli = {
+      kPlaneStress, {.opening = 2 * kE, .shear = test::kG}};  // they may differ, as in a laminate
+  for (const double degrees : {0.0, 20.0, 45.0, 45.0001, -70.0, 90.0})
+    for (const double half_length : {0.01 * mm, 1 * mm, 30 * mm})
+      for (const int which : {0, 1, 2, 3}) {
+        sif::ThroughCrackInTube crack = article_crack(half_length, degrees);
+        crack.shell_correction = which != 0;
+        crack.thin_sheet = which == 1;
+        if (which == 3) crack.count = 5;
+        const auto both = integrated_in_both_states(crack, moduli);
+        const auto apart = added_compliance(crack, moduli.apart);
+        const auto pressed = added_compliance(crack.pressed(), moduli.pressed);
+        const std::string at = std::to_string(degrees) + " " + std::to_string(half_length) + " " +
+                               std::to_string(which);
+        EXPECT_TRUE(both.apart.converged && both.pressed.converged) << at;
+        for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 1}}) {
+          const auto near = [&](const SymmetricMatrix<2>& a, const SymmetricMatrix<2>& b) {
+            const double scale = std::sqrt(b(i, i)) * std::sqrt(b(j, j));
+            EXPECT_NEAR(a(i, j), b(i, j), 1e-12 * scale) << at << ' ' << i << j;
+          };
+          near(both.apart.matrix, apart.matrix);
+          near(both.pressed.matrix, pressed.matrix);
+        }
+      }
+}
+
+// Kind: identity.  A pressed crack at nearly 45 degrees hardly slides under torque, but its
+// compliance and the slope keep all their digits beside those of the open crack.
+TEST(BothStatesOfFaces, IdentityDerivativesOfAWeakState) {
+  for (const double degrees : {45.0, 45.0001, 44.0, 10.0}) {
+    const auto crack = by_angle(article_crack(5 * mm, degrees));
+    const BasicCrackModuli<CrackReal> moduli{.opening = kE, .shear = test::kG};
+    const auto both = integrated_in_both_states(crack, {moduli, moduli});
+    for (const bool open : {true, false}) {
+      const auto alone = added_compliance(open ? crack : crack.pressed(), moduli).matrix;
+      const CrackReal& at = (open ? both.apart : both.pressed).matrix(kTorsion, kTorsion);
+      const CrackReal& of = alone(kTorsion, kTorsion);
+      EXPECT_NEAR(at.value, of.value, 1e-12 * std::abs(of.value)) << degrees << open;
+      EXPECT_NEAR(at.partial[0], of.partial[0], 1e-12 * std::abs(of.partial[0])) << degrees << open;
+    }
+  }
+}
+
+TEST(BothStatesOfFaces, ConvergenceIsDenied) {
+  sif::ThroughCrackInTube crack = article_crack(30 * mm, 20);
+  crack.shell_correction = true;
+  crack.thin_sheet = false;
+  const ApartAndPressed<CrackModuli> moduli = {kPlaneStress, kPlaneStress};
+  const auto hard = integrated_in_both_states(crack, moduli,
+                                              {.relative_tolerance = 1e-17, .max_pieces = 3});
+  EXPECT_FALSE(hard.apart.converged || hard.pressed.converged);
+  EXPECT_GT(hard.pressed.relative_error, 0.0);
+  // Without a stress that opens or shears it, a state adds nothing, and this is no fault.
+  crack.tip_stress = sif::CrackPlaneStress{.normal = {1.0, 1.0}, .shear = {}};
+  crack.shell_correction = false;
+  const auto idle = integrated_in_both_states(crack, moduli);
+  EXPECT_TRUE(idle.apart.converged && idle.pressed.converged);
+  EXPECT_GT(idle.apart.matrix(1, 1), 0.0);
+  EXPECT_EQ(idle.pressed.matrix(1, 1), 0.0);
+  EXPECT_EQ(idle.pressed.relative_error, 0.0);
 }
 
 }  // namespace

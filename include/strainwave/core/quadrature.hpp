@@ -22,6 +22,37 @@ struct QuadratureOptions {
   std::size_t max_pieces = 1000;
 };
 
+/// Several integrands over the same interval, for one quadrature at the same points.
+template <class Value, std::size_t N>
+struct Together {
+  std::array<Value, N> of{};  ///< the integrands, or their integrals
+
+  /// Sums, differences and multiples, one by one.
+  /// @{
+  Together& operator+=(const Together& other) {
+    for (std::size_t n = 0; n < N; ++n) of[n] += other.of[n];
+    return *this;
+  }
+  friend Together operator+(Together a, const Together& b) { return a += b; }
+  friend Together operator-(Together a, const Together& b) {
+    for (std::size_t n = 0; n < N; ++n) a.of[n] = a.of[n] - b.of[n];
+    return a;
+  }
+  template <class Factor>
+  friend Together operator*(Together a, const Factor& factor) {
+    for (Value& value : a.of) value *= factor;
+    return a;
+  }
+  /// @}
+
+  /// Largest magnitude; the tolerance of a quadrature is relative to it.
+  friend double abs(const Together& a) {
+    double largest = 0.0;
+    for (const Value& value : a.of) largest = std::max(largest, magnitude(value));
+    return largest;
+  }
+};
+
 /// An integral with its error estimate.
 template <class Value>
 struct Integral {

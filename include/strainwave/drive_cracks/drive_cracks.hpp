@@ -138,7 +138,6 @@ struct DriveCrack {
   /// the model of the stress, in words, if it gives an upper bound; empty: it gives none
   std::string upper_bound;
   std::vector<StrengthNote> notes;     ///< effects that the stress leaves out
-  std::vector<Note> kinks;             ///< places of this drive at which the compliance has a kink
   std::vector<std::string> equations;  ///< tags of the theory manual
 
   /// Factor cos(U theta) by which K of the assembly varies round the wall [-].

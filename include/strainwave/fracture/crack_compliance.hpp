@@ -79,28 +79,6 @@ template <class T>
 struct ApartAndPressed {
   T apart{};    ///< with the faces apart
   T pressed{};  ///< with the faces pressed together
-
-  /// Sums, differences and multiples of both, as adaptive quadrature needs them.
-  /// @{
-  ApartAndPressed& operator+=(const ApartAndPressed& other) {
-    apart += other.apart;
-    pressed += other.pressed;
-    return *this;
-  }
-  friend ApartAndPressed operator+(ApartAndPressed a, const ApartAndPressed& b) { return a += b; }
-  friend ApartAndPressed operator-(const ApartAndPressed& a, const ApartAndPressed& b) {
-    return {a.apart - b.apart, a.pressed - b.pressed};
-  }
-  template <class Factor>
-  friend ApartAndPressed operator*(const ApartAndPressed& a, const Factor& factor) {
-    return {a.apart * factor, a.pressed * factor};
-  }
-  /// @}
-
-  /// The larger magnitude of both; adaptive quadrature uses it as the norm.
-  friend double abs(const ApartAndPressed& a) {
-    return std::max(magnitude(a.apart), magnitude(a.pressed));
-  }
 };
 
 /// Indices of the two generalised loads of a tube or shaft.
@@ -313,11 +291,6 @@ template <std::size_t N, class Real>
     }
   return units;
 }
-template <std::size_t N, class Real>
-[[nodiscard]] ApartAndPressed<SymmetricMatrix<N>> units_of_equal_energy(
-    const ApartAndPressed<SymmetricMatrix<N, Real>>& both) {
-  return {units_of_equal_energy(both.apart), units_of_equal_energy(both.pressed)};
-}
 
 /// A matrix divided by its units, entry by entry, and multiplied by them again.
 /// @{
@@ -326,12 +299,6 @@ template <std::size_t N, class Real>
                                                   const SymmetricMatrix<N>& units) {
   for (std::size_t n = 0; n < units.upper.size(); ++n) matrix.upper[n] /= units.upper[n];
   return matrix;
-}
-template <std::size_t N, class Real>
-[[nodiscard]] ApartAndPressed<SymmetricMatrix<N, Real>> over_units(
-    const ApartAndPressed<SymmetricMatrix<N, Real>>& both,
-    const ApartAndPressed<SymmetricMatrix<N>>& units) {
-  return {over_units(both.apart, units.apart), over_units(both.pressed, units.pressed)};
 }
 template <std::size_t N, class Real>
 [[nodiscard]] SymmetricMatrix<N, Real> in_units(SymmetricMatrix<N, Real> matrix,
@@ -429,26 +396,31 @@ integrated_in_both_states(const Crack& crack,
                           const QuadratureOptions& options = {}) {
   constexpr std::size_t N = Crack::kLoads;
   using Real = ScalarOf<Crack>;
-  using Both = ApartAndPressed<SymmetricMatrix<N, Real>>;
+  using Both = Together<SymmetricMatrix<N, Real>, 2>;  // apart, pressed
   const auto along_front = [&, family = crack.family()](const Real& a) {
     const auto k = family.in_both_states(a);
     const ApartAndPressed<Real> factor = family.wall_factors(a);
     const Real length = 2 * crack.swept_area(a, 0.0);
-    return Both{mean_compliance_density(k.apart, moduli.apart) * (length * factor.apart),
-                mean_compliance_density(k.pressed, moduli.pressed) * (length * factor.pressed)};
+    return Both{{mean_compliance_density(k.apart, moduli.apart) * (length * factor.apart),
+                 mean_compliance_density(k.pressed, moduli.pressed) * (length * factor.pressed)}};
   };
   // A pressed crack may add much less than an open one, and must meet the tolerance too.
-  const auto units = units_of_equal_energy(along_front(crack.size()));
+  const Both final = along_front(crack.size());
+  const std::array units = {units_of_equal_energy(final.of[0]), units_of_equal_energy(final.of[1])};
   const auto integral = integrated_over_size(
-      crack, [&](const Real& a) { return over_units(along_front(a), units); }, options);
-  const auto result = [&](const SymmetricMatrix<N, Real>& matrix, const SymmetricMatrix<N>& unit) {
-    const double size = abs(matrix);
-    return CrackCompliance<N, Real>{.matrix = in_units(matrix, unit),
+      crack,
+      [&](const Real& a) {
+        const Both both = along_front(a);
+        return Both{{over_units(both.of[0], units[0]), over_units(both.of[1], units[1])}};
+      },
+      options);
+  const auto result = [&](std::size_t state) {
+    const double size = abs(integral.value.of[state]);
+    return CrackCompliance<N, Real>{.matrix = in_units(integral.value.of[state], units[state]),
                                     .relative_error = size > 0 ? integral.error / size : 0.0,
                                     .converged = integral.converged || size == 0};
   };
-  return {result(integral.value.apart, units.apart),
-          result(integral.value.pressed, units.pressed)};
+  return {result(0), result(1)};
 }
 
 /// Added compliance of a crack,

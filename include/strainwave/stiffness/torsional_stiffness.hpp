@@ -68,5 +68,8 @@ struct MemberCompliance {
 /// @throws InputError  if the gear breaks a rule
 [[nodiscard]] StiffnessResult torsional_stiffness(const GearSet& gear,
                                                   const StiffnessOptions& options = {});
+/// The same for a drive that has passed `check`, which is not repeated.
+[[nodiscard]] StiffnessResult stiffness_of_checked(const GearSet& gear,
+                                                   const StiffnessOptions& options = {});
 
 }  // namespace strainwave

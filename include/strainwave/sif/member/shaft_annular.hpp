@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "strainwave/core/floater_hormann.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
@@ -118,7 +119,7 @@ class BasicAnnularCrackHollow {
   Parameters p_;
   Real shallow_torsion_factor_;  ///< C_T(0), exact
   Curve log_torsion_;            ///< ln(C_T/C_T(0)) over alpha
-  Curve tension_;                ///< C_P over alpha
+  std::optional<Curve> tension_;  ///< C_P over alpha; nothing: made with pressed faces
 };
 using AnnularCrackHollow = BasicAnnularCrackHollow<double>;
 
