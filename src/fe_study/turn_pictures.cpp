@@ -152,11 +152,10 @@ std::string opening_map(const TurnRun& run, const TurnAtSize& size) {
     const gear_fem::FacesAtAngle& faces = torque.faces[angle_of_opening(torque)];
     const std::string state =
         torque.largest_opening > 0
-            ? fmt::format(
-                  "{} from a lobe to the crack: largest opening {} µm; the faces touch over "
-                  "{:.3g} % of the crack",
-                  shown_degrees(torque.at_opening),
-                  shown_number(torque.largest_opening / kMicrometre), 100 * faces.contact_share)
+            ? fmt::format("{} from a lobe: largest opening {} µm, {:.3g} % of the crack touches",
+                          shown_degrees(torque.at_opening),
+                          shown_number(torque.largest_opening / kMicrometre),
+                          100 * faces.contact_share)
             : std::string("the crack is closed over the whole turn");
     sheet.words({kLeft, top - 22}, "label",
                 fmt::format("{}, {}", torque_words(torque.torque), state));
@@ -188,13 +187,12 @@ class RingView {
   [[nodiscard]] double magnification() const { return magnification_; }
   [[nodiscard]] double thicker() const { return thicker_; }
 
-  /// Place of a point of the ring above the middle [px].
-  /// @param at      index into the angles
-  /// @param radius  index into the radii
-  [[nodiscard]] double height(std::size_t at, std::size_t radius) const {
+  /// Distance of a point of the ring from the middle [px].
+  /// @param at       index into the angles
+  /// @param through  place in the wall, from its middle surface outward [m]
+  [[nodiscard]] double height(std::size_t at, double through) const {
     const double mean = ring_.radii[ring_.radii.size() / 2];
-    return scale_ *
-           (mean + magnification_ * ring_.outward[at] + thicker_ * (ring_.radii[radius] - mean));
+    return scale_ * (mean + magnification_ * ring_.outward[at] + thicker_ * through);
   }
 
   /// The stress in colours.
@@ -209,7 +207,7 @@ class RingView {
         for (std::size_t i = first; i <= first + n; ++i)
           for (std::size_t r = 0; r < radii; ++r) {
             const double angle = ring_.angles[i] + half_turn;
-            const double h = height(i, r);
+            const double h = height(i, ring_.radii[r] - ring_.radii[n / 2]);
             patch.points.push_back(
                 {middle_.x - h * std::sin(angle), middle_.y - h * std::cos(angle)});
             patch.values.push_back(values[i * radii + r] / units::MPa);
@@ -286,23 +284,30 @@ void Animation::draw_ring(PictureSheet& sheet, const Rounds& rounds) const {
   const std::string place = fmt::format("{:g} {:g}", kMiddle.x, kMiddle.y);
   sheet.raw(fmt::format("<g transform=\"rotate({:.2f} {})\">\n", 180 * rounds.start, place));
   sheet.raw(view.stress(torque_.ring_stress, scale));
-  sheet.line(std::array{PaperPoint{kMiddle.x, kMiddle.y - view.height(0, 0) + 3},
-                        PaperPoint{kMiddle.x, kMiddle.y + view.height(0, 0) - 3}},
+  const CrackPlane& plane = size_.turn.plane;
+  const double rest = view.height(0, -plane.half_wall);  // inner face at a lobe
+  sheet.line(std::array{PaperPoint{kMiddle.x, kMiddle.y - rest + 3},
+                        PaperPoint{kMiddle.x, kMiddle.y + rest - 3}},
              "dashes");
   sheet.raw(
       fmt::format("<animateTransform attributeName=\"transform\" type=\"rotate\" "
                   "from=\"0 {0}\" to=\"180 {0}\" {1}/></g>\n",
                   place, rounds.attributes()));
   // The crack moves outward and inward with the oval.
-  const std::size_t outer = ring.radii.size() - 1;
-  const double rest = view.height(0, 0);
   std::string moves;
   for (std::size_t i = 0; i < ring.angles.size(); ++i)
-    moves += fmt::format("{}0 {:.1f}", i == 0 ? "" : ";", rest - view.height(i, 0));
+    moves += fmt::format("{}0 {:.1f}", i == 0 ? "" : ";", rest - view.height(i, -plane.half_wall));
   const auto start = static_cast<std::size_t>(
       std::lround(rounds.start * static_cast<double>(ring.angles.size() - 1)));
-  sheet.raw(fmt::format("<g transform=\"translate(0 {:.1f})\">\n", rest - view.height(start, 0)));
-  const std::array crack = {PaperPoint{kMiddle.x, kMiddle.y - rest},
+  sheet.raw(fmt::format("<g transform=\"translate(0 {:.1f})\">\n",
+                        rest - view.height(start, -plane.half_wall)));
+  double inner = plane.half_wall;
+  double outer = -plane.half_wall;
+  for (const CrackPlane::Node& node : plane.nodes) {
+    inner = std::min(inner, node.through);
+    outer = std::max(outer, node.through);
+  }
+  const std::array crack = {PaperPoint{kMiddle.x, kMiddle.y - view.height(0, inner)},
                             PaperPoint{kMiddle.x, kMiddle.y - view.height(0, outer)}};
   sheet.line(crack, "halo");
   sheet.line(crack, "crack");

@@ -72,7 +72,7 @@ TEST_P(FeAnswers, IdentityEveryAnswerKeepsItsSchemaAndMakesItsDocuments) {
   for (const Document& document : row.documents) {
     if (!document.needs.empty() && !values.given(document.needs)) continue;
     SCOPED_TRACE(document.name);
-    if (document.name == "plot" && values.given("dry_run")) {
+    if ((document.name == "plot" || document.name == "svg") && values.given("dry_run")) {
       EXPECT_THROW((void)answer.files(document.name), OptionError);
       continue;
     }
@@ -107,15 +107,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Trial{"schema", "", R"({"of": "result", "command": "run"})"}));
 
 TEST(FeAnswersRefused, InputFieldsOfADryRunAndATableWithoutJournal) {
-  const auto refusal = [](std::string_view name, std::string_view options) -> std::string {
+  const auto refusal = [](std::string_view name, std::string_view options,
+                          std::string_view document = "vtu",
+                          const std::string& drive = "solid_shaft") -> std::string {
     const Command& row = command_named(fe_commands(), name);
     OptionValues values(row.options);
     values.set_from_json(options);
-    const std::string path = STRAINWAVE_EXAMPLES "/solid_shaft.toml";
+    const std::string path = STRAINWAVE_EXAMPLES "/" + drive + ".toml";
     try {
       const Answer answer =
           run(row, read_drive(test::contents(path), path), values, {}, {}, {.ranks = test::mpi()});
-      return answer.files("vtu").empty() ? "no files" : "files";
+      return answer.files(document).empty() ? "no files" : "files";
     } catch (const OptionError& error) {
       return error.what();
     }
@@ -124,6 +126,13 @@ TEST(FeAnswersRefused, InputFieldsOfADryRunAndATableWithoutJournal) {
             "dry_run: does not compute fields; leave out --dry-run or --fields");
   EXPECT_EQ(refusal("run", R"({"dry_run": true})"),
             "dry_run: does not compute fields; choose another format");
+  EXPECT_EQ(refusal("turn", R"({"dry_run": true, "fields": true})", "vtu", "breathing_crack"),
+            "dry_run: does not compute fields; choose another format");
+  EXPECT_EQ(refusal("turn", R"({"dry_run": true})", "svg", "breathing_crack"),
+            "dry_run: does not compute the turn; choose another format");
+  EXPECT_EQ(refusal("turn", R"({"order": 2, "torque": ["0 N*m"], "angles": 8})", "vtu",
+                    "breathing_crack"),
+            "fields: must be given for this format");
   EXPECT_EQ(refusal("tabulate", R"({"over": ["output_shaft.crack[0].depth=6 mm..9 mm:2"]})"),
             "journal: must be given; tabulate needs a journal");
 }

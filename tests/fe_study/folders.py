@@ -268,6 +268,124 @@ def surface(program, examples, folder):
     front_agrees(fronts, sense["from_upper_to_lower_end"])
 
 
+def round_mean(theta, values):
+    """Mean over the angle of values at places round the axis, by the trapezoidal rule."""
+    at, first = np.unique(np.round(theta, 7), return_index=True)
+    here = np.append(values[first], values[first[0]])
+    return np.sum((here[1:] + here[:-1]) / 2 * np.diff(np.append(at, at[0] + 2 * np.pi))) / (2 * np.pi)
+
+
+def turn_fields(program, examples, folder):
+    """The fields of a crack over a turn, as series of files.
+
+    Displacement and stress are those of the oval, the torque and the crack together: the bore follows the cam,
+    w_0 cos 2(theta + alpha) at the middle of the rim; the mean twist of the end is T C of the cup, less half of
+    the rim, because the torque acts evenly round the rim; and the open faces are free of stress."""
+    out = folder / "turn"
+    angles, torque = 8, 48.0
+    run(program, "turn", examples / "breathing_crack.toml", "--order", 2, "--angles", angles,
+        "--torque", f"{torque} N*m", "--format", "vtu", "-o", out)
+    turn = json.loads((out / "result.json").read_text())["result"]["sizes"][0]["turn"]
+    over = turn["torques"][0]
+    stem = "flexspline_crack_0_torque_0"
+    series = {kind: [(float(one.get("timestep")), one.get("file"))
+                     for one in xml.parse(out / f"{stem}{kind}.pvd").getroot().iter("DataSet")]
+              for kind in ("", "_faces", "_fronts")}
+    for kind, files in series.items():
+        assert [name for _, name in files] == [f"{stem}{kind}_{i:03}.vtu" for i in range(angles)], files
+        assert np.allclose([at for at, _ in files], np.pi * np.arange(angles) / angles, atol=1e-11)
+    names = {f"{stem}{kind}.pvd" for kind in series} | {name for files in series.values() for _, name in files}
+    assert {p.name for p in out.iterdir()} == names | {"result.json"}, list(out.iterdir())
+
+    R, t, a, middle = 31.023e-3, 0.453e-3, 2e-3, 17.2e-3 + 9.5e-3 / 2
+    bore, half = 62.801e-3 / 2 - 0.755e-3, math.pi / 4
+    normal = np.array([0, math.cos(half), math.sin(half)])
+    twists, openings = [], []
+    for i in range(angles):
+        alpha = series[""][i][0]
+        body = meshio.read(out / series[""][i][1])
+        p, u = body.points, body.point_data["displacement"]
+        r, theta = np.hypot(p[:, 0], p[:, 1]), np.arctan2(p[:, 1], p[:, 0])
+        radial = u[:, 0] * np.cos(theta) + u[:, 1] * np.sin(theta)
+        turned = (u[:, 1] * np.cos(theta) - u[:, 0] * np.sin(theta)) / r
+        heights, waves = [], []
+        for z in np.unique(np.round(p[np.abs(r - bore) < 1e-6, 2], 6)):
+            ring = (np.abs(r - bore) < 1e-6) & (np.abs(p[:, 2] - z) < 2e-6)
+            if z < 17.5e-3:
+                continue
+            heights.append(z)
+            waves.append([2 * round_mean(theta[ring], radial[ring] * wave(2 * (theta[ring] + alpha)))
+                          for wave in (np.cos, np.sin)])
+        follows = [np.interp(middle, heights, one) for one in np.transpose(waves)]
+        near(follows[0], 0.3175e-3, 0.015, "the bore follows the cam")  # order 2, 54 places round
+        assert abs(follows[1]) < 0.01 * 0.3175e-3, follows
+        end = (p[:, 2] > p[:, 2].max() - 1e-9) & (np.abs(r - bore) < 1e-6)
+        twists.append(round_mean(theta[end], turned[end]))
+
+        faces = meshio.read(out / series["_faces"][i][1])
+        openings.append(faces.point_data["opening"].max())
+        q = faces.points
+        along = (q[:, 2] - 8.6e-3) * math.cos(half) - R * np.arctan2(q[:, 1], q[:, 0]) * math.sin(half)
+        across = np.einsum("i,pij,j->p", normal, body.point_data["stress"].reshape(-1, 3, 3), normal)
+        free = [across[np.linalg.norm(p - place, axis=1) < 1e-9] for place in q[np.abs(along) < 0.5 * a][::4]]
+        left = np.sqrt(np.mean(np.concatenate(free)**2))
+        assert left < 0.03 * turn["largest_stress"]["value"], (left, turn["largest_stress"])
+        area = integral([faces], None) / 2
+        near(area, 2 * a * t, 5e-3, "area of the crack")
+        fronts = meshio.read(out / series["_fronts"][i][1])
+        K = fronts.point_data["K_I"]
+        wanted = [s["factors"]["K_I"]["values"][i] for s in over["stations"]]
+        for one in wanted:
+            assert np.abs(K - one).min() < 1e-5 * max(wanted), (one, K)
+        near(K.max(), max(wanted), 1e-5, "K_I")
+    # The round shear of the torque varies the least in the mean over the turn.
+    shear = 206e9 / 2.6
+    rim = torque * 9.5e-3 / (shear * math.pi / 2 * ((bore + 0.755e-3)**4 - bore**4))
+    near(np.mean(twists), torque * 5.95028e-6 - rim / 2, 0.02, "twist")
+    # Two roads to the opening: the response of the faces, and the full solutions.
+    near(max(openings), over["largest_opening"]["value"], 1e-3, "opening")
+    near(series[""][int(np.argmax(openings))][0], over["at_opening"]["value"], 1e-9, "angle")
+
+
+def turn_pictures(program, examples, folder):
+    """The opening of a crack and the animation of a turn; the clock of an animation is read as SMIL says."""
+    out = folder / "turn pictures"
+    run(program, "turn", examples / "breathing_crack.toml", "--order", 2, "--angles", 8, "--format", "svg",
+        "-o", out)
+    assert sorted(p.name for p in out.iterdir()) == \
+        ["flexspline_crack_0_opening.svg"] + [f"flexspline_crack_0_torque_{n}.svg" for n in range(3)]
+    for file in sorted(out.iterdir()):
+        source = file.read_text()
+        assert len(source) < 2e6 and "nan" not in source and "inf;" not in source, file
+        assert "href" not in source and "<script" not in source and "url(http" not in source, file
+        root = xml.fromstring(source)
+        text = " | ".join("".join(t.itertext()) for t in root.iter(SVG + "text"))
+        assert "flexspline.crack[0]" in text and "half length 2 mm" in text, text
+        animations = [e for e in root.iter() if e.tag in (SVG + "animate", SVG + "animateTransform")]
+        if "opening" in file.name:
+            assert not animations
+            for words in ("T = −48 N·m", "T = 0 N·m", "T = +48 N·m", "largest opening", "outer face"):
+                assert words in text, (words, text)
+            continue
+        assert {(e.get("dur"), e.get("repeatCount")) for e in animations} == {("9s", "indefinite")}
+        shown = np.zeros(800, dtype=int)
+        lags = set()
+        for e in animations:
+            assert float(e.get("begin")[:-1]) < 0, e.attrib
+            values = e.get("values").split(";") if e.get("values") else [e.get("from"), e.get("to")]
+            times = [float(k) for k in e.get("keyTimes").split(";")] if e.get("keyTimes") else None
+            if times:
+                assert len(times) == len(values) and times[0] == 0 and times == sorted(times), e.attrib
+                assert e.get("calcMode") == "discrete" or times[-1] == 1, e.attrib
+            if e.get("attributeName") == "display":
+                lags.add(e.get("begin"))
+                now = (np.arange(800) + 0.5) / 800
+                at = np.searchsorted(times, now, side="right") - 1
+                shown += np.array([values[k] == "inline" for k in at])
+        assert (shown == 1).all() and len(lags) == 1  # one state at each moment, all with one clock
+        assert sum(g.get("display") == "inline" for g in root.iter(SVG + "g")) == 1
+
+
 def shaft(program, examples, folder):
     """An annular crack, by the batch script for Slurm with one process."""
     out = folder / "shaft"
@@ -371,6 +489,15 @@ def refusals(program, examples, folder):
     assert "name a folder with -o" in done.stderr, done.stderr
     done = run(program, "render", gear, codes=(2,))
     assert "name a folder with -o" in done.stderr, done.stderr
+    breathing = examples / "breathing_crack.toml"
+    for form in ("svg", "vtu"):
+        done = run(program, "turn", breathing, "--format", form, codes=(2,))
+        assert f"--format {form} writes several files: name a folder with -o" in done.stderr, done.stderr
+        done = run(program, "turn", breathing, "--format", form, "-o", "/dev/full", codes=(7,))
+        assert "/dev/full: is a file, but the results need a folder" in done.stderr, done.stderr
+        done = run(program, "turn", breathing, "--format", form, "--dry-run", "-o", folder / "dry", codes=(2,))
+        assert "dry_run: does not compute" in done.stderr or "--dry-run" in done.stderr, done.stderr
+        assert not (folder / "dry").exists()
     # If a file has the folder's name, or a folder has a file's name, nothing is left behind.
     blocked = folder / "blocked"
     blocked.write_text("mine")
@@ -387,7 +514,7 @@ def refusals(program, examples, folder):
 def main():
     program, examples = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory(prefix="strainwave fe ") as name:
-        for test in (wall, cup, surface, shaft, pressed_shaft, pictures, refusals):
+        for test in (wall, cup, surface, shaft, pressed_shaft, pictures, turn_fields, turn_pictures, refusals):
             test(program, examples, pathlib.Path(name))
             print(test.__name__, "passed")
 

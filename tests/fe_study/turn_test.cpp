@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/fe_study/turn_run.hpp"
@@ -68,6 +69,49 @@ TEST(FeTurn, IdentityOfTheTableThatGrowthReads) {
             run.sizes[0].turn.torques[1].stations[0].mode_I.largest);
   EXPECT_NE(turn_text(run, gear).find("half length 1.5 mm: 16 states"), std::string::npos);
   EXPECT_NE(turn_plot(run, gear).find("half length 1.5 mm"), std::string::npos);
+
+  // A map for each size, and an animation for each size and torque.
+  std::vector<std::string> names;
+  const auto count = [](const std::string& in, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = in.find(what); at != std::string::npos; at = in.find(what, at + 1))
+      ++found;
+    return found;
+  };
+  for (const OutputFile& picture : turn_pictures(run)) {
+    names.push_back(picture.name);
+    EXPECT_LT(picture.text.size(), 2e6) << picture.name;
+    EXPECT_NE(picture.text.find("NOT usable"), std::string::npos) << picture.name;
+    const bool animated = picture.name.find("torque") != std::string::npos;
+    EXPECT_EQ(count(picture.text, "attributeName=\"display\""), animated ? 8U : 0U);
+    EXPECT_EQ(count(picture.text, "<g display=\"inline\">"), animated ? 1U : 0U);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "flexspline_crack_0_size_0_opening.svg",
+                       "flexspline_crack_0_size_0_torque_0.svg",
+                       "flexspline_crack_0_size_0_torque_1.svg",
+                       "flexspline_crack_0_size_1_opening.svg",
+                       "flexspline_crack_0_size_1_torque_0.svg",
+                       "flexspline_crack_0_size_1_torque_1.svg",
+                   }));
+  // 720 angles do not make a picture of 20 MB: an animation shows at most 60 of them, and fewer
+  // until it is small enough.
+  TurnRun many = run;
+  many.sizes.pop_back();
+  many.torques.pop_back();
+  std::vector<gear_fem::FacesAtAngle>& faces = many.sizes[0].turn.torques[0].faces;
+  while (faces.size() < 720) faces.push_back(faces[faces.size() % 8]);
+  const std::string shown = turn_pictures(many).at(1).text;
+  EXPECT_EQ(count(shown, "attributeName=\"display\""), 60U);
+  many.sizes[0].turn.plane.cells.resize(10, many.sizes[0].turn.plane.cells[0]);
+  for (int more = 0; more < 7; ++more) {
+    auto& cells = many.sizes[0].turn.plane.cells;
+    const std::vector<fem::CrackCell> copy = cells;
+    cells.insert(cells.end(), copy.begin(), copy.end());
+  }
+  const std::string fewer = turn_pictures(many).at(1).text;
+  EXPECT_LT(fewer.size(), 2e6);
+  EXPECT_LT(count(fewer, "attributeName=\"display\""), 60U);
 }
 
 TEST(FeTurn, BehaviourOfThePlan) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -84,6 +85,111 @@ TEST(CrackResponse, IdentityOfFarLoadAndReleasedStress) {
       }
     EXPECT_EQ(s, state.stations.size());
   }
+}
+
+// (FE-54) Kind: identity of two roads: the fields of the tube under a torque on its end, and those
+// of the released stress with the displacement and the stress of the twisted tube in closed form.
+// Tolerances: the twist is no polynomial in the cells of order 2; 3 % of the stress in the mean of
+// squares, of which the cells at the tips have most.
+TEST(CrackResponse, IdentityOfTheFieldsOfBothRoads) {
+  TubeWithThroughCrack tube = short_tube();
+  tube.order = 2;
+  const fem::HexMesh mesh = mesh_tube_with_through_crack(tube);
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  problem.order = tube.order;
+  problem.crack_faces = fem::CrackFaces::contact;
+  problem.fields = {.divisions = 1, .every_cell = true};
+  const fem::CrackResponse crack(mesh, problem);
+  fem::SolidLoad load = tube_torsion(tube.mean_radius, tube.wall_thickness, tube.torque);
+  const fem::SampledFields far = crack.solve({&load, 1}).front().fields;
+  const fem::CrackState state = crack.state(tractions(crack, load));
+  load.tractions.clear();
+  load.released = true;
+  const double twist = tube.torque / (tube.material.shear_modulus() *
+                                      tube_polar_moment(tube.mean_radius, tube.wall_thickness));
+  load.displacement_without_crack = [twist](const fem::Point3& p) {
+    return fem::Point3{-twist * p[2] * p[1], twist * p[2] * p[0], 0};
+  };
+  const fem::SampledFields near = crack.solve({&load, 1}).front().fields;
+  const double moved = twist * tube.length * tube.mean_radius;
+  ASSERT_EQ(near.cells.size(), far.cells.size());
+  double square = 0;
+  double difference = 0;
+  double energy_far = 0;
+  double energy_near = 0;
+  for (std::size_t c = 0; c < far.cells.size(); ++c)
+    for (std::size_t i = 0; i < far.cells[c].points.size(); ++i) {
+      const fem::FieldPoint& a = far.cells[c].points[i];
+      const fem::FieldPoint& b = near.cells[c].points[i];
+      energy_far += a.energy_density;
+      energy_near += b.energy_density;
+      EXPECT_NEAR(a.energy_density_without_crack, b.energy_density_without_crack,
+                  1e-9 * a.energy_density_without_crack);
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(a.displacement[k], b.displacement[k], 2e-3 * moved) << c;
+      for (std::size_t k = 0; k < 6; ++k) {
+        square += a.stress[k] * a.stress[k];
+        difference += std::pow(a.stress[k] - b.stress[k], 2);
+      }
+    }
+  EXPECT_NEAR(energy_near / energy_far, 1, 0.01);
+  EXPECT_LT(std::sqrt(difference / square), 0.03);
+  ASSERT_EQ(near.crack_faces.size(), far.crack_faces.size());
+  double largest = 0;
+  for (const double gap : state.gap) largest = std::max(largest, gap);
+  for (std::size_t f = 0; f < far.crack_faces.size(); ++f)
+    for (std::size_t i = 0; i < far.crack_faces[f].points.size(); ++i) {
+      const fem::CrackFacePoint& a = far.crack_faces[f].points[i];
+      const fem::CrackFacePoint& b = near.crack_faces[f].points[i];
+      EXPECT_NEAR(a.opening, b.opening, 5e-3 * largest);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(a.upper[k], b.upper[k], 2e-3 * moved);
+      // The corners of a cell are nodes, where the response states the gap.
+      double nearest = 1;
+      double gap = -1;
+      for (std::size_t n = 0; n < crack.nodes().size(); ++n) {
+        const fem::Point3& at = crack.nodes()[n].place;
+        const double off = std::hypot(at[0] - b.place[0], at[1] - b.place[1], at[2] - b.place[2]);
+        if (off < nearest) {
+          nearest = off;
+          gap = state.gap[n];
+        }
+      }
+      EXPECT_LT(nearest, 1e-9);
+      EXPECT_NEAR(gap, b.opening, 2e-3 * largest);
+    }
+}
+
+// Kind: identity.  The cells tile the crack: each is a grid of its nodes, whose small quadrilaterals
+// have together the area of the crack, 2a t.  Tolerance: chords of the curved wall.
+TEST(CrackResponse, IdentityOfTheCellsOfACrack) {
+  const TubeWithThroughCrack tube = short_tube();
+  fem::SolidProblem problem = clamped_tube(tube.material);
+  problem.order = tube.order;
+  problem.crack_faces = fem::CrackFaces::contact;
+  const fem::CrackResponse crack(mesh_tube_with_through_crack(tube), problem);
+  const std::size_t side = 4;  // nodes of order 3
+  std::vector<bool> found(crack.nodes().size(), false);
+  double area = 0;
+  for (const fem::CrackCell& cell : crack.cells()) {
+    ASSERT_EQ(cell.nodes.size(), side * side);
+    for (const std::size_t node : cell.nodes) found.at(node) = true;
+    for (std::size_t j = 0; j + 1 < side; ++j)
+      for (std::size_t i = 0; i + 1 < side; ++i) {
+        const std::size_t first = j * side + i;
+        const auto arm = [&](std::size_t to, std::size_t from) {
+          const fem::Point3& a = crack.nodes()[cell.nodes[from]].place;
+          const fem::Point3& b = crack.nodes()[cell.nodes[to]].place;
+          return fem::Point3{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        };
+        const fem::Point3 p = arm(first + side + 1, first);
+        const fem::Point3 q = arm(first + side, first + 1);
+        area += std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                           p[0] * q[1] - p[1] * q[0]) /
+                2;
+      }
+  }
+  EXPECT_EQ(std::count(found.begin(), found.end(), false), 0);
+  EXPECT_NEAR(area / (2 * tube.half_length * tube.wall_thickness), 1, 2e-3);
 }
 
 /// K_I over sigma_b sqrt(pi a) at the stretched face of an almost plane wall in bending, with faces

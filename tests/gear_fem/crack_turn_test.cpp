@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "support/mpi.hpp"
@@ -138,6 +140,86 @@ TEST(CrackTurn, RegressionSize25AtWork) {
   EXPECT_NEAR(inner.mode_I.ratio, inner.mode_I.least / inner.mode_I.largest, 1e-12);
   EXPECT_GT(inner.mode_I.open_share, 0.7);
   EXPECT_LT(inner.mode_I.open_share, 0.95);
+
+  // The plane of the crack: 4 mm along, the wall through.
+  const double wall = 0.453e-3;
+  double along[2] = {0, 0};
+  double through[2] = {0, 0};
+  for (const CrackPlane::Node& node : turn.plane.nodes) {
+    along[0] = std::min(along[0], node.along);
+    along[1] = std::max(along[1], node.along);
+    through[0] = std::min(through[0], node.through);
+    through[1] = std::max(through[1], node.through);
+  }
+  EXPECT_NEAR(along[0], -2e-3, 0.01 * 2e-3);  // lengths are true at the middle surface
+  EXPECT_NEAR(along[1], 2e-3, 0.01 * 2e-3);
+  EXPECT_NEAR(through[0], -wall / 2, 1e-8);
+  EXPECT_NEAR(through[1], wall / 2, 1e-8);
+  EXPECT_NEAR(turn.plane.half_wall, wall / 2, 1e-12);
+  for (const TorqueTurn& torque : turn.torques) {
+    ASSERT_EQ(torque.faces.size(), 36U);
+    double largest = 0;
+    double share = 0;
+    for (const FacesAtAngle& faces : torque.faces) {
+      ASSERT_EQ(faces.opening.size(), turn.plane.nodes.size());
+      for (std::size_t n = 0; n < faces.opening.size(); ++n) {
+        largest = std::max(largest, faces.opening[n]);
+        // Where the faces press on each other, they are no distance apart.
+        EXPECT_TRUE(!faces.touching[n] || std::abs(faces.opening[n]) < 1e-12);
+      }
+      share = std::max(share, faces.contact_share);
+    }
+    EXPECT_EQ(torque.largest_opening, largest);
+    EXPECT_EQ(torque.largest_contact_share, share);
+    const auto at = static_cast<std::size_t>(std::lround(torque.at_opening / pi * 36));
+    EXPECT_EQ(*std::max_element(torque.faces[at].opening.begin(), torque.faces[at].opening.end()),
+              largest);
+  }
+  // The opening of a plate under tension is 4 sigma a/E; a face of this wall sees the bending of the
+  // oval too, and the bulge adds up to a quarter.
+  const double sheet = 4 * turn.largest_stress * 2e-3 / 206e9;
+  EXPECT_LT(turn.torques[2].largest_opening, sheet);
+  EXPECT_GT(turn.torques[2].largest_opening, 0.5 * sheet);
+}
+
+// Kind: closed forms of the sound wall at the height of the crack.  The oval of an inextensional
+// cone, w = w_0 z/L cos 2 phi (3 %: the corner at the diaphragm); its stress turns over after a
+// quarter turn; a torque adds T r sin(2 beta)/J to the stress normal to the crack (2 %).
+TEST(CrackTurn, LimitRingOfTheSoundWall) {
+  TubeWithThroughCrack crack = through_crack();
+  crack.layers = 1;
+  TurningCrack turning = size25_turn(crack);
+  turning.torques = {0, 48};
+  turning.angles = 8;
+  turning.check_growth = false;
+  turning.large_rotations = LargeRotations::off;
+  const CrackTurn turn = turn_crack(turning);
+  const SoundRing& ring = turn.ring;
+  ASSERT_EQ(ring.radii.size(), 5U);
+  ASSERT_EQ(ring.outward.size(), ring.angles.size());
+  EXPECT_EQ(ring.angles.front(), 0);
+  EXPECT_NEAR(ring.angles.back(), pi, 1e-12);
+  EXPECT_NEAR(ring.radii.back() - ring.radii.front(), 0.453e-3, 1e-12);
+  const std::size_t quarter = (ring.angles.size() - 1) / 2;
+  const double w = 0.3175e-3 * 8.6e-3 / (17.2e-3 + 4.75e-3);
+  EXPECT_NEAR((ring.outward[0] - ring.outward[quarter]) / (2 * w), 1, 0.03);
+  EXPECT_NEAR(ring.outward.back(), ring.outward.front(), 1e-12);
+  const double r = 31.023e-3;
+  const double t = 0.453e-3;
+  const double J = pi / 2 * (std::pow(r + t / 2, 4) - std::pow(r - t / 2, 4));
+  const std::vector<double>& still = turn.torques[0].ring_stress;
+  const std::vector<double>& loaded = turn.torques[1].ring_stress;
+  ASSERT_EQ(still.size(), ring.angles.size() * ring.radii.size());
+  for (std::size_t i = 0; i < ring.angles.size(); ++i)
+    for (std::size_t k = 0; k < ring.radii.size(); ++k) {
+      const double added = loaded[i * 5 + k] - still[i * 5 + k];
+      EXPECT_NEAR(added / (48 * ring.radii[k] / J), 1, 0.02) << i << ' ' << k;
+    }
+  // At a lobe the wall bends further: tension outside, pressure inside.
+  EXPECT_GT(still[4], 0);
+  EXPECT_LT(still[0], 0);
+  EXPECT_LT(still[quarter * 5 + 4], 0);
+  EXPECT_GT(still[quarter * 5], 0);
 }
 
 // (FE-55) Kind: closed form, with the checks of the solution itself.  A shallow surface crack at 45

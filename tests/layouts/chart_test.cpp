@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "strainwave/chart/moving_plot.hpp"
 #include "support/contrast.hpp"
 
 namespace strainwave {
@@ -37,6 +38,41 @@ TEST(Chart, LimitEachLineHasContrastOnLightAndDarkGround) {
     EXPECT_GE(test::contrast(colour, "#ffffff"), 3.0) << colour;
     EXPECT_GE(test::contrast(colour, "#14181d"), 3.0) << colour;
   }
+}
+
+// The frame of a panel is from 98 to 660 px, and y = 0 and 20 are at its lower and upper edge, 342
+// and 60 px.  At a quarter of the round the cursor is at x = 25, and the discs are on their lines.
+TEST(MovingPlot, ReferenceCursorOnTheLines) {
+  const PlotPanel panel{
+      .title = "K",
+      .x_label = "x",
+      .y_label = "y",
+      .series = {{.label = "rises", .x = {0, 50, 100}, .y = {0, 20, 10}},
+                 {.label = "gap", .x = {0, 50, 100}, .y = {1, std::nan(""), 1}},
+                 {.label = "short", .x = {0, 50}, .y = {1, 1}}}};
+  const std::string svg =
+      moving_plot(panel, {.from = 0, .to = 100, .rounds = {.seconds = 8, .start = 0.25}},
+                  {.x = 10, .y = 20, .width = 430});
+  EXPECT_EQ(svg.find("<svg x=\"10\" y=\"20\" width=\"430\" height=\"200\" "
+                     "viewBox=\"0 0 860 400\">"),
+            0U);
+  const std::string clock = "begin=\"-10s\" dur=\"8s\" repeatCount=\"indefinite\"/>";
+  EXPECT_NE(svg.find("<g transform=\"translate(238.50 0)\"><line x1=\"0\" y1=\"60.0\" "
+                     "x2=\"0\" y2=\"342.0\" class=\"axis\"/><animateTransform "
+                     "attributeName=\"transform\" type=\"translate\" from=\"98.00 0\" "
+                     "to=\"660.00 0\" " + clock),
+            std::string::npos)
+      << svg;
+  EXPECT_NE(svg.find("<circle cx=\"238.50\" cy=\"201.0\" r=\"4.5\" fill=\"#6E6E6E\">"
+                     "<animate attributeName=\"cx\" from=\"98.00\" to=\"660.00\" " +
+                     clock + "<animate attributeName=\"cy\" values=\"342.0;60.0;201.0\" "
+                             "keyTimes=\"0;0.5;1\" " + clock),
+            std::string::npos)
+      << svg;
+  // Only the first series is drawn without gaps over the whole round.
+  EXPECT_EQ(svg.find("<circle"), svg.rfind("<circle"));
+  EXPECT_EQ(panel_height(860), 400);
+  EXPECT_NE(svg.find("class=\"numbers\""), std::string::npos);
 }
 
 /// Boxes round the labels of the lines of a contour plot, for characters of 7 px.
