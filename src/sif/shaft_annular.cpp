@@ -257,7 +257,7 @@ SymmetricMatrix<2, Real> BasicAnnularCrackHollow<Real>::compliance(
   matrix(1, 1) =
       torsion_scale() * log_sec(alpha) * torsion_factor(alpha) / moduli.shear;  // (FR-14)
   if (p_.open)
-    matrix(0, 0) = tension_scale() * p_.outer_radius * a * a * tension_factor(alpha) /
+    matrix(0, 0) = tension_scale() * p_.outer_radius * a * a * (*tension_)(alpha) /
                    moduli.opening;  // (FR-15)
   return matrix;
 }
