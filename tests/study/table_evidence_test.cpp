@@ -32,8 +32,7 @@ TEST(TableEvidence, BehaviourTheNoteStatesTheNextPowerOfTen) {
 TEST(TableEvidence, BehaviourOneCrackIsNoPlural) {
   EXPECT_NE(note_of({.cracks = 1, .points = 7}).text.find("of 1 crack are"), std::string::npos);
   EXPECT_NE(note_of({.cracks = 2, .points = 7}).text.find("of 2 cracks are"), std::string::npos);
-  EXPECT_NE(note_of({.cracks = 2, .points = 7}).text.find("at 7 random drives"),
-            std::string::npos);
+  EXPECT_NE(note_of({.cracks = 2, .points = 7}).text.find("at 7 random drives"), std::string::npos);
 }
 
 }  // namespace
