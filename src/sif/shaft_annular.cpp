@@ -135,7 +135,7 @@ Ordinates<Real> tension_ordinates(const Real& rho) {
     return FloaterHormann<double, kRows>(kTensionRadiusRatios, log_factor);
   });
   return ordinates<Real>(1.0,
-                           [&](std::size_t column) -> Real { return exp(kCurves[column](rho)); });
+                         [&](std::size_t column) -> Real { return exp(kCurves[column](rho)); });
 }
 
 /// ln sec(pi alpha/2), accurate for shallow cracks too.
@@ -257,8 +257,8 @@ SymmetricMatrix<2, Real> BasicAnnularCrackHollow<Real>::compliance(
   matrix(1, 1) =
       torsion_scale() * log_sec(alpha) * torsion_factor(alpha) / moduli.shear;  // (FR-14)
   if (p_.open)
-    matrix(0, 0) = tension_scale() * p_.outer_radius * a * a * tension_factor(alpha) /
-                   moduli.opening;  // (FR-15)
+    matrix(0, 0) =
+        tension_scale() * p_.outer_radius * a * a * (*tension_)(alpha) / moduli.opening;  // (FR-15)
   return matrix;
 }
 

@@ -123,7 +123,8 @@ ApartAndPressed<Real> BasicWallFactor<Real>::at(const Real& a) const {
   using std::pow;
   const Real constraint =
       1 - poissons_ratio_squared_ / (1 + kRelief * pow(a / wall_thickness_, kReliefPower));
-  return {constraint * (1 + bulging_.apart * a), constraint * (1 + bulging_.pressed * a)};  // (FR-21)
+  return {constraint * (1 + bulging_.apart * a),
+          constraint * (1 + bulging_.pressed * a)};  // (FR-21)
 }
 
 template <class Real>
@@ -176,8 +177,7 @@ LinearStressIntensity<2, Real> BasicThroughCrackFamily<Real>::intensity(
       in_row ? with_neighbours(crack_, a, open, stress_) : stress_;
   const bool curved_between = row_ && open;
   BasicShellFactors<Real> between{};  // what the curvature between the cracks adds
-  if (curved_between)
-    between = row_->at(Real(shell_per_size_ * a), crack_.row_share(a));
+  if (curved_between) between = row_->at(Real(shell_per_size_ * a), crack_.row_share(a));
   const Real root = sqrt(pi * a);
   LinearStressIntensity<2, Real> k;
   const auto fill = [&](UnitStressIntensity<2, Real>& part, Real BasicWallIntensity<Real>::*which) {

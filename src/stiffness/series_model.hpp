@@ -52,8 +52,8 @@ template <class Solution>
   using Added = AddedBothSenses<Solution::kLoads, ScalarOf<Solution>>;
   if constexpr (SharedByFaces<Solution>) {
     if (crack.faces.differ()) {
-      const auto both = integrated_in_both_states(
-          crack.solution, {crack.moduli, crack.moduli.pressed()}, options);
+      const auto both = integrated_in_both_states(crack.solution,
+                                                  {crack.moduli, crack.moduli.pressed()}, options);
       return crack.faces.negative == Faces::pressed ? Added{both.apart, both.pressed}
                                                     : Added{both.pressed, both.apart};
     }

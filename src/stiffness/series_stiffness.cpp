@@ -181,8 +181,7 @@ struct ByDerivatives {
     using Matrix = SymmetricMatrix<Solution::kLoads, DualReal>;
     const UnderBothSenses<DualReal> added = derivatives(numbers);
     const DualReal positive = model.at_output(Matrix(added.positive));
-    add(positive,
-        numbers.faces.differ() ? model.at_output(Matrix(added.negative)) : positive);
+    add(positive, numbers.faces.differ() ? model.at_output(Matrix(added.negative)) : positive);
   }
 };
 

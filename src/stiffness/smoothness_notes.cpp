@@ -48,9 +48,8 @@ class Kinks {
   void add_solid_shaft(const char* equation) {
     if (gear_.output_shaft->solid())
       note({.code = "sensitivity.solid_shaft",
-            .text =
-                "a bore of 0 is a solid shaft, whose crack has a separate solution, so the "
-                "derivative with respect to the bore is that of the sound shaft",
+            .text = "a bore of 0 is a solid shaft, whose crack has a separate solution, so the "
+                    "derivative with respect to the bore is that of the sound shaft",
             .path = "output_shaft.inner_diameter",
             .equation = equation,
             .severity = Severity::care});

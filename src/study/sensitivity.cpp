@@ -244,8 +244,7 @@ Sensitivity held_to_dimensions(Sensitivity sensitivity) {
   std::vector<std::pair<std::string_view, LengthAndForce>> read;  // few units serve many inputs
   for (const SensitivityInput& input : sensitivity.inputs) {
     auto known = std::ranges::find(read, input.unit, &decltype(read)::value_type::first);
-    if (known == read.end())
-      known = read.insert(known, {input.unit, length_and_force(input.unit)});
+    if (known == read.end()) known = read.insert(known, {input.unit, length_and_force(input.unit)});
     of_inputs.push_back(known->second);
   }
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {

@@ -106,7 +106,7 @@ Note note_of(const TableEvidence& evidence) {
   // Digits of an error are rounding, which differs from machine to machine.
   constexpr double kWanted = 1e-10;
   double bound = 1e-14;
-  while (bound < evidence.largest_error && bound < 1) bound *= 10;
+  while (bound <= evidence.largest_error && std::isfinite(bound)) bound *= 10;
   return {
       .code = "tables.error",
       .text = fmt::format(

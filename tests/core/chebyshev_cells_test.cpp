@@ -91,6 +91,27 @@ TEST(ChebyshevCells, BehaviourAWaveThatTheNodesDoNotSeeIsFound) {
   }
 }
 
+// Kind: behaviour.  Only the second variable needs smaller boxes, six halvings for 1e-11 with eight
+// nodes.  Its highest coefficients are all negative, and halving along the first variable would not
+// help.
+TEST(ChebyshevCells, BehaviourABoxIsHalvedAlongTheVariableThatNeedsIt) {
+  const auto falling = [](double x, double y) { return (2 + 0.1 * x) * -std::exp(12 * y); };
+  ChebyshevCells cells(
+      [&](const Place& place, Values& values) {
+        values[0] = falling(place[0], place[1]);
+        return true;
+      },
+      {.widths = {1.0, 1.0}, .halvings = 7});
+  ChebyshevCells::Reader read(cells);
+  for (int n = 0; n < 50; ++n) {
+    const double x = std::fmod(n * 0.754877666, 1.0);
+    const double y = std::fmod(n * 0.569840296, 1.0);
+    Values values{};
+    ASSERT_TRUE(read({x, y}, values)) << x << ' ' << y;
+    ASSERT_NEAR(values[0] / falling(x, y), 1, 1e-10) << x << ' ' << y;
+  }
+}
+
 // Kind: behaviour.  At a kink no polynomial converges, so the box there says that it has none;
 // beside the kink polynomials answer.
 TEST(ChebyshevCells, BehaviourABoxWithAKinkHasNoPolynomial) {

@@ -261,8 +261,11 @@ TEST(QuadratureRule, CrosscheckIntegrandsTogetherAgreeWithEach) {
   // The second integrand needs bisection, and the first gets the same points.
   const auto f = [](double x) { return std::exp(x); };
   const auto g = [](double x) { return std::sqrt(x); };
-  const auto both =
-      integrate([&](double x) { return Together<double, 2>{{f(x), g(x)}}; }, 0.0, 1.0);
+  const auto both = integrate(
+      [&](double x) {
+        return Together<double, 2>{{f(x), g(x)}};
+      },
+      0.0, 1.0);
   EXPECT_TRUE(both.converged);
   EXPECT_NEAR(both.value.of[0], std::numbers::e - 1, 1e-14);
   EXPECT_NEAR(both.value.of[1], 2.0 / 3, 2e-10);

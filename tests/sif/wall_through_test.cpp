@@ -650,8 +650,8 @@ TEST(BothStatesOfFaces, ConvergenceIsDenied) {
   crack.shell_correction = true;
   crack.thin_sheet = false;
   const ApartAndPressed<CrackModuli> moduli = {kPlaneStress, kPlaneStress};
-  const auto hard = integrated_in_both_states(crack, moduli,
-                                              {.relative_tolerance = 1e-17, .max_pieces = 3});
+  const auto hard =
+      integrated_in_both_states(crack, moduli, {.relative_tolerance = 1e-17, .max_pieces = 3});
   EXPECT_FALSE(hard.apart.converged || hard.pressed.converged);
   EXPECT_GT(hard.pressed.relative_error, 0.0);
   // Without a stress that opens or shears it, a state adds nothing, and this is no fault.

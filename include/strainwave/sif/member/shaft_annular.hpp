@@ -117,8 +117,8 @@ class BasicAnnularCrackHollow {
   [[nodiscard]] Real tension_scale() const;
 
   Parameters p_;
-  Real shallow_torsion_factor_;  ///< C_T(0), exact
-  Curve log_torsion_;            ///< ln(C_T/C_T(0)) over alpha
+  Real shallow_torsion_factor_;   ///< C_T(0), exact
+  Curve log_torsion_;             ///< ln(C_T/C_T(0)) over alpha
   std::optional<Curve> tension_;  ///< C_P over alpha; nothing: made with pressed faces
 };
 using AnnularCrackHollow = BasicAnnularCrackHollow<double>;
