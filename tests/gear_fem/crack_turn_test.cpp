@@ -175,8 +175,8 @@ TEST(CrackTurn, RegressionSize25AtWork) {
     EXPECT_EQ(*std::max_element(torque.faces[at].opening.begin(), torque.faces[at].opening.end()),
               largest);
   }
-  // The opening of a plate under tension is 4 sigma a/E; a face of this wall sees the bending of the
-  // oval too, and the bulge adds up to a quarter.
+  // The opening of a plate under tension is 4 sigma a/E; a face of this wall sees the bending of
+  // the oval too, and the bulge adds up to a quarter.
   const double sheet = 4 * turn.largest_stress * 2e-3 / 206e9;
   EXPECT_LT(turn.torques[2].largest_opening, sheet);
   EXPECT_GT(turn.torques[2].largest_opening, 0.5 * sheet);
