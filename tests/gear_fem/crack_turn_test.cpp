@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -143,8 +144,8 @@ TEST(CrackTurn, RegressionSize25AtWork) {
 
   // The plane of the crack: 4 mm along, the wall through.
   const double wall = 0.453e-3;
-  double along[2] = {0, 0};
-  double through[2] = {0, 0};
+  std::array along = {0.0, 0.0};
+  std::array through = {0.0, 0.0};
   for (const CrackPlane::Node& node : turn.plane.nodes) {
     along[0] = std::min(along[0], node.along);
     along[1] = std::max(along[1], node.along);
