@@ -228,23 +228,33 @@ class RingView {
   double thicker_;
 };
 
-/// Group that is shown during one of several equal parts of a round.
-std::string shown_in_part(const std::string& svg, std::size_t part, std::size_t parts,
-                          const Rounds& rounds) {
-  const double length = 1.0 / static_cast<double>(parts);
-  const double from = length * static_cast<double>(part);
-  std::string values = part == 0 ? "inline" : "none;inline";
-  std::string times = part == 0 ? "0" : fmt::format("0;{:.6g}", from);
-  if (part + 1 < parts) {
-    values += ";none";
-    times += fmt::format(";{:.6g}", from + length);
+/// Every `step`-th state of a turn; the last one may stand for fewer.
+struct ShownStates {
+  std::size_t angles;
+  std::size_t step;
+
+  [[nodiscard]] std::size_t count() const { return (angles + step - 1) / step; }
+  /// Share of a round at which a state is reached.
+  [[nodiscard]] double at(std::size_t part) const {
+    return static_cast<double>(part * step) / static_cast<double>(angles);
   }
-  const bool first = std::abs(from - rounds.start) < length / 2;
-  // A state is shown from half a part before its angle to half a part after it.
+};
+
+/// Group that is shown while the round is nearest to one of its states.
+/// @param start  the state that the animation shows first
+std::string shown_at(const std::string& svg, std::size_t part, std::size_t start,
+                     const ShownStates& states, const Rounds& rounds) {
+  std::string values = part == 0 ? "inline" : "none;inline";
+  std::string times = part == 0 ? "0" : fmt::format("0;{:.6g}", states.at(part));
+  if (part + 1 < states.count()) {
+    values += ";none";
+    times += fmt::format(";{:.6g}", states.at(part + 1));
+  }
+  // A state is shown from half a step before its angle to half a step after it.
   return fmt::format(
       "<g display=\"{}\">\n{}<animate attributeName=\"display\" calcMode=\"discrete\" "
       "values=\"{}\" keyTimes=\"{}\" {}/></g>\n",
-      first ? "inline" : "none", svg, values, times, rounds.attributes(-length / 2));
+      part == start ? "inline" : "none", svg, values, times, rounds.attributes(-states.at(1) / 2));
 }
 
 class Animation {
@@ -262,7 +272,11 @@ class Animation {
 
  private:
   void draw_ring(PictureSheet& sheet, const Rounds& rounds) const;
-  void draw_opening(PictureSheet& sheet, const Rounds& rounds, std::size_t step) const;
+  void draw_opening(PictureSheet& sheet, const Rounds& rounds, const ShownStates& states) const;
+  /// The state nearest below the largest opening.
+  [[nodiscard]] std::size_t first(const ShownStates& states) const {
+    return angle_of_opening(torque_) / states.step;
+  }
 
   const TurnRun& run_;
   const TurnAtSize& size_;
@@ -328,7 +342,8 @@ void Animation::draw_ring(PictureSheet& sheet, const Rounds& rounds) const {
   sheet.colour_bar({400, 150}, 260, scale, "stress [MPa]", "");
 }
 
-void Animation::draw_opening(PictureSheet& sheet, const Rounds& rounds, std::size_t step) const {
+void Animation::draw_opening(PictureSheet& sheet, const Rounds& rounds,
+                             const ShownStates& states) const {
   constexpr double kLeft = 530;
   constexpr double kTop = 158;
   constexpr double kWidth = 346;
@@ -336,21 +351,18 @@ void Animation::draw_opening(PictureSheet& sheet, const Rounds& rounds, std::siz
   const PlaneView view(size_.turn.plane, {kLeft, kTop}, kWidth, 150);
   sheet.words({kLeft, kTop - 34}, "label", "opening of the crack through the wall [µm]");
   view.draw_wall(sheet);
-  const std::size_t parts = torque_.faces.size() / step;
-  for (std::size_t part = 0; part < parts; ++part) {
-    const std::size_t number = part * step;
-    const gear_fem::FacesAtAngle& faces = torque_.faces[number];
+  for (std::size_t part = 0; part < states.count(); ++part) {
+    const gear_fem::FacesAtAngle& faces = torque_.faces[part * states.step];
     const double largest = std::max(0.0, *std::ranges::max_element(faces.opening));
     const PaperPoint at{kLeft, kTop + view.height() + 78};
     PictureSheet words(1, 1);
     words.words(at, "label",
-                fmt::format("{} from a lobe to the crack",
-                            shown_degrees(pi * static_cast<double>(number) /
-                                          static_cast<double>(torque_.faces.size()))));
+                fmt::format("{} from a lobe to the crack", shown_degrees(pi * states.at(part))));
     words.words({at.x, at.y + 18}, "tick",
                 fmt::format("largest opening {:.3f} µm, the faces touch over {:.0f} %",
                             largest / kMicrometre, 100 * faces.contact_share));
-    sheet.raw(shown_in_part(view.faces(faces, scale) + words.body(), part, parts, rounds));
+    sheet.raw(
+        shown_at(view.faces(faces, scale) + words.body(), part, first(states), states, rounds));
   }
   sheet.scale_bar({kLeft, kTop + view.height() + 30}, view.scale(), 130);
   sheet.words(
@@ -362,16 +374,15 @@ void Animation::draw_opening(PictureSheet& sheet, const Rounds& rounds, std::siz
 }
 
 std::string Animation::svg(std::size_t step) const {
-  const std::size_t states = torque_.faces.size() / step;
-  const auto shown = static_cast<double>(angle_of_opening(torque_) / step);
-  const Rounds rounds{.seconds = kSecondsOfAWave, .start = shown / static_cast<double>(states)};
+  const ShownStates states{.angles = torque_.faces.size(), .step = step};
+  const Rounds rounds{.seconds = kSecondsOfAWave, .start = states.at(first(states))};
   constexpr double kChartTop = 520;
   constexpr double kChartWidth = 860;
   PictureSheet sheet(900, kChartTop + panel_height(kChartWidth) + 10);
   sheet.title(run_.path + " over half a turn of the wave generator",
               captions(size_, torque_words(torque_.torque) + "."));
   draw_ring(sheet, rounds);
-  draw_opening(sheet, rounds, step);
+  draw_opening(sheet, rounds, states);
   const SizedTurn& sized = turns_[size_number_];
   const std::string_view tip = governing_station(turns_)->tip;
   PlotPanel panel = turn_panel(sized, sized.torques[torque_number_], tip);
@@ -383,26 +394,17 @@ std::string Animation::svg(std::size_t step) const {
       "crack, which opens and closes; K_I at each place of the front over half a turn");
 }
 
-/// The least divisor of the number of angles that gives few enough states.
-std::size_t least_step(std::size_t angles) {
-  std::size_t step = 1;
-  while (angles % step != 0 || angles / step > kMostFrames) ++step;
-  return step;
-}
-
-/// The next divisor of the number of angles after a step.
-std::size_t next_step(std::size_t angles, std::size_t step) {
-  for (++step; angles % step != 0;) ++step;
-  return step;
-}
-
 std::string animation(const TurnRun& run, std::size_t size, std::size_t torque) {
   const Animation made(run, size, torque);
   const std::size_t angles = run.sizes[size].turn.torques[torque].faces.size();
-  std::size_t step = least_step(angles);
+  std::size_t step = (angles + kMostFrames - 1) / kMostFrames;
   std::string svg = made.svg(step);
-  while (svg.size() > kLargestPicture && step < angles)
-    svg = made.svg(step = next_step(angles, step));
+  while (svg.size() > kLargestPicture && step < angles) {
+    // The size is nearly in proportion to the number of states.
+    const double over = static_cast<double>(svg.size()) / static_cast<double>(kLargestPicture);
+    step = std::max(step + 1, static_cast<std::size_t>(static_cast<double>(step) * over));
+    svg = made.svg(step);
+  }
   return svg;
 }
 

@@ -138,7 +138,7 @@ TurnWork work_of(const GearSet& gear, const TurnOptions& options) {
               const auto states =
                   static_cast<double>(plan.torques.size()) * static_cast<double>(plan.angles);
               planned.memory += kFrameBytes * states * static_cast<double>(mesh.cells.size());
-              planned.seconds *= 1 + states / kStatesOfASolution;
+              planned.seconds *= 1 + states / (kStatesOfASolution * kTurnSolutions);
               planned.solutions += plan.torques.size() * static_cast<std::size_t>(plan.angles);
             }
             run.plan.push_back(planned);

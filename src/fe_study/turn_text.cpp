@@ -25,6 +25,8 @@ void write(std::string& text, const TorqueTurn& turn, bool through) {
   text +=
       fmt::format(" torque {:+.6g} N*m; the faces touch over {:.3g} to {:.3g} % of the crack\n",
                   turn.torque, 100 * turn.least_contact_share, 100 * turn.largest_contact_share);
+  text += fmt::format("    largest opening {:.3g} um at {:.4g} deg\n", 1e6 * turn.largest_opening,
+                      turn.at_opening / units::deg);
   text += turn_rows(turn.stations, through);
   text += fmt::format("    checks at {:.4g} deg: dC/dA {}, K {}, equilibrium {:.1e}\n",
                       turn.checked_angle / units::deg, of_check(turn.checks.growth_check),

@@ -276,7 +276,7 @@ def round_mean(theta, values):
 
 
 def turn_fields(program, examples, folder):
-    """The fields of a crack over a turn, as series of files.
+    """The fields of a crack over a turn on two ranks, as series of files.
 
     Displacement and stress are those of the oval, the torque and the crack together: the bore follows the cam,
     w_0 cos 2(theta + alpha) at the middle of the rim; the mean twist of the end is T C of the cup, less half of
@@ -284,7 +284,17 @@ def turn_fields(program, examples, folder):
     out = folder / "turn"
     angles, torque = 8, 48.0
     run(program, "turn", examples / "breathing_crack.toml", "--order", 2, "--angles", angles,
-        "--torque", f"{torque} N*m", "--format", "vtu", "-o", out)
+        "--torque", f"{torque} N*m", "--format", "vtu", "-o", out, ranks=2)
+
+    def merged(name):
+        """The meshes that a file of both ranks names; meshio cannot read that of a rank without cells."""
+        files = [out / piece.get("Source") for piece in xml.parse(out / name).iter("Piece")]
+        assert [f.name for f in files] == [name.replace(".pvtu", f".{rank}.vtu") for rank in (0, 1)], files
+        return [meshio.read(f) for f in files if 'NumberOfPoints="0"' not in f.read_text()[:1000]]
+
+    def joined(meshes, field=None):
+        return np.concatenate([m.point_data[field] if field else m.points for m in meshes])
+
     turn = json.loads((out / "result.json").read_text())["result"]["sizes"][0]["turn"]
     over = turn["torques"][0]
     stem = "flexspline_crack_0_torque_0"
@@ -292,9 +302,11 @@ def turn_fields(program, examples, folder):
                      for one in xml.parse(out / f"{stem}{kind}.pvd").getroot().iter("DataSet")]
               for kind in ("", "_faces", "_fronts")}
     for kind, files in series.items():
-        assert [name for _, name in files] == [f"{stem}{kind}_{i:03}.vtu" for i in range(angles)], files
+        assert [name for _, name in files] == [
+            f"{stem}{kind}_{i:03}.{'vtu' if kind == '_fronts' else 'pvtu'}" for i in range(angles)], files
         assert np.allclose([at for at, _ in files], np.pi * np.arange(angles) / angles, atol=1e-11)
     names = {f"{stem}{kind}.pvd" for kind in series} | {name for files in series.values() for _, name in files}
+    names |= {name.replace(".pvtu", f".{rank}.vtu") for name in names if name.endswith(".pvtu") for rank in (0, 1)}
     assert {p.name for p in out.iterdir()} == names | {"result.json"}, list(out.iterdir())
 
     R, t, a, middle = 31.023e-3, 0.453e-3, 2e-3, 17.2e-3 + 9.5e-3 / 2
@@ -303,8 +315,8 @@ def turn_fields(program, examples, folder):
     twists, openings = [], []
     for i in range(angles):
         alpha = series[""][i][0]
-        body = meshio.read(out / series[""][i][1])
-        p, u = body.points, body.point_data["displacement"]
+        body = merged(series[""][i][1])
+        p, u = joined(body), joined(body, "displacement")
         r, theta = np.hypot(p[:, 0], p[:, 1]), np.arctan2(p[:, 1], p[:, 0])
         radial = u[:, 0] * np.cos(theta) + u[:, 1] * np.sin(theta)
         turned = (u[:, 1] * np.cos(theta) - u[:, 0] * np.sin(theta)) / r
@@ -322,16 +334,15 @@ def turn_fields(program, examples, folder):
         end = (p[:, 2] > p[:, 2].max() - 1e-9) & (np.abs(r - bore) < 1e-6)
         twists.append(round_mean(theta[end], turned[end]))
 
-        faces = meshio.read(out / series["_faces"][i][1])
-        openings.append(faces.point_data["opening"].max())
-        q = faces.points
+        faces = merged(series["_faces"][i][1])
+        openings.append(joined(faces, "opening").max())
+        q = joined(faces)
         along = (q[:, 2] - 8.6e-3) * math.cos(half) - R * np.arctan2(q[:, 1], q[:, 0]) * math.sin(half)
-        across = np.einsum("i,pij,j->p", normal, body.point_data["stress"].reshape(-1, 3, 3), normal)
+        across = np.einsum("i,pij,j->p", normal, joined(body, "stress").reshape(-1, 3, 3), normal)
         free = [across[np.linalg.norm(p - place, axis=1) < 1e-9] for place in q[np.abs(along) < 0.5 * a][::4]]
         left = np.sqrt(np.mean(np.concatenate(free)**2))
         assert left < 0.03 * turn["largest_stress"]["value"], (left, turn["largest_stress"])
-        area = integral([faces], None) / 2
-        near(area, 2 * a * t, 5e-3, "area of the crack")
+        near(integral(faces, None) / 2, 2 * a * t, 5e-3, "area of the crack")
         fronts = meshio.read(out / series["_fronts"][i][1])
         K = fronts.point_data["K_I"]
         wanted = [s["factors"]["K_I"]["values"][i] for s in over["stations"]]
@@ -498,6 +509,13 @@ def refusals(program, examples, folder):
         done = run(program, "turn", breathing, "--format", form, "--dry-run", "-o", folder / "dry", codes=(2,))
         assert "dry_run: does not compute" in done.stderr or "--dry-run" in done.stderr, done.stderr
         assert not (folder / "dry").exists()
+    # A disk that is full, as a limit of 20 kB for a file.  Nothing is left behind.
+    done = subprocess.run(["bash", "-c", "trap '' XFSZ; ulimit -f 20; \"$@\"", "bash", program, "turn", breathing,
+                           "--order", "2", "--angles", "8", "--torque", "0 N*m", "--format", "svg", "-o",
+                           folder / "full"], capture_output=True, text=True, timeout=280,
+                          env=dict(os.environ, OMP_NUM_THREADS="1"))
+    assert done.returncode == 7 and "cannot be written" in done.stderr, (done.returncode, done.stderr)
+    assert not (folder / "full").exists()
     # If a file has the folder's name, or a folder has a file's name, nothing is left behind.
     blocked = folder / "blocked"
     blocked.write_text("mine")

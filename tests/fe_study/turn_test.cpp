@@ -103,6 +103,10 @@ TEST(FeTurn, IdentityOfTheTableThatGrowthReads) {
   while (faces.size() < 720) faces.push_back(faces[faces.size() % 8]);
   const std::string shown = turn_pictures(many).at(1).text;
   EXPECT_EQ(count(shown, "attributeName=\"display\""), 60U);
+  std::vector<gear_fem::FacesAtAngle> prime(faces.begin(), faces.begin() + 61);
+  faces.swap(prime);
+  EXPECT_EQ(count(turn_pictures(many).at(1).text, "attributeName=\"display\""), 31U);
+  faces.swap(prime);
   many.sizes[0].turn.plane.cells.resize(10, many.sizes[0].turn.plane.cells[0]);
   for (int more = 0; more < 7; ++more) {
     auto& cells = many.sizes[0].turn.plane.cells;

@@ -159,8 +159,8 @@ TEST(CrackResponse, IdentityOfTheFieldsOfBothRoads) {
     }
 }
 
-// Kind: identity.  The cells tile the crack: each is a grid of its nodes, whose small quadrilaterals
-// have together the area of the crack, 2a t.  Tolerance: chords of the curved wall.
+// Kind: identity.  The cells tile the crack: each is a grid of its nodes, whose small
+// quadrilaterals have together the area of the crack, 2a t.  Tolerance: chords of the curved wall.
 TEST(CrackResponse, IdentityOfTheCellsOfACrack) {
   const TubeWithThroughCrack tube = short_tube();
   fem::SolidProblem problem = clamped_tube(tube.material);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -143,8 +144,8 @@ TEST(CrackTurn, RegressionSize25AtWork) {
 
   // The plane of the crack: 4 mm along, the wall through.
   const double wall = 0.453e-3;
-  double along[2] = {0, 0};
-  double through[2] = {0, 0};
+  std::array along = {0.0, 0.0};
+  std::array through = {0.0, 0.0};
   for (const CrackPlane::Node& node : turn.plane.nodes) {
     along[0] = std::min(along[0], node.along);
     along[1] = std::max(along[1], node.along);
@@ -175,8 +176,8 @@ TEST(CrackTurn, RegressionSize25AtWork) {
     EXPECT_EQ(*std::max_element(torque.faces[at].opening.begin(), torque.faces[at].opening.end()),
               largest);
   }
-  // The opening of a plate under tension is 4 sigma a/E; a face of this wall sees the bending of the
-  // oval too, and the bulge adds up to a quarter.
+  // The opening of a plate under tension is 4 sigma a/E; a face of this wall sees the bending of
+  // the oval too, and the bulge adds up to a quarter.
   const double sheet = 4 * turn.largest_stress * 2e-3 / 206e9;
   EXPECT_LT(turn.torques[2].largest_opening, sheet);
   EXPECT_GT(turn.torques[2].largest_opening, 0.5 * sheet);

@@ -43,13 +43,12 @@ TEST(Chart, LimitEachLineHasContrastOnLightAndDarkGround) {
 // The frame of a panel is from 98 to 660 px, and y = 0 and 20 are at its lower and upper edge, 342
 // and 60 px.  At a quarter of the round the cursor is at x = 25, and the discs are on their lines.
 TEST(MovingPlot, ReferenceCursorOnTheLines) {
-  const PlotPanel panel{
-      .title = "K",
-      .x_label = "x",
-      .y_label = "y",
-      .series = {{.label = "rises", .x = {0, 50, 100}, .y = {0, 20, 10}},
-                 {.label = "gap", .x = {0, 50, 100}, .y = {1, std::nan(""), 1}},
-                 {.label = "short", .x = {0, 50}, .y = {1, 1}}}};
+  const PlotPanel panel{.title = "K",
+                        .x_label = "x",
+                        .y_label = "y",
+                        .series = {{.label = "rises", .x = {0, 50, 100}, .y = {0, 20, 10}},
+                                   {.label = "gap", .x = {0, 50, 100}, .y = {1, std::nan(""), 1}},
+                                   {.label = "short", .x = {0, 50}, .y = {1, 1}}}};
   const std::string svg =
       moving_plot(panel, {.from = 0, .to = 100, .rounds = {.seconds = 8, .start = 0.25}},
                   {.x = 10, .y = 20, .width = 430});
@@ -60,13 +59,16 @@ TEST(MovingPlot, ReferenceCursorOnTheLines) {
   EXPECT_NE(svg.find("<g transform=\"translate(238.50 0)\"><line x1=\"0\" y1=\"60.0\" "
                      "x2=\"0\" y2=\"342.0\" class=\"axis\"/><animateTransform "
                      "attributeName=\"transform\" type=\"translate\" from=\"98.00 0\" "
-                     "to=\"660.00 0\" " + clock),
+                     "to=\"660.00 0\" " +
+                     clock),
             std::string::npos)
       << svg;
   EXPECT_NE(svg.find("<circle cx=\"238.50\" cy=\"201.0\" r=\"4.5\" fill=\"#6E6E6E\">"
                      "<animate attributeName=\"cx\" from=\"98.00\" to=\"660.00\" " +
-                     clock + "<animate attributeName=\"cy\" values=\"342.0;60.0;201.0\" "
-                             "keyTimes=\"0;0.5;1\" " + clock),
+                     clock +
+                     "<animate attributeName=\"cy\" values=\"342.0;60.0;201.0\" "
+                     "keyTimes=\"0;0.5;1\" " +
+                     clock),
             std::string::npos)
       << svg;
   // Only the first series is drawn without gaps over the whole round.

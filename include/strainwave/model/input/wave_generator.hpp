@@ -115,8 +115,9 @@ struct Bearing {
   double inner_conformity = 0.52;       ///< f_i = groove radius / D_w [-]; > 0.5
   double outer_conformity = 0.53;       ///< f_o [-]; > 0.5
   double loaded_balls = 1.0;            ///< balls that share the lobe force equally [-]; >= 1
-  std::optional<int> ball_count;    ///< n_b, all round; the coupled drive needs it [-]; 3 to 200
-  double clearance = 0.0;           ///< c, radial play at a ball; coupled drive only [m]; >= 0
+  std::optional<int> ball_count;  ///< n_b, all round; the coupled drive needs it [-]; 3 to 200
+  /// c, radial play at a ball (TC-5) [m]; >= 0.  The cam of a turn lies c inside all round (FE-52).
+  double clearance = 0.0;
   double rolling_friction = 0.001;  ///< mu_r, moment over pitch radius and ball force [-]; >= 0
   std::optional<BearingRing> outer_ring;  ///< adds ring bending in series (ST-10)
 
@@ -171,7 +172,8 @@ struct Bearing {
           &Bearing::ball_count);
     field(Field{.name = "clearance",
                 .unit = "m",
-                .doc = "radial play at a ball; coupled drive only",
+                .doc = "radial play c at a ball: in the coupled drive the balls press c later; for "
+                       "turn and oval the whole cam lies c further inside",
                 .range = kNonNegative,
                 .example = R"("0 um")",
                 .fallback = R"("0 m")",
