@@ -10,8 +10,9 @@ namespace strainwave {
 
 /// Writes a drive as an input file.  `read_gear_set` reads back the same drive to the last bit.
 ///
-/// Each crack of a group has a table of its own.  Quantities are written in the units of drawings if no digit is lost: "2.24 mm" rather than
-/// "0.00224 m".  A field at its default value is left out unless it has a comment.
+/// Each crack of a group has a table of its own.  Quantities are written in the units of drawings
+/// if no digit is lost: "2.24 mm" rather than "0.00224 m".  A field at its default value is left
+/// out unless it has a comment.
 ///
 /// @param gear      drive to write
 /// @param comments  comments of one line each, by the path of a field; empty: no comments
@@ -26,7 +27,7 @@ namespace strainwave {
 /// @param from  the drive that read_gear_set reads from `text`
 /// @param to    the drive `from` with other numbers, perhaps without some ranges, scatters and
 ///              correlations
-/// @throws InputError  as `edit`; if a number of a crack differs that belongs to a group of the text
+/// @throws InputError  as `edit`; if a number differs of a crack that belongs to a group
 [[nodiscard]] std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to);
 
 }  // namespace strainwave
