@@ -478,8 +478,14 @@ template <class Solution, class From>
   return {added.matrix(0, 0) / Similar::size_of(numbers), added.converged};
 }
 
-/// `similar_part` with the faces apart and pressed, for moduli that do not depend on the state, by
-/// one quadrature.
+/// `similar_part` with the faces apart and pressed, by one quadrature; eq. (ST-21).
+///
+/// @tparam Solution  in the scalar of x
+/// @param like     numbers of a crack with the same switches, in any scalar
+/// @param x        dimensionless arguments
+/// @param part     index in `kParts`
+/// @param moduli   of the part, the same in both states
+/// @param options  tolerance of the quadrature
 template <class Solution, class From>
 [[nodiscard]] ApartAndPressed<SimilarPart<ScalarOf<Solution>>> similar_part_in_both_states(
     const From& like, const std::array<ScalarOf<Solution>, Similarity<Solution>::kArguments>& x,

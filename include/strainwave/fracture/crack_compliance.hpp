@@ -308,8 +308,10 @@ template <std::size_t N, class Real>
 }
 /// @}
 
-/// Integral over the size of a crack, from 0 to the size that it has.
+/// Integral over the size of a crack, from 0 to the size that it has; (FR-2).
+/// @param crack        gives the size
 /// @param along_front  callable: size -> what the front at this size adds per unit of size
+/// @param options      tolerance of the adaptive quadrature
 template <SweptCrack Crack, class AlongFront>
 [[nodiscard]] auto integrated_over_size(const Crack& crack, const AlongFront& along_front,
                                         const QuadratureOptions& options) {
