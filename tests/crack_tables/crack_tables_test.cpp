@@ -249,12 +249,49 @@ TEST(CrackTables, BehaviourNoSampleNoTables) {
   EXPECT_EQ(series_compliance(gear, reader).positive, series_compliance<double>(gear).positive);
 }
 
+/// A crack that is oblique to the layers of its wall, so both modes of the sheet are coupled.
+Case coupled_sheet() {
+  GearSet gear = test::article_gear();
+  gear.wave_generator.reset();
+  gear.output_shaft.reset();
+  gear.article.reset();
+  Material layer;
+  layer.youngs_modulus = 181e9;
+  layer.transverse_modulus = 10.3e9;
+  layer.shear_modulus = 7.17e9;
+  layer.poissons_ratio = 0.28;
+  gear.material["layer"] = layer;
+  for (const double angle : {0.4, -0.4, 0.4})
+    gear.material["wall"].ply.push_back(
+        {.material = "layer", .angle = angle, .thickness = 0.4 * mm});
+  Flexspline& fs = *gear.flexspline;
+  fs.shape = FlexsplineShape::cylinder;
+  fs.crack_free = CrackFree::sections;
+  fs.length.reset();
+  fs.wall_thickness.reset();
+  gear.drive.pitch_diameter = 122 * mm;
+  gear.drive.radial_displacement = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
+  fs.barrel = TubeSection{.outer_diameter = 121.2 * mm,
+                          .wall_thickness = 1.2 * mm,
+                          .length = 90 * mm,
+                          .material = "wall"};
+  fs.rim =
+      TubeSection{.outer_diameter = 122 * mm, .wall_thickness = 2 * mm, .length = 20 * mm};
+  WallThroughCrack crack;
+  crack.half_length = 1 * mm;
+  crack.angle = 0.5;
+  fs.crack = {crack};
+  return {"through: laminate", gear, {}};
+}
+
 // Kind: cross-check (SN-10).  Source: central differences of fourth order of the engine.
 // Tolerance: 1e-6 of the compliance added by the cracks; differences with a step of 1e-3 have an
 // error of about 1e-8, and the quadrature adds 1e-10/1e-3.
 TEST(CrackDerivatives, CrosscheckDifferencesOfEveryKind) {
+  std::vector<Case> all = cases();
+  all.push_back(coupled_sheet());
   std::size_t number = 0;
-  for (const Case& of : cases()) {
+  for (const Case& of : all) {
     if (test::kSanitized && ++number % 3 != 0) continue;
     const GearSet& gear = of.gear;
     SeriesDerivatives derivatives(gear);

@@ -11,13 +11,14 @@ namespace {
 
 /// The bound that the note on an error states, and its severity.
 void expect_bound(double error, const std::string& bound, Severity severity) {
-  const Note note = note_of({.cracks = 2, .points = 100, .largest_error = error});
+  const Note note = note_of(TableEvidence{.cracks = 2, .points = 100, .largest_error = error});
   EXPECT_NE(note.text.find("by less than " + bound + " of their value"), std::string::npos)
       << error << ": " << note.text;
   EXPECT_EQ(note.severity, severity) << error;
   EXPECT_EQ(note.equation, "ST-22");
 }
 
+// Kind: behaviour (ST-22).  Source: the powers of ten, typed.
 TEST(TableEvidence, BehaviourTheNoteStatesTheNextPowerOfTen) {
   expect_bound(0.0, "1e-14", Severity::information);
   expect_bound(3e-13, "1e-12", Severity::information);
@@ -29,10 +30,14 @@ TEST(TableEvidence, BehaviourTheNoteStatesTheNextPowerOfTen) {
   expect_bound(std::numeric_limits<double>::infinity(), "inf", Severity::care);
 }
 
+// Kind: behaviour.
 TEST(TableEvidence, BehaviourOneCrackIsNoPlural) {
-  EXPECT_NE(note_of({.cracks = 1, .points = 7}).text.find("of 1 crack are"), std::string::npos);
-  EXPECT_NE(note_of({.cracks = 2, .points = 7}).text.find("of 2 cracks are"), std::string::npos);
-  EXPECT_NE(note_of({.cracks = 2, .points = 7}).text.find("at 7 random drives"), std::string::npos);
+  EXPECT_NE(note_of(TableEvidence{.cracks = 1, .points = 7}).text.find("of 1 crack are"),
+            std::string::npos);
+  EXPECT_NE(note_of(TableEvidence{.cracks = 2, .points = 7}).text.find("of 2 cracks are"),
+            std::string::npos);
+  EXPECT_NE(note_of(TableEvidence{.cracks = 2, .points = 7}).text.find("at 7 random drives"),
+            std::string::npos);
 }
 
 }  // namespace
