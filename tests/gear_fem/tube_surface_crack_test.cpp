@@ -63,7 +63,7 @@ TEST(TubeSurfaceCrack, CrosscheckBlockAndGrowthFromNothing) {
   const TubeSurfaceCrackResult outer = solve_tube_with_surface_crack(tube);
   // The tolerance covers order 2 and the curvature, c/sqrt(r t) = 0.15.
   EXPECT_NEAR(outer.sizes_check, 0, 8e-3);
-  EXPECT_EQ(outer.reason, "not compared with neighbouring crack sizes");
+  EXPECT_EQ(outer.reason, "not compared with another size of the crack");
   EXPECT_NEAR(outer.area, pi / 2 * 2e-6, 1e-12);
   const TubeWithSurfaceCrack inside = surface_cracked(20, Mouth::inner);
   const TubeSurfaceCrackResult inner = solve_tube_with_surface_crack(inside);
