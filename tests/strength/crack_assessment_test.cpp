@@ -1129,7 +1129,7 @@ TEST(CrackStrength, CrosscheckReserveByAScanOfTheLoads) {
   int scanned = 0;
   int broken_at_once = 0;
   int with_assembly = 0;
-  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 30U : 300U); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 100U : 300U); ++seed) {
     const GearSet gear = test::random_drive(seed);
     try {
       check(gear);
