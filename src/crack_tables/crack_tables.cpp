@@ -27,8 +27,7 @@ class Survey {
     std::array<long, Similar::kArguments> box{};
     for (std::size_t i = 0; i < x.size(); ++i) {
       varies_[i] = varies_[i] || x[i] != constant_[i];
-      box[i] =
-          std::lround(std::floor(table_coordinate<Solution>(i, x[i]) / Similar::kWidths[i]));
+      box[i] = std::lround(std::floor(table_coordinate<Solution>(i, x[i]) / Similar::kWidths[i]));
     }
     boxes_.insert(box);
   }

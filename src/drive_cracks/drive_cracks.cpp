@@ -294,8 +294,7 @@ class Maker {
   [[nodiscard]] static std::string shielding_words(const ShaftGroup& group) {
     const std::string alone =
         "K is that of the crack alone, which is an upper bound in torsion, because the other "
-        "annular "
-        "cracks of the shaft shield it; ";
+        "annular cracks of the shaft shield it; ";
     if (const std::string fault = group.fault(); !fault.empty()) return alone + fault;
     if (group.stretched())
       return alone + fmt::format(
@@ -303,11 +302,10 @@ class Maker {
                          "influence on K is not known",
                          kLeastAnnularDistance);
     return "K_III contains that the other annular cracks of the shaft shield this one in torsion, "
-           "as "
-           "long as the faces of the others slide freely; friction there raises K up to that of "
-           "the "
-           "crack alone, which the answer without distances contains; K_I of an axial force or a "
-           "bending moment, and the collapse of the section, are those of the crack alone";
+           "as long as the faces of the others slide freely; friction there raises K up to that "
+           "of the crack alone, which the answer without distances contains; K_I of an axial "
+           "force or a bending moment, and the collapse of the section, are those of the crack "
+           "alone";
   }
 
   /// Gives an annular crack the others that shield it in torsion (CG-12).

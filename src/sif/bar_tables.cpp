@@ -354,6 +354,7 @@ std::array<double, 3> penny_in_bar(double x) {
 
 template <class Real>
 BasicOneSidedTable<Real>::BasicOneSidedTable(const Real& aspect) {
+  static_assert(kKink == kFrontDepth[0]);
   static_assert(kDepths == kShallowDepth.size() + kFrontDepth.size() && kTerms == kFrontTerms);
   const std::array<Real, kFrontAspect.size()> weight = lagrange_products(kFrontAspect, aspect);
   const std::array<const Coefficients*, 4> tables = {&kFrontTension, &kFrontBending, &kFrontSliding,

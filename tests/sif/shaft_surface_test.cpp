@@ -168,6 +168,22 @@ TEST(ShaftSurface, CrosscheckSumOverTheArea) {
   EXPECT_EQ(added.matrix(0, 1), 0.0);
 }
 
+// Kind: convergence (SB-7), (FR-2).  The factors have a kink at a/d = 0.1, where a piece of the
+// quadrature ends.  Source: the same integral at a tolerance of 1e-14.  Tolerance: 1e-12; without
+// the end of a piece the integral at 1e-10 is up to 6e-10 off.
+TEST(ShaftSurface, ConvergenceBeyondTheKinkOfTheFactors) {
+  const CrackModuli moduli{.opening = 210e9, .shear = 80e9};
+  for (double depth = 0.02; depth < 0.5; depth *= 1.04) {
+    const sif::ShaftSurfaceSolid crack({.depth = depth, .half_length = depth / 0.6, .diameter = 1});
+    const auto usual = added_compliance(crack, moduli, {.relative_tolerance = 1e-10});
+    const auto exact =
+        added_compliance(crack, moduli, {.relative_tolerance = 1e-14, .max_pieces = 4000});
+    EXPECT_TRUE(usual.converged) << depth;
+    for (const std::size_t i : {kAxial, kTorsion})
+      EXPECT_NEAR(usual.matrix(i, i) / exact.matrix(i, i), 1, 1e-12) << depth;
+  }
+}
+
 // A shallow crack is one of the half space under the stress of the surface: K_I within 2 % of
 // (FR-4) in the middle, K_III within 4 % of (FR-10); the tolerance of the compliance is 8 %,
 // because (FR-10) leaves out the free surface.

@@ -30,8 +30,9 @@
 ///                        compliance f_i is; its switches are those of p
 ///     size_of(p)         the power of lengths in w_i
 ///     known(p)           whether the solution exists for these numbers; without it, it always does
-///     coordinate(i, x)   what a table of an isotropic wall uses for argument i, because f is
-///     argument(i, y)     smoother in it, and the way back; without them, the argument itself
+///     coordinate(i, x)   the variable of a table for argument i, if f is smoother over another
+///                        variable than the argument
+///     argument(i, y)     the argument at this variable
 
 namespace strainwave {
 
@@ -79,8 +80,9 @@ struct Similarity<sif::BasicThroughCrackInTube<Real>> {
   /// and in beta - pi/2.  It is close to a polynomial of cos^2(beta): with pressed faces a short
   /// crack has f ~ cos^2(2 beta).
   static double coordinate(std::size_t i, double x) {
+    if (i != kAngle) return x;
     const double cosine = std::cos(x);
-    return i == kAngle ? cosine * cosine : x;
+    return cosine * cosine;
   }
   static double argument(std::size_t i, double y) {
     return i == kAngle ? std::acos(std::sqrt(y)) : y;
@@ -284,6 +286,7 @@ struct Similarity<sif::BasicShaftSurfaceSolid<Real>> {
   using In = sif::BasicShaftSurfaceSolid<Other>;
   using Parameters = typename In<Real>::Parameters;
   static constexpr std::size_t kArguments = 2;
+  static constexpr double kKink = sif::BasicOneSidedTable<Real>::kKink;
   static constexpr std::array kParts = {CrackPart::sliding, CrackPart::tearing};
   static constexpr bool kFacesChangeShape = false;
   static constexpr std::array<double, kArguments> kWidths = {similarity::kByLogarithm,
@@ -291,7 +294,8 @@ struct Similarity<sif::BasicShaftSurfaceSolid<Real>> {
 
   static std::array<Real, kArguments> arguments(const Parameters& p) {
     using std::log;
-    return {log(p.depth / p.diameter), log(p.half_length / p.diameter)};
+    // A box ends at the kink.
+    return {log(p.depth / (kKink * p.diameter)), log(p.half_length / p.diameter)};
   }
   static std::tuple<> fixed(const Parameters&) { return {}; }
   static std::array<Real, 2> weights(const Parameters& p, const BasicCrackModuli<Real>& moduli,
@@ -303,7 +307,7 @@ struct Similarity<sif::BasicShaftSurfaceSolid<Real>> {
     using std::exp;
     Parameters p;
     p.diameter = 1.0;
-    p.depth = exp(x[0]);
+    p.depth = kKink * exp(x[0]);
     p.half_length = exp(x[1]);
     p.open = false;  // the torque does not open it
     return p;
@@ -406,6 +410,7 @@ class UnderLastLoad {
   [[nodiscard]] UnitStressIntensity<1, Real> stress_intensity(const Real& a, double s) const {
     return last(crack_.stress_intensity(a, s));
   }
+  [[nodiscard]] Real kink() const requires KinkedCrack<Crack> { return crack_.kink(); }
   [[nodiscard]] auto family() const requires LinearFront<Crack> {
     struct Family {
       decltype(std::declval<const Crack&>().family()) of;

@@ -65,10 +65,9 @@ struct BatchResult {
   std::optional<TableEvidence> tables = {};
 };
 
-/// Evaluates a drive for each row of values.  The numbers equal those of `evaluate`: within 1e-10,
-/// or about 1e-9 with a surface crack of a solid shaft, if all outputs are those of the sum of the
-/// members or strength margins, and tables of the cracks save time for this number of rows (ST-22),
-/// otherwise bit for bit.  They have the same bits for
+/// Evaluates a drive for each row of values.  The numbers equal those of `evaluate`: within 1e-10
+/// if all outputs are those of the sum of the members or strength margins, and tables of the cracks
+/// save time for this number of rows (ST-22), otherwise bit for bit.  They have the same bits for
 /// any number of threads.  Outputs of these two kinds take a plan of the drive; a row to which the
 /// plan has no answer takes `evaluate`, which gives its code and the reason.
 ///

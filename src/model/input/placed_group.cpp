@@ -121,7 +121,7 @@ std::optional<double> given_place(const Crack& crack) {
 template <class Crack>
 std::vector<Crack> cracks_of(const LazyPath& at, const GearSet& gear, const Crack& table) {
   constexpr bool kRound = !std::is_same_v<Crack, AnnularCrack>;
-  constexpr std::string_view kPlace = kRound ? "position" : "distance";
+  constexpr std::string_view kPlaceName = kRound ? "position" : "distance";
   constexpr std::string_view kUnit = kRound ? "rad" : "m";
   std::optional<double> axial;
   if constexpr (requires { table.axial_pitch; }) axial = table.axial_pitch;
@@ -143,7 +143,8 @@ std::vector<Crack> cracks_of(const LazyPath& at, const GearSet& gear, const Crac
                                "positions",
                                step));
     if (given_place(table))
-      refuse(kPlace, "is given beside positions; leave it out, or make it one of the positions");
+      refuse(kPlaceName,
+             "is given beside positions; leave it out, or make it one of the positions");
     const std::size_t listed = table.positions.size();
     if (table.count != 1 && static_cast<std::size_t>(table.count) != listed)
       throw InputError((at / "count").text(), table.count, "1",
@@ -165,8 +166,8 @@ std::vector<Crack> cracks_of(const LazyPath& at, const GearSet& gear, const Crac
     require_no_zero(at, "axial_pitch", axial, "m");
     if constexpr (is_optional<std::decay_t<decltype(table.*Crack::kPlace)>>)
       if (!given_place(table))
-        refuse(kPlace, fmt::format("must be given with {}, the place of the first crack [{}]", step,
-                                   kUnit));
+        refuse(kPlaceName, fmt::format("must be given with {}, the place of the first crack [{}]",
+                                       step, kUnit));
     if constexpr (requires { table.axial_pitch; })
       if (axial && !table.distance)
         refuse("distance", "must be given with axial_pitch, the place of the first crack [m]");

@@ -44,6 +44,8 @@ class BasicOneSidedTable {
  public:
   static constexpr double kMaxDepthRatio = 0.5;      ///< a/d of the table
   static constexpr double kLeastDepthRatio = 0.025;  ///< a/d below which the table is extrapolated
+  /// a/d at which two polynomials meet; the second derivative by the depth has a step there
+  static constexpr double kKink = 0.1;
 
   /// @param aspect  a/c [-]; in [0, 1], 0 is the straight front
   explicit BasicOneSidedTable(const Real& aspect);

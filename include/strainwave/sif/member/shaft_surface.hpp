@@ -77,6 +77,8 @@ class BasicShaftSurfaceSolid {
     return BasicShaftSurfaceSolid(parameters);
   }
   [[nodiscard]] Real size() const { return p_.depth; }
+  /// Depth at which two polynomials of the factors meet [m]; (SB-7).
+  [[nodiscard]] Real kink() const { return BasicOneSidedTable<Real>::kKink * p_.diameter; }
   /// a/c of the ellipse [-].
   [[nodiscard]] Real aspect_ratio() const { return aspect_; }
   [[nodiscard]] FrontRange front() const { return {0.0, 1.0}; }
