@@ -5,17 +5,20 @@
     cmake --build --preset fe --target strainwave_cli
     benchmarks/compare.py
 
-Prints the time of one full corrected evaluation of the article's three-crack drive by both, and of
-the torsion curve of a drive of size 25, of a life by Paris' law against scipy's `quad`, and of the motion of a joint
-against four methods of scipy, and of a backbone by harmonic balance against numpy, of K over a turn, of lives, plans of inspections, fits and groups of cracks, their ratios, whether they agree, and how long the program takes to start.  The exit status is 1 if a goal of `GOALS` is missed.  Run the script on a quiet machine.
+Prints one table: the times and ratios of `GOALS`, each with its goal, and whether both programs agree.  The peers are those of
+benchmarks/peer, and CalculiX for the finite elements (compare_fe.py).  The exit status is 1 if a goal is missed.  Run the script on a quiet machine.
 """
 import json
+import math
 import os
 import pathlib
+import shutil
 import statistics
 import subprocess
 import sys
 import time
+
+import compare_fe
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build/fe/apps/cli/strainwave"
@@ -29,9 +32,14 @@ CURVE_PEER = ROOT / "benchmarks/peer/coupled_drive_peer.py"
 GOALS = {"evaluation [us]": ("<=", 15.0), "peer / strainwave": (">=", 100.0),
          "draw by tables [us]": ("<=", 1.0), "peer / draw by tables": (">=", 30.0),
          "a million draws, two threads [s]": ("<=", 0.8), "one thread / two threads": (">=", 1.9),
+         "numpy in columns / draw of a million": (">=", 10.0),
+         "draw by tables / as many multiply-adds": ("<=", 10.0),
+         "time over draws, exponent": ("<=", 1.05), "time over cracks, exponent": ("<=", 1.05),
          "all elasticities [us]": ("<=", 60.0),
          "--version [ms]": ("<", 20.0), "stiffness article.toml [ms]": ("<", 50.0),
          "curve of 11 points [ms]": ("<=", 0.6), "curve of 200 points [ms]": ("<=", 5.0),
+         "comparison at 200 positions [ms]": ("<=", 200.0), "band of 200 draws [ms]": ("<=", 60.0),
+         "report of size 25 [ms]": ("<=", 150.0),
          "peer / strainwave, 11 points": (">=", 5.0), "peer / strainwave, 200 points": (">=", 5.0),
          "life, quad in numpy / strainwave": (">=", 100.0),
          "life, quad in Python / strainwave": (">=", 12.0),
@@ -110,6 +118,22 @@ def peer():
     return out["seconds_per_evaluation"] * 1e6, out["stiffness_positive"]
 
 
+def columns_peer():
+    """Microseconds of a draw of eight numbers in columns of numpy, on one thread."""
+    one = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    out = json.loads(subprocess.check_output(["/usr/bin/python3", PEER, "--draws", "1000000"], env=one))
+    return out["seconds_per_draw"] * 1e6
+
+
+def exponent(name, decades):
+    """Slope of the logarithm of the time over that of the size, by least squares."""
+    sizes = [10.0**d for d in decades]
+    x = [math.log(size) for size in sizes]
+    y = [math.log(wall_time(f"{name}/{size:.0f}")) for size in sizes]
+    middle = statistics.mean(x)
+    return sum((a - middle) * b for a, b in zip(x, y)) / sum((a - middle)**2 for a in x)
+
+
 def group_peer():
     """K of 10 cracks and the mean of 1e5 lives by numpy, with their seconds, on one thread."""
     one = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
@@ -148,14 +172,24 @@ def main():
     constant, mean_life = benchmark("lives_of_constant_amplitude", "mean")  # [s]
     group, factor = benchmark("crack_groups/10", "K")  # [ms]
     group_other = group_peer()
+    size_25 = ROOT / "examples/catalogue_size25.toml"
     measured = {"evaluation [us]": own, "peer / strainwave": other / own,
                 "draw by tables [us]": draw, "peer / draw by tables": other / draw,
                 "a million draws, two threads [s]": million[2],
                 "one thread / two threads": million[1] / million[2],
+                "numpy in columns / draw of a million": columns_peer() / million[1],
+                "draw by tables / as many multiply-adds": draw / wall_time("multiply_adds_of_a_draw"),
+                "time over draws, exponent": exponent("scatter_of_draws", range(3, 8)),
+                "time over cracks, exponent": exponent("compliance_of_cracks", range(0, 5)),
                 "all elasticities [us]": wall_time("sensitivity_of_three_cracks"),
                 "--version [ms]": program("--version"),
                 "stiffness article.toml [ms]": program("stiffness", ROOT / "examples/article.toml"),
                 "curve of 11 points [ms]": curve_11, "curve of 200 points [ms]": curve_200,
+                "comparison at 200 positions [ms]": program(
+                    "torsion", "--compare", "--angles", "200", ROOT / "examples/cracked_size25.toml"),
+                "band of 200 draws [ms]": program("torsion", size_25, "--draws", "200")
+                - program("torsion", size_25, "--draws", "0"),
+                "report of size 25 [ms]": program("report", size_25),
                 "peer / strainwave, 11 points": 1e3 * curve_other["seconds_11"] / curve_11,
                 "peer / strainwave, 200 points": 1e3 * curve_other["seconds_200"] / curve_200,
                 "life, quad in numpy / strainwave": 1e9 * life_other["numpy"]["seconds"] / life,
@@ -177,26 +211,31 @@ def main():
                 "group of 100 cracks [s]": wall_time("crack_groups/100/iterations:1") / 1e3,
                 "crack of a row [ms]": wall_time("crack_of_a_row"),
                 "group, numpy / strainwave": 1e3 * group_other["group"]["seconds"] / group}
-    print(f"{'peer evaluation [us]':30} {other:10.1f}")
+    goals = dict(GOALS)
+    if shutil.which("ccx"):
+        ratios = compare_fe.ratios()
+        measured |= ratios
+        goals |= {name: (">=", compare_fe.goal(name)) for name in ratios}
+    print(f"{'peer evaluation [us]':46} {other:9.1f}")
     missed = 0
     for name, value in measured.items():
-        sense, goal = GOALS[name]
+        sense, goal = goals[name]
         met = value <= goal if sense != ">=" else value >= goal
         missed += not met
-        print(f"{name:46} {value:9.1f}   goal {sense} {goal:g}{'' if met else '   MISSED'}")
+        print(f"{name:46} {value:9.3g}   goal {sense} {goal:g}{'' if met else '   MISSED'}")
     difference = abs(peer_stiffness / stiffness - 1)
-    print(f"{'stiffness, relative difference':30} {difference:10.1e}   goal < 1e-07")
+    print(f"{'stiffness, relative difference':46} {difference:9.1e}   goal < 1e-07")
     by_tables = abs(draw_stiffness / stiffness - 1)
-    print(f"{'stiffness by tables, difference':30} {by_tables:10.1e}   goal < 1e-10")
+    print(f"{'stiffness by tables, difference':46} {by_tables:9.1e}   goal < 1e-10")
     turned = abs(curve_other["twist_at_T3"] / twist - 1)
-    print(f"{'twist, relative difference':30} {turned:10.1e}   goal < 1e-07")
-    print(f"{'life, relative error':30} {abs(life_error):10.1e}   goal < 1e-09")
-    print(f"{'motion, difference [rad]':30} {abs(angle - angle_other):10.1e}   goal < 2e-06")
-    print(f"{'backbone, relative difference':30} {abs(hertz / hertz_other - 1):10.1e}   goal < 1e-07")
+    print(f"{'twist, relative difference':46} {turned:9.1e}   goal < 1e-07")
+    print(f"{'life, relative error':46} {abs(life_error):9.1e}   goal < 1e-09")
+    print(f"{'motion, difference [rad]':46} {abs(angle - angle_other):9.1e}   goal < 2e-06")
+    print(f"{'backbone, relative difference':46} {abs(hertz / hertz_other - 1):9.1e}   goal < 1e-07")
     same_K = abs(group_other["group"]["value"] / factor - 1)
-    print(f"{'K of a group, difference':30} {same_K:10.1e}   goal < 1e-05")
+    print(f"{'K of a group, difference':46} {same_K:9.1e}   goal < 1e-05")
     same_life = abs(group_other["lives"]["value"] / mean_life - 1)
-    print(f"{'mean life, difference':30} {same_life:10.1e}   goal < 1e-06")
+    print(f"{'mean life, difference':46} {same_life:9.1e}   goal < 1e-06")
     agree = (same_K < 1e-5 and same_life < 1e-6 and by_tables < 1e-10 and abs(hertz / hertz_other - 1) < 1e-7 and difference < 1e-7 and turned < 1e-7 and abs(life_error) < 1e-9
              and abs(angle - angle_other) < 2e-6)
     return 1 if missed or not agree else 0

@@ -3,9 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <set>
+#include <functional>
+#include <map>
 #include <type_traits>
 #include <utility>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
 
 namespace strainwave {
 namespace {
@@ -29,7 +33,9 @@ class Survey {
       varies_[i] = varies_[i] || x[i] != constant_[i];
       box[i] = std::lround(std::floor(table_coordinate<Solution>(i, x[i]) / Similar::kWidths[i]));
     }
-    boxes_.insert(box);
+    boxes_.try_emplace(box, x);
+    reads_[SimilarCracks<Solution>::table_of(crack.faces.positive)] = true;
+    reads_[SimilarCracks<Solution>::table_of(crack.faces.negative)] = true;
   }
 
   /// @return  null if tables would not save time
@@ -47,11 +53,22 @@ class Survey {
     return std::make_shared<SimilarCracks<Solution>>(*first_, std::move(varies));
   }
 
+  /// Adds the work of filling each box of the tables that this survey has made.
+  void add_work(const std::shared_ptr<SimilarCracks<Solution>>& tables,
+                std::vector<std::function<void()>>& work) const {
+    for (const auto& box : boxes_)
+      for (const std::size_t table : {0U, 1U})
+        if (reads_[table])
+          work.emplace_back([tables, x = box.second, table] { tables->fill_box(x, table); });
+  }
+
  private:
   std::optional<CrackNumbers<Solution>> first_;
   Arguments constant_{};
   std::array<bool, Similar::kArguments> varies_{};
-  std::set<std::array<long, Similar::kArguments>> boxes_;
+  /// Each box with the arguments of a crack in it.
+  std::map<std::array<long, Similar::kArguments>, Arguments> boxes_;
+  std::array<bool, 2> reads_{};  ///< whether a crack reads the table of this index
 };
 
 using AnySurvey = OfAnySolution<double, Survey>;
@@ -61,7 +78,8 @@ struct Surveyor {
 
   template <class Solution>
   void operator()(const CrackNumbers<Solution>& crack) const {
-    if (crack.table) return;  // the file gives the compliance
+    if (crack.table) return;               // the file gives the compliance
+    if (crack.moduli.anisotropic) return;  // the engine answers
     if (std::holds_alternative<std::monostate>(survey)) survey.emplace<Survey<Solution>>();
     // A shaft whose bore varies through 0 has two solutions; the first gets the table.
     if (auto* const of = std::get_if<Survey<Solution>>(&survey)) of->add(crack);
@@ -89,10 +107,26 @@ CrackTables::CrackTables(std::size_t rows, const Sample& sample) {
     of_crack_.push_back(std::visit(
         [&](const auto& of) -> AnyTable {
           if constexpr (requires { of.table(rows); })
-            if (auto made = of.table(rows)) return made;
+            if (auto made = of.table(rows)) {
+              of.add_work(made, unfilled_);
+              return made;
+            }
           return {};
         },
         survey));
+}
+
+void CrackTables::fill(int threads, const Progress& progress) {
+  for_each_index(unfilled_.size(), {.threads = threads}, progress, [&] {
+    return [&](std::size_t n) {
+      try {
+        unfilled_[n]();
+      } catch (const Error&) {
+        // The drive that asks for this box has the same fault and reports it.
+      }
+    };
+  });
+  unfilled_.clear();
 }
 
 std::size_t CrackTables::tables() const {

@@ -153,7 +153,7 @@ BatchResult batch(const GearSet& gear, const BatchTask& task, const Progress& pr
   if (task.method == Method::corrected && VariedSeries::covers(task.outputs)) {
     series.emplace(gear, std::vector(task.paths.begin(), task.paths.end()),
                    std::vector(task.outputs.begin(), task.outputs.end()));
-    series->prepare(n_rows, fill);
+    series->prepare(n_rows, fill, task.threads, progress);
   }
   for_each_index(n_rows, {.block = series ? 64U : 1U, .threads = task.threads}, progress, [&] {
     return RowEvaluator(gear, task, columns, result, faults, series ? &*series : nullptr);

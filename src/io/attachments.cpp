@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <memory>
@@ -133,10 +134,16 @@ Attachments attachments_beside(const std::filesystem::path& input_file) {
 }
 
 std::string read_text(std::istream& stream, std::string_view name) {
-  std::string text(kMaxTextSize + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw InputError(name, "cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  // A file of a drive has some kilobytes, so memory for the largest one would take longer to clear
+  // than the file to read.
+  std::string text;
+  std::array<char, 1 << 14> piece;
+  do {
+    stream.read(piece.data(), piece.size());
+    if (stream.bad()) throw InputError(name, "cannot be read");
+    const auto got = static_cast<std::size_t>(stream.gcount());
+    text.append(piece.data(), std::min(got, kMaxTextSize + 1 - text.size()));
+  } while (stream && text.size() <= kMaxTextSize);
   return text;
 }
 

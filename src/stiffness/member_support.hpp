@@ -30,8 +30,13 @@ inline constexpr std::string_view kStressIntensityUnit = "Pa*m^0.5";
 /// Adds tags unless they are there already.
 template <class Tags = std::initializer_list<std::string_view>>
 void use_equations(std::vector<std::string>& equations, const Tags& tags) {
-  for (const std::string_view tag : tags)
-    if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
+  for (const std::string_view tag : tags) {
+    // Most tags differ in the last digit, so few of them are compared as a whole.
+    const auto same = [tag](const std::string& known) {
+      return known.back() == tag.back() && known == tag;
+    };
+    if (std::ranges::none_of(equations, same)) equations.emplace_back(tag);
+  }
 }
 
 /// Records the basis of an uncertainty.

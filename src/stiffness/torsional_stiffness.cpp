@@ -247,6 +247,9 @@ StiffnessResult stiffness_of_checked(const GearSet& gear, const StiffnessOptions
   StiffnessResult result;
   result.method = Method::corrected;
   result.notes = input_notes(gear);
+  // Room for the notes and tags of most drives, which would move each time a list grows.
+  result.notes.reserve(result.notes.size() + 16);
+  result.equations.reserve(64);
   note_materials(gear, result.notes);
 
   Members intact;

@@ -85,8 +85,9 @@ VariedSeries::Fill DrawnOutputs::values_by(
 }
 
 void DrawnOutputs::prepare(std::size_t rows,
-                           const std::function<void(std::size_t row, std::span<double> u)>& fill) {
-  if (series_) series_->prepare(rows, values_by(fill));
+                           const std::function<void(std::size_t row, std::span<double> u)>& fill,
+                           int threads, const Progress& progress) {
+  if (series_) series_->prepare(rows, values_by(fill), threads, progress);
 }
 
 std::optional<TableEvidence> DrawnOutputs::table_evidence(

@@ -12,6 +12,7 @@
 
 #include "drawn_drive.hpp"
 #include "scatter_law.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -39,8 +40,10 @@ class DrawnOutputs {
   /// Prepares tables of the cracks for many drives.
   /// @param rows  number of drives
   /// @param fill  (row, u): independent standard normal variables of a row
+  /// @param threads, progress  as in VariedSeries::prepare
   void prepare(std::size_t rows,
-               const std::function<void(std::size_t row, std::span<double> u)>& fill);
+               const std::function<void(std::size_t row, std::span<double> u)>& fill, int threads,
+               const Progress& progress);
 
   /// Compares the tables with the engine; as VariedSeries::table_evidence.
   [[nodiscard]] std::optional<TableEvidence> table_evidence(

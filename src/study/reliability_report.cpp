@@ -263,7 +263,7 @@ RequirementReliability reliability_of_one(const GearSet& gear, const Requirement
   const auto fill = [&](std::size_t row, std::span<double> u) {
     counter_normals(settings.seed, row, u);
   };
-  outputs.prepare(draws, fill);
+  outputs.prepare(draws, fill, settings.threads, at_start);
   const SamplingOptions sampling{
       .draws = draws, .seed = settings.seed, .threads = settings.threads};
   const SampledProbability plain = plain_sampling(make, inputs, sampling, at_start);

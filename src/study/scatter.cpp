@@ -67,21 +67,26 @@ void fill_deviations(ScatterOutput& output, double n, double mean, double second
   }
 }
 
-/// Moments and quantiles of one output, summed in the order of the draws.
-void fill_moments(ScatterOutput& output, std::vector<double> values) {
-  const auto n = static_cast<double>(values.size());
+/// Moments of one output, summed in the order of the draws.
+/// @param each_value  (f): calls f with each value of the output
+template <class EachValue>
+void fill_moments(ScatterOutput& output, double n, const EachValue& each_value) {
   double sum = 0.0;
-  for (const double v : values) sum += v;
+  each_value([&](double v) { sum += v; });
   const double mean = sum / n;
   double second = 0.0;
   double fourth = 0.0;
-  for (const double v : values) {
+  each_value([&](double v) {
     const double square = (v - mean) * (v - mean);
     second += square;
     fourth += square * square;
-  }
+  });
   fill_deviations(output, n, mean, second, fourth);
-  const auto [low, median, high] = quantiles(std::span(values), kQuantiles);
+}
+
+/// @param values  of the output; reordered
+void fill_quantiles(ScatterOutput& output, std::span<double> values) {
+  const auto [low, median, high] = quantiles(values, kQuantiles);
   output.low = low;
   output.median = median;
   output.high = high;
@@ -102,9 +107,13 @@ class Draws {
   }
 
  public:
-  Draws(DrawnOutputs& outputs, const ScatterOptions& options)
+  Draws(DrawnOutputs& outputs, const ScatterOptions& options, const Progress& progress)
       : outputs_(outputs), options_(options) {
-    outputs.prepare(size(), [this](std::size_t of, std::span<double> u) { fill(of, u); });
+    // Draws that come from shares read no tables.
+    const bool reads = options.shared != nullptr && options.shared->reads();
+    outputs.prepare(
+        size(), [this](std::size_t of, std::span<double> u) { fill(of, u); },
+        reads ? 1 : options.threads, progress);
   }
 
   /// Error of the tables that the draws read.
@@ -224,13 +233,21 @@ void fill_from_kept(Scatter& scatter, const Draws& draws, const std::vector<std:
     }
   }
   need_results(scatter);
-  for_each_index(columns.size(), {.threads = options.threads}, progress.part(0.95, 1.0), [&] {
-    return [&](std::size_t y) {
+  // Quantiles take longer than moments, so they come first and the threads end together.
+  const Parallel parallel{.threads = options.threads};
+  for_each_index(2 * columns.size(), parallel, progress.part(0.95, 1.0), [&] {
+    return [&](std::size_t part) {
+      const std::size_t y = part % columns.size();
+      const auto each_value = [&](const auto& f) {
+        for (const Draw& draw : all)
+          if (draw.fate == Fate::evaluated) f(draw.value[columns[y]]);
+      };
+      if (part >= columns.size())
+        return fill_moments(scatter.outputs[y], static_cast<double>(scatter.evaluated), each_value);
       std::vector<double> values;
       values.reserve(static_cast<std::size_t>(scatter.evaluated));
-      for (const Draw& draw : all)
-        if (draw.fate == Fate::evaluated) values.push_back(draw.value[columns[y]]);
-      fill_moments(scatter.outputs[y], std::move(values));
+      each_value([&](double v) { values.push_back(v); });
+      fill_quantiles(scatter.outputs[y], values);
     };
   });
 }
@@ -367,7 +384,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     columns.push_back(static_cast<std::size_t>(name - names.begin()));
     scatter.outputs.push_back(std::move(output));
   }
-  const Draws draws(outputs, options);
+  const Draws draws(outputs, options, progress);
   if (shares) (void)draws.all(progress);  // ends here
   std::optional<DrawnRows> rows;
   if (options.rows != nullptr) rows.emplace(draws, outputs, scatter, columns, *options.rows);

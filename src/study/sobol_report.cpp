@@ -114,7 +114,7 @@ Sobol sobol_of(const GearSet& gear, const SobolSettings& settings, const Progres
   const auto fill = [&](std::size_t row, std::span<double> u) {
     counter_normals(settings.seed, row, u);
   };
-  outputs.prepare(rows, fill);
+  outputs.prepare(rows, fill, settings.threads, progress);
   DesignPoints each;
   std::shared_ptr<DesignRows> design;
   if (settings.rows != nullptr)

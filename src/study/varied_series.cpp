@@ -210,13 +210,15 @@ bool VariedSeries::can_vary(std::span<const std::string> paths) {
   });
 }
 
-void VariedSeries::prepare(std::size_t rows, const Fill& fill) {
+void VariedSeries::prepare(std::size_t rows, const Fill& fill, int threads,
+                           const Progress& progress) {
   Evaluator::State state(*plan_, false);
   std::vector<double> values(plan_->paths.size());
   plan_->tables.emplace(rows, [&](std::size_t row) {
     fill(row, values);
     return state.with(values);
   });
+  if (threads != 1) plan_->tables->fill(threads, progress.part(0.0, 0.0));
 }
 
 std::optional<TableEvidence> VariedSeries::table_evidence(std::size_t rows,

@@ -13,6 +13,7 @@
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/chebyshev_cells.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/crack_tables/similarity.hpp"
 #include "strainwave/drive_cracks/wall_group.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
@@ -77,15 +78,12 @@ class SimilarCracks {
           return std::nullopt;
       }
       ChebyshevCells::Values f{};
-      const auto read = [&](Faces faces) {
-        const bool second = Similar::kFacesChangeShape && faces == Faces::pressed;
-        return readers_[second ? 1 : 0](place, f);
-      };
+      const auto read = [&](Faces faces) { return readers_[table_of(faces)](place, f); };
       const auto sum = [&](Faces faces) {
         const auto w = Similar::weights(crack.parameters, crack.moduli, faces);
         double total = 0.0;
         for (std::size_t i = 0; i < kParts; ++i) total += w[i] * f[i];  // (ST-21)
-        return total;
+        return total * vanishing(x, faces);
       };
       if (!read(crack.faces.positive)) return std::nullopt;
       UnderBothSenses<double> added;
@@ -102,6 +100,21 @@ class SimilarCracks {
     std::vector<ChebyshevCells::Reader> readers_;
   };
 
+  /// The table of a state of the faces; 1 if pressed faces have a solution of their own.
+  [[nodiscard]] static std::size_t table_of(Faces faces) {
+    return Similar::kFacesChangeShape && faces == Faces::pressed ? 1 : 0;
+  }
+
+  /// Fills the box of one table at the given arguments, unless it is filled.
+  /// @param table  0 or 1, as `table_of` gives it
+  void fill_box(const Arguments& x, std::size_t table) {
+    ChebyshevCells::Place place{};
+    for (std::size_t v = 0; v < varies_.size(); ++v)
+      place[v] = table_coordinate<Solution>(varies_[v], x[varies_[v]]);
+    ChebyshevCells::Values ignored{};
+    (void)ChebyshevCells::Reader (*cells_[table])(place, ignored);
+  }
+
   /// Largest error of the polynomials used so far [-].
   [[nodiscard]] double largest_error() const {
     double largest = 0.0;
@@ -111,6 +124,13 @@ class SimilarCracks {
   }
 
  private:
+  static double vanishing(const Arguments& x, Faces faces) {
+    if constexpr (requires { Similar::vanishing(x, faces); })
+      return Similar::vanishing(x, faces);
+    else
+      return 1.0;
+  }
+
   bool fill(const ChebyshevCells::Place& place, ChebyshevCells::Values& values, Faces faces) const {
     Arguments x = constant_;
     for (std::size_t i = 0; i < varies_.size(); ++i)
@@ -123,7 +143,7 @@ class SimilarCracks {
       const auto of = similar_part<Solution>(first_, x, part, faces, moduli_of<double>(part),
                                              {.relative_tolerance = 1e-12});
       if (!of.converged) return false;
-      values[i] = of.value;
+      values[i] = of.value / vanishing(x, faces);
     }
     return true;
   }
@@ -149,6 +169,13 @@ class CrackTables {
 
   /// Number of cracks that have tables.
   [[nodiscard]] std::size_t tables() const;
+
+  /// Fills the boxes in which the sampled drives lie, each by one of several threads.  Other boxes
+  /// are filled when a drive asks for them, and other threads that need such a box wait.
+  /// @param threads   0: as many as the machine runs at once
+  /// @param progress  may stop the work
+  void fill(int threads, const Progress& progress);
+
   /// Largest relative error of the tables read so far, against the engine [-].
   [[nodiscard]] double largest_error() const;
 
@@ -159,7 +186,8 @@ class CrackTables {
   using Table = std::shared_ptr<SimilarCracks<Solution>>;
   using AnyTable = OfAnySolution<double, Table>;
 
-  std::vector<AnyTable> of_crack_;  ///< in the order of `for_each_series_crack`
+  std::vector<AnyTable> of_crack_;               ///< in the order of `for_each_series_crack`
+  std::vector<std::function<void()>> unfilled_;  ///< each fills one box
 };
 
 /// Reads the tables for one thread.

@@ -33,6 +33,9 @@
 ///     coordinate(i, x)   the variable of a table for argument i, if f is smoother over another
 ///                        variable than the argument
 ///     argument(i, y)     the argument at this variable
+///     vanishing(x, faces)  a factor of f that becomes 0, which a polynomial cannot give with a
+///     small
+///                        relative error; without it, 1
 
 namespace strainwave {
 
@@ -77,8 +80,7 @@ struct Similarity<sif::BasicThroughCrackInTube<Real>> {
             p.poissons_ratio};
   }
   /// K of an isotropic wall at -beta is K at beta with the other sign of K_II, so f is even in beta
-  /// and in beta - pi/2.  It is close to a polynomial of cos^2(beta): with pressed faces a short
-  /// crack has f ~ cos^2(2 beta).
+  /// and in beta - pi/2.  It is close to a polynomial of cos^2(beta).
   static double coordinate(std::size_t i, double x) {
     if (i != kAngle) return x;
     const double cosine = std::cos(x);
@@ -86,6 +88,11 @@ struct Similarity<sif::BasicThroughCrackInTube<Real>> {
   }
   static double argument(std::size_t i, double y) {
     return i == kAngle ? std::acos(std::sqrt(y)) : y;
+  }
+  /// The shear along a crack: pressed faces at 45 degrees to the shear have no K [-].
+  static double vanishing(const std::array<double, kArguments>& x, Faces faces) {
+    const double cosine = faces == Faces::pressed ? std::cos(2 * x[kAngle]) : 1.0;
+    return cosine * cosine;
   }
   static bool known(const Parameters& p) {
     return p.count == 1 ||

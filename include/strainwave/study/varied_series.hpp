@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/study/table_evidence.hpp"
@@ -64,7 +65,10 @@ class VariedSeries {
   [[nodiscard]] static bool can_vary(std::span<const std::string> paths);
 
   /// Prepares tables of the cracks, where they save time for this number of rows.
-  void prepare(std::size_t rows, const Fill& fill);
+  /// @param threads   that will evaluate, and fill the tables first; 0: as many as the machine runs
+  ///                  at once; 1 fills what it reads, later
+  /// @param progress  may stop the work
+  void prepare(std::size_t rows, const Fill& fill, int threads = 1, const Progress& progress = {});
 
   /// Compares the tables with the engine at random rows; absent if no output read a table.  Asks
   /// for the same rows on every machine.
