@@ -198,7 +198,18 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
   app.get_formatter()->column_width(34);
   Work chosen;
   require_command(program, words);
+  std::string_view called;  // also in strainwave --help COMMAND
+  const auto named =
+      std::ranges::find_if(words, [](const std::string& word) { return !word.starts_with('-'); });
+  if (named != words.end()) called = *named;
+  if (!words.empty() && means_unnamed(program, words.front())) called = program.unnamed;
   for (const std::string_view word : first_words(program)) {
+    // The list of commands needs their names only; arguments of all commands would take most of the
+    // time that the program needs to start.
+    if (word != called) {
+      app.add_subcommand(std::string(word), std::string(summary_of(program, word)));
+      continue;
+    }
     const auto commands = commands_of(program, word);
     if (second_word(*commands.front()).empty()) {
       add_command(app, word, program, *commands.front(), chosen);
