@@ -65,6 +65,8 @@ class VariedSeries {
   [[nodiscard]] static bool can_vary(std::span<const std::string> paths);
 
   /// Prepares tables of the cracks, where they save time for this number of rows.
+  /// @param rows      number of rows that will be evaluated
+  /// @param fill      gives the values of a row, of which some hundred are asked for
   /// @param threads   that will evaluate, and fill the tables first; 0: as many as the machine runs
   ///                  at once; 1 fills what it reads, later
   /// @param progress  may stop the work
